@@ -242,19 +242,19 @@ class CommandLine {
   }
 
   std::deque<Command> commands_;
-  SampleOptions sample_;
-  ConvertOptions convert_;
-  InspectOptions inspect_;
-  DifferenceOptions difference_;
-  CompareOptions compare_;
-  PlotOptions plot_;
-  SmoothOptions smooth_;
-  TuneOptions tune_;
-  ReduceOptions reduce_;
-  RetimeOptions retime_;
-  MethodsOptions methods_;
-  TasksOptions tasks_;
-  ReproduceOptions reproduce_;
+  SampleArguments sample_;
+  ConvertArguments convert_;
+  InspectArguments inspect_;
+  DifferenceArguments difference_;
+  CompareArguments compare_;
+  PlotArguments plot_;
+  SmoothArguments smooth_;
+  TuneArguments tune_;
+  ReduceArguments reduce_;
+  RetimeArguments retime_;
+  MethodsArguments methods_;
+  TasksArguments tasks_;
+  ReproduceArguments reproduce_;
   std::string shell_;
   std::optional<std::string> helped_;
 };

@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include <orispline/analysis/curve_measures.hpp>
 #include <orispline/analysis/distance.hpp>
-#include <orispline/analysis/energy.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/degrees.hpp>
 

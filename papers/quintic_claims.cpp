@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <orispline/analysis/continuity.hpp>
-#include <orispline/analysis/energy.hpp>
+#include <orispline/analysis/curve_measures.hpp>
 #include <orispline/analysis/quadrature.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/degrees.hpp>

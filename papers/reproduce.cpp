@@ -145,7 +145,7 @@ Expected<void> check_motions(const std::vector<ExperimentReport>& reports, const
 
 }  // namespace
 
-Expected<void> reproduce(const ReproduceOptions& options) {
+Expected<void> reproduce(const ReproduceArguments& options) {
   if (!options.experiment) {
     if (options.pictures) return wanted({"--pictures", *options.pictures}, "an EXPERIMENT as well");
     if (options.keys) return wanted({"--keys", *options.keys}, "an EXPERIMENT as well");

@@ -11,13 +11,13 @@
 namespace orispline::cli {
 
 /// `orispline reproduce`, as typed.
-struct ReproduceOptions {
+struct ReproduceArguments {
   std::optional<std::string> experiment, keys, pictures;
   ReportOptions report;
   bool json = false;
 };
 
 /// Lists the experiments of the papers, or runs one of them or all of one paper.
-[[nodiscard]] Expected<void> reproduce(const ReproduceOptions& options);
+[[nodiscard]] Expected<void> reproduce(const ReproduceArguments& options);
 
 }  // namespace orispline::cli

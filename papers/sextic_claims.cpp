@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <orispline/analysis/curve_measures.hpp>
 #include <orispline/analysis/distance.hpp>
-#include <orispline/analysis/energy.hpp>
 #include <orispline/math/degrees.hpp>
 
 #include "papers/flight.hpp"

@@ -6,7 +6,7 @@
 
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
-#include <orispline/fields/typed_field.hpp>
+#include <orispline/fields/field_info.hpp>
 
 #include "options/option_text.hpp"
 

@@ -33,7 +33,7 @@ struct InputOptions {
   std::map<std::string_view, TypedTexts, std::less<>> reading;  ///< by the names of io::reading_options()
 };
 
-/// The same, understood.
+/// The input, and how it is to be read, understood.
 struct InputRequest {
   std::string path;
   io::ReadOptions read;

@@ -11,7 +11,7 @@
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/io/track_file.hpp>
-#include <orispline/jobs/chosen_method.hpp>
+#include <orispline/jobs/curve_of_keys.hpp>
 
 namespace orispline::cli {
 

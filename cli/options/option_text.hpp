@@ -13,6 +13,7 @@
 
 #include <orispline/base/decimal.hpp>
 #include <orispline/base/expected.hpp>
+#include <orispline/base/first_error.hpp>
 #include <orispline/base/pieces.hpp>
 #include <orispline/base/warning.hpp>
 #include <orispline/fields/words.hpp>
@@ -38,11 +39,11 @@ struct OptionText {
 
 /// A text of the library with the options that it names between backquotes as those of the command.
 [[nodiscard]] std::string with_flags(std::string_view text);
-/// The same of an error or a warning, which begins with the option that is at fault.
+/// An error or a warning with the options it names as those of the command; it begins with the one that is at fault.
 [[nodiscard]] Error with_flags(Error error);
 [[nodiscard]] Warning with_flags(Warning warning);
 
-/// The same without the unit that the number is in anyhow, if it is typed behind it: `0.5 s` is `0.5`.
+/// An option's text without the unit that the number is in anyhow, if it is typed behind it: `0.5 s` is `0.5`.
 [[nodiscard]] OptionText without_unit(OptionText option, std::string_view unit);
 
 /// A finite number above 0, or a fraction.
@@ -101,27 +102,5 @@ template <class Read>
   if (!text) return std::optional<Value>();
   return read(OptionText{option, *text}).map([](Value value) { return std::optional<Value>(std::move(value)); });
 }
-
-/// Lets options be read one after the other and keeps the first complaint.
-class FirstError {
- public:
-  /// The value, or after an error a default one that nobody gets to see.
-  template <class T>
-  [[nodiscard]] T operator()(Expected<T> result) {
-    if (result) return std::move(*result);
-    if (!error_) error_ = std::move(result.error());
-    return T{};
-  }
-
-  /// What was read, unless there was a complaint.
-  template <class T>
-  [[nodiscard]] Expected<T> or_else(T value) && {
-    if (error_) return tl::unexpected(std::move(*error_));
-    return value;
-  }
-
- private:
-  std::optional<Error> error_;
-};
 
 }  // namespace orispline::cli

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <orispline/io/sample_writer.hpp>
-#include <orispline/scenes/scene_format.hpp>
+#include <orispline/scenes/scene_file.hpp>
 
 #include "options/input_options.hpp"
 

@@ -31,7 +31,7 @@ struct TimeBound {
   bool since_first_key = false;
 };
 
-/// The same, understood.
+/// The times that samples are wanted at, understood.
 struct TimeRequest {
   std::variant<SampleGrid::Rate, SampleGrid::Count, TimesFile> spacing;
   std::optional<TimeBound> from, to;

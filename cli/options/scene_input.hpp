@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <orispline/scenes/scene_format.hpp>
+#include <orispline/scenes/scene_file.hpp>
 #include <orispline/scenes/scene_tracks.hpp>
 
 #include "options/input_options.hpp"
@@ -18,7 +18,7 @@ namespace orispline::cli {
 [[nodiscard]] const scenes::SceneFormat* scene_format_of(const InputRequest& input);
 [[nodiscard]] bool is_scene(const InputRequest& input);
 
-/// The same of what is typed.
+/// Whether a typed path, read as the options say, is a file of skeletons.
 [[nodiscard]] bool is_scene(const InputOptions& options, const std::string& path);
 
 /// How it is to be read.

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/smooth/smooth_fields.hpp>
+#include <orispline/fields.hpp>
 
 #include "options/option_text.hpp"
 

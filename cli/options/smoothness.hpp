@@ -20,7 +20,7 @@ struct SmoothnessOptions {
 [[nodiscard]] std::string first_given(const SmoothnessOptions& options);
 [[nodiscard]] inline bool any_given(const SmoothnessOptions& options) { return !first_given(options).empty(); }
 
-/// The same, understood; all else is left at its default. Error: bad_argument.
+/// The options of smoothing, understood; all else is left at its default. Error: bad_argument.
 [[nodiscard]] Expected<orispline::SmoothOptions> smoothing_in(const SmoothnessOptions& options);
 
 /// An error about the smoothing time, which the user stated as a cutoff, in terms of that; any other as it is.

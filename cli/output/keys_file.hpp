@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <orispline/io/track_writer.hpp>
+#include <orispline/io/track_file.hpp>
 
 namespace orispline::cli {
 

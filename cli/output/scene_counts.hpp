@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <orispline/scenes/scene_format.hpp>
+#include <orispline/scenes/scene_file.hpp>
 
 #include "output/json_document.hpp"
 

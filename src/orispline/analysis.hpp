@@ -3,11 +3,10 @@
 
 // What a curve is worth: distances, energies, continuity, peaks, and methods compared by them.
 
-#include <orispline/analysis/angle_travelled.hpp>
 #include <orispline/analysis/compared_keys.hpp>
 #include <orispline/analysis/comparison.hpp>
+#include <orispline/analysis/curve_measures.hpp>
 #include <orispline/analysis/decimation.hpp>
-#include <orispline/analysis/energy.hpp>
 #include <orispline/analysis/key_statistics.hpp>
 #include <orispline/analysis/measure_info.hpp>
 #include <orispline/curve/motion.hpp>

@@ -3,9 +3,11 @@
 
 // The options and results of the tasks as data, for faces that are made from them (ORISPLINE_OPTIMISE).
 
-#include <orispline/analysis/comparison_fields.hpp>
-#include <orispline/fields/typed_field.hpp>
-#include <orispline/reduce/reduce_fields.hpp>
-#include <orispline/retime/retime_fields.hpp>
-#include <orispline/smooth/smooth_fields.hpp>
-#include <orispline/tune/tune_fields.hpp>
+#include <orispline/analysis/comparison.hpp>
+#include <orispline/analysis/decimation.hpp>
+#include <orispline/fields/field_info.hpp>
+#include <orispline/reduce/clip_reduction.hpp>
+#include <orispline/reduce/reduce.hpp>
+#include <orispline/retime/retime.hpp>
+#include <orispline/smooth/smooth.hpp>
+#include <orispline/tune/tune.hpp>

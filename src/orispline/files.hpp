@@ -8,4 +8,3 @@
 #include <orispline/io/sample_writer.hpp>
 #include <orispline/io/times_file.hpp>
 #include <orispline/io/track_file.hpp>
-#include <orispline/io/track_writer.hpp>

@@ -5,13 +5,13 @@
 // (ORISPLINE_OPTIMISE).
 
 #include <orispline/jobs/compare.hpp>
+#include <orispline/jobs/curve_clip.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>
 #include <orispline/jobs/difference.hpp>
 #include <orispline/jobs/inspect.hpp>
+#include <orispline/jobs/plot.hpp>
 #include <orispline/jobs/reduce.hpp>
-#include <orispline/jobs/reduce_scene.hpp>
 #include <orispline/jobs/retime.hpp>
 #include <orispline/jobs/sample.hpp>
 #include <orispline/jobs/smooth.hpp>
-#include <orispline/jobs/smooth_clips.hpp>
 #include <orispline/jobs/tune.hpp>

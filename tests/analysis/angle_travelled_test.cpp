@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/analysis/angle_travelled.hpp>
+#include <orispline/analysis/curve_measures.hpp>
 
 #include <gtest/gtest.h>
 

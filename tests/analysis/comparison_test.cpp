@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <orispline/analysis/curve_measures.hpp>
 #include <orispline/analysis/decimation.hpp>
-#include <orispline/analysis/energy.hpp>
 #include <orispline/analysis/key_statistics.hpp>
 #include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>

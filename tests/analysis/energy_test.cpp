@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/analysis/energy.hpp>
+#include <orispline/analysis/curve_measures.hpp>
 
 #include <gtest/gtest.h>
 
-#include <orispline/analysis/angle_travelled.hpp>
 #include <orispline/families/auto.hpp>
 #include <orispline/families/registry.hpp>
 #include <support/data_table.hpp>

@@ -2,8 +2,8 @@
 // Keys of which some leave their rates free: what keyframes accept, and what the methods that take rates make of it.
 #include <gtest/gtest.h>
 
+#include <orispline/analysis/curve_measures.hpp>
 #include <orispline/analysis/distance.hpp>
-#include <orispline/analysis/energy.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/families/registry.hpp>

@@ -3,7 +3,7 @@
 // tools/make_least_golden.py, and what an optimum must obey.
 #include <gtest/gtest.h>
 
-#include <orispline/analysis/energy.hpp>
+#include <orispline/analysis/curve_measures.hpp>
 #include <orispline/families/registry.hpp>
 #include <support/data_table.hpp>
 #include <support/near.hpp>

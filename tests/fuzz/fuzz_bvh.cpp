@@ -6,7 +6,7 @@
 #include <fuzz/claim.hpp>
 #include <fuzz/fuzz_input.hpp>
 #include <orispline/math/so3.hpp>
-#include <orispline/scenes/scene_format.hpp>
+#include <orispline/scenes/scene_file.hpp>
 
 namespace orispline::fuzz { namespace {
 

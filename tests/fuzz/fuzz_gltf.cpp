@@ -5,7 +5,7 @@
 
 #include <fuzz/claim.hpp>
 #include <fuzz/fuzz_input.hpp>
-#include <orispline/scenes/scene_format.hpp>
+#include <orispline/scenes/scene_file.hpp>
 
 namespace orispline::fuzz { namespace {
 

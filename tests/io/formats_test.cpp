@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/io/formats/formats.hpp>
+#include <orispline/io/file_format.hpp>
 
 #include <algorithm>
 #include <set>
@@ -10,6 +10,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/key_reader.hpp>
+#include <orispline/io/line_reader.hpp>
 #include <orispline/io/sample_writer.hpp>
 #include <orispline/io/track_file.hpp>
 

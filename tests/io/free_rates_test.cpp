@@ -6,7 +6,6 @@
 
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/io/track_file.hpp>
-#include <orispline/io/track_writer.hpp>
 
 #include "io/text_file.hpp"
 

@@ -8,7 +8,6 @@
 
 #include <orispline/io/key_reader.hpp>
 #include <orispline/io/track_file.hpp>
-#include <orispline/io/track_writer.hpp>
 
 #include "io/text_file.hpp"
 

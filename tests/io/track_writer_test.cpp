@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/io/track_writer.hpp>
+#include <orispline/io/track_file.hpp>
 
 #include <filesystem>
 #include <numeric>
@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <orispline/io/sample_writer.hpp>
-#include <orispline/io/track_file.hpp>
 
 #include "io/text_file.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/jobs/reduce_scene.hpp>
+#include <orispline/jobs/reduce.hpp>
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/jobs/smooth_clips.hpp>
+#include <orispline/jobs/smooth.hpp>
 
 #include <cmath>
 

@@ -6,7 +6,6 @@
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/io/track_file.hpp>
-#include <orispline/io/track_writer.hpp>
 #include <orispline/reduce/reduce.hpp>
 #include <orispline/retime/retime.hpp>
 #include <orispline/smooth/smooth.hpp>

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <orispline/math/so3.hpp>
-#include <orispline/scenes/scene_format.hpp>
+#include <orispline/scenes/scene_file.hpp>
 
 namespace orispline::scenes::test {
 

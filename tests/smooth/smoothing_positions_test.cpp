@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <orispline/smooth/smooth_fields.hpp>
+#include <orispline/smooth/smooth.hpp>
 #include <orispline/smooth/smoothing.hpp>
 #include <orispline/smooth/smoothing_result.hpp>
 

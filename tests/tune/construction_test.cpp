@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <orispline/analysis/energy.hpp>
+#include <orispline/analysis/curve_measures.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/tune/tune.hpp>
 #include "tune/some_keys.hpp"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <orispline/analysis/continuity.hpp>
-#include <orispline/analysis/energy.hpp>
+#include <orispline/analysis/curve_measures.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/gauss_legendre.hpp>

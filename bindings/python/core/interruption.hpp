@@ -13,7 +13,7 @@ namespace orispline::python {
 /// that raises, such as Ctrl-C, stops the work.
 void run_interruptibly(const std::function<void(const Progress&)>& work);
 
-/// The same, with the result.
+/// Runs work interruptibly and gives its result.
 template <class Work>
 auto interruptible(const Work& work) {
   std::optional<std::invoke_result_t<Work, const Progress&>> result;

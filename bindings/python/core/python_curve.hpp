@@ -29,7 +29,7 @@ class PythonCurve {
 
   /// For times in no order: made when it is first asked for.
   [[nodiscard]] const CompiledCurve<double>& compiled() const;
-  /// The same of its arc length. Not to be asked with the GIL.
+  /// The arc length, made when it is first asked for. Not to be asked with the GIL.
   [[nodiscard]] const AngleTravelled& travelled() const;
 
  private:

@@ -31,7 +31,7 @@ struct CompareReport {
   io::RepairReport repairs{};
 };
 
-Expected<CompareReport> compared(const CompareOptions& options, CompareRequest request) {
+Expected<CompareReport> compared(const CompareArguments& options, CompareRequest request) {
   auto files = compared_files(request.input, options.reference);
   if (!files) return tl::unexpected(std::move(files.error()));
   request.job.keys = std::move(files->keys);
@@ -64,7 +64,7 @@ std::string tables_text(const CompareReport& report, std::optional<std::size_t> 
   return text;
 }
 
-Expected<void> print(const CompareReport& report, const CompareOptions& options) {
+Expected<void> print(const CompareReport& report, const CompareArguments& options) {
   return print_document(options.json  ? document(document_of(report.outcome))
                         : options.csv ? csv_of(report.outcome)
                                       : tables_text(report, terminal_width()))
@@ -72,7 +72,7 @@ Expected<void> print(const CompareReport& report, const CompareOptions& options)
 }
 
 /// The table of one of several inputs, as a file of its own.
-Expected<void> write(const jobs::CompareOutcome& outcome, const CompareOptions& options) {
+Expected<void> write(const jobs::CompareOutcome& outcome, const CompareArguments& options) {
   return any_worked(outcome)
       .and_then([&] { return open_output(options.output.path); })
       .and_then([&](Noted<io::OutputFile> output) {
@@ -85,7 +85,7 @@ Expected<void> write(const jobs::CompareOutcome& outcome, const CompareOptions& 
       });
 }
 
-Expected<void> compare_one(const CompareOptions& options) {
+Expected<void> compare_one(const CompareArguments& options) {
   auto request = compare_request(options);
   if (!request) return tl::unexpected(std::move(request.error()));
   auto file = ReportFile::open(options.report);
@@ -100,7 +100,7 @@ Expected<void> compare_one(const CompareOptions& options) {
   });
 }
 
-Expected<void> check_each(const CompareOptions& options) {
+Expected<void> check_each(const CompareArguments& options) {
   if (options.reference == io::standard_stream)
     return usage_failure(
         "--output-folder: found '-' for --reference, wanted a file, which is read again for each input");
@@ -109,7 +109,7 @@ Expected<void> check_each(const CompareOptions& options) {
 
 }  // namespace
 
-Expected<void> compare(const CompareOptions& options) {
+Expected<void> compare(const CompareArguments& options) {
   return on_inputs(options, {.written = "tables",
                              .check = check_each,
                              .work = compare_one,

@@ -11,7 +11,7 @@
 namespace orispline::cli {
 
 /// `orispline compare`, as typed.
-struct CompareOptions {
+struct CompareArguments {
   SeveralInputs inputs;
   InputOptions input;                   ///< how they are read
   OutputOptions output;                 ///< of the table: standard output, or a file in the folder
@@ -25,6 +25,6 @@ struct CompareOptions {
 };
 
 /// Of each input: says how near the curves of the methods come to a recording, how smooth they are and what they cost.
-[[nodiscard]] Expected<void> compare(const CompareOptions& options);
+[[nodiscard]] Expected<void> compare(const CompareArguments& options);
 
 }  // namespace orispline::cli

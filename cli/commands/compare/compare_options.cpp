@@ -2,7 +2,7 @@
 #include "commands/compare/compare_options.hpp"
 
 #include <orispline/analysis.hpp>
-#include <orispline/analysis/comparison_fields.hpp>
+#include <orispline/fields.hpp>
 
 namespace orispline::cli {
 
@@ -32,7 +32,7 @@ std::string sort_words() {
 
 }  // namespace
 
-void add_compare_options(Command& app, CompareOptions& o) {
+void add_compare_options(Command& app, CompareArguments& o) {
   add_several_inputs(app, o.inputs, "table");
   add_reading_options(app, o.input);
   app.option("--sort").names = "--sort-rows";  // for --sort means the table here

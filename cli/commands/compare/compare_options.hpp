@@ -7,6 +7,6 @@
 namespace orispline::cli {
 
 /// The options of `orispline compare`, and what the help says about them.
-void add_compare_options(Command& app, CompareOptions& options);
+void add_compare_options(Command& app, CompareArguments& options);
 
 }  // namespace orispline::cli

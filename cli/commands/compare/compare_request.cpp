@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include <orispline/analysis/comparison_fields.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/method_text.hpp>
+#include <orispline/fields.hpp>
 
 #include "options/threads.hpp"
 
@@ -29,7 +29,7 @@ Expected<jobs::LabelledMethod> named_method(const std::string& text) {
 }
 
 /// The names that were typed, each for itself; `all` among them.
-std::vector<std::string> typed_names(const CompareOptions& options) {
+std::vector<std::string> typed_names(const CompareArguments& options) {
   std::vector<std::string> names;
   for (const std::string& list : options.methods)
     for (const std::string_view name : pieces_of(list, ',')) names.emplace_back(name);
@@ -42,7 +42,7 @@ Expected<std::vector<jobs::LabelledMethod>> methods_named(const std::string& nam
   return named_method(name).map([](jobs::LabelledMethod method) { return std::vector{std::move(method)}; });
 }
 
-Expected<std::vector<jobs::LabelledMethod>> methods_in(const CompareOptions& options) {
+Expected<std::vector<jobs::LabelledMethod>> methods_in(const CompareArguments& options) {
   if (options.methods.empty()) return jobs::all_methods();
   std::vector<jobs::LabelledMethod> methods;
   for (const std::string& name : typed_names(options)) {
@@ -57,7 +57,7 @@ Expected<std::vector<jobs::LabelledMethod>> methods_in(const CompareOptions& opt
   return methods;
 }
 
-Expected<std::vector<std::size_t>> steps_in(const CompareOptions& options) {
+Expected<std::vector<std::size_t>> steps_in(const CompareArguments& options) {
   std::vector<std::size_t> steps;
   for (const std::string& list : options.keep_every)
     for (const std::string_view piece : pieces_of(list, ',')) {
@@ -71,7 +71,7 @@ Expected<std::vector<std::size_t>> steps_in(const CompareOptions& options) {
   return steps;
 }
 
-Expected<std::vector<Decimation>> decimations_in(const CompareOptions& options) {
+Expected<std::vector<Decimation>> decimations_in(const CompareArguments& options) {
   const bool decimates = !options.keep_every.empty() || options.jitter || options.random;
   if (options.reference && decimates)
     return usage_failure(
@@ -88,14 +88,14 @@ Expected<std::vector<Decimation>> decimations_in(const CompareOptions& options) 
   return std::move(checked).or_else(std::move(decimations));
 }
 
-Expected<MeasureOptions> measures_in(const CompareOptions& options) {
+Expected<MeasureOptions> measures_in(const CompareArguments& options) {
   return options_in<MeasureOptions>(options.measured).and_then([](const MeasureOptions& read) {
     return check(read).map([&] { return read; });
   });
 }
 
 /// What the options ask of each other.
-Expected<void> agree(const CompareOptions& options, const CompareRequest& request) {
+Expected<void> agree(const CompareArguments& options, const CompareRequest& request) {
   if (options.json && options.csv) return usage_failure("found --json and --csv, wanted one of them");
   std::vector<OtherFile> others{{"INPUT", options.input.path}};
   if (options.reference) others.push_back({"that of --reference", *options.reference});
@@ -107,7 +107,7 @@ Expected<void> agree(const CompareOptions& options, const CompareRequest& reques
 
 }  // namespace
 
-Expected<CompareRequest> compare_request(const CompareOptions& options) {
+Expected<CompareRequest> compare_request(const CompareArguments& options) {
   FirstError checked;
   CompareRequest request{.input = checked(input_request(options.input)),
                          .job = {.decimations = checked(decimations_in(options)),

@@ -15,6 +15,6 @@ struct CompareRequest {
 };
 
 /// Errors: bad_argument.
-[[nodiscard]] Expected<CompareRequest> compare_request(const CompareOptions& options);
+[[nodiscard]] Expected<CompareRequest> compare_request(const CompareArguments& options);
 
 }  // namespace orispline::cli

@@ -51,7 +51,8 @@ void leave_settings(Track& track, const io::SampleColumns& columns, const std::s
   track.settings.clear();
 }
 
-ConvertReport report_on(const io::TrackFile& source, const ConvertOptions& options, const io::SampleColumns& columns) {
+ConvertReport report_on(const io::TrackFile& source, const ConvertArguments& options,
+                        const io::SampleColumns& columns) {
   ConvertReport report{.input = options.input.path,
                        .output = options.output.path,
                        .input_format = source.format,
@@ -74,7 +75,7 @@ ConvertReport report_on(const io::TrackFile& source, const ConvertOptions& optio
 
 }  // namespace
 
-Expected<void> convert(const ConvertOptions& options) {
+Expected<void> convert(const ConvertArguments& options) {
   FirstError checked;
   auto input = checked(input_request(options.input));
   if (is_scene(options.output.path))

@@ -8,7 +8,7 @@
 namespace orispline::cli {
 
 /// `orispline convert`, as typed.
-struct ConvertOptions {
+struct ConvertArguments {
   InputOptions input;
   OutputOptions output;
   std::optional<std::string> rate;
@@ -16,7 +16,7 @@ struct ConvertOptions {
   SummaryOptions summary;
 };
 
-/// The same keys in another format: exact times, and of the quaternions the very digits unless their norm is off.
-[[nodiscard]] Expected<void> convert(const ConvertOptions& options);
+/// Writes the keys in another format: exact times, and of the quaternions the very digits unless their norm is off.
+[[nodiscard]] Expected<void> convert(const ConvertArguments& options);
 
 }  // namespace orispline::cli

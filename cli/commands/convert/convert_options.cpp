@@ -19,7 +19,7 @@ columns are left out, and the summary names them.)";
 
 }  // namespace
 
-void add_convert_options(Command& app, ConvertOptions& o) {
+void add_convert_options(Command& app, ConvertArguments& o) {
   add_input_options(app, o.input, "as-given");
   o.output.scenes = scenes_written();
   add_output_options(app, o.output);

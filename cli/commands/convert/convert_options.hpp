@@ -7,6 +7,6 @@
 namespace orispline::cli {
 
 /// The options of `orispline convert`, and what the help says about them.
-void add_convert_options(Command& app, ConvertOptions& options);
+void add_convert_options(Command& app, ConvertArguments& options);
 
 }  // namespace orispline::cli

@@ -50,7 +50,7 @@ std::string_view id_of_table(const InputRequest& input) {
 
 }  // namespace
 
-Expected<void> convert_scene(const ConvertOptions& options, const InputRequest& input) {
+Expected<void> convert_scene(const ConvertArguments& options, const InputRequest& input) {
   FirstError checked;
   scenes::SceneWriting writing = checked(scene_writing(options.output));
   writing.rate = checked(if_given("--rate", options.rate, [](OptionText text) { return positive_in(text); }));

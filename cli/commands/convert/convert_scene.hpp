@@ -6,6 +6,6 @@
 namespace orispline::cli {
 
 /// A file of skeletons, or of keys as the motion of one joint, as a file of skeletons.
-[[nodiscard]] Expected<void> convert_scene(const ConvertOptions& options, const InputRequest& input);
+[[nodiscard]] Expected<void> convert_scene(const ConvertArguments& options, const InputRequest& input);
 
 }  // namespace orispline::cli

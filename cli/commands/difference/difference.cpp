@@ -3,8 +3,8 @@
 
 #include <utility>
 
+#include <orispline/fields.hpp>
 #include <orispline/jobs/difference.hpp>
-#include <orispline/reduce/reduce_fields.hpp>
 #include <orispline/scenes/scene_file.hpp>
 #include <orispline/scenes/scene_tracks.hpp>
 
@@ -30,7 +30,7 @@ Expected<scenes::Scene> with_chosen(scenes::Scene scene, const std::vector<std::
   return scenes::with_clips(std::move(scene), clips);
 }
 
-Expected<jobs::MotionFile> motion_in(const DifferenceOptions& options, const std::string& path, bool is_second) {
+Expected<jobs::MotionFile> motion_in(const DifferenceArguments& options, const std::string& path, bool is_second) {
   return opened(path)
       .and_then([&](scenes::Scene scene) { return with_chosen(std::move(scene), options.clips, is_second); })
       .map([&](scenes::Scene scene) {
@@ -41,7 +41,7 @@ Expected<jobs::MotionFile> motion_in(const DifferenceOptions& options, const std
       });
 }
 
-Expected<jobs::DifferenceRequest> request_in(const DifferenceOptions& options) {
+Expected<jobs::DifferenceRequest> request_in(const DifferenceArguments& options) {
   FirstError checked;
   jobs::DifferenceRequest request;
   request.shell = checked(options_in<ClipReduceOptions>(options.shell)).shell;
@@ -53,7 +53,7 @@ Expected<jobs::DifferenceRequest> request_in(const DifferenceOptions& options) {
 
 }  // namespace
 
-Expected<void> difference(const DifferenceOptions& options) {
+Expected<void> difference(const DifferenceArguments& options) {
   if (auto apart = check_report(options.report, {{"FIRST", options.first}, {"SECOND", options.second}}); !apart)
     return apart;
   auto page = ReportFile::open(options.report);

@@ -13,7 +13,7 @@
 namespace orispline::cli {
 
 /// `orispline difference`, as typed.
-struct DifferenceOptions {
+struct DifferenceArguments {
   std::string first, second;       ///< files of skeletons
   std::vector<std::string> clips;  ///< names; empty: all
   TypedFields shell;               ///< of orispline::ClipReduceOptions
@@ -23,6 +23,6 @@ struct DifferenceOptions {
 };
 
 /// How far the motions of one skeleton in two files are from each other: by joint and clip, in angle and in the world.
-[[nodiscard]] Expected<void> difference(const DifferenceOptions& options);
+[[nodiscard]] Expected<void> difference(const DifferenceArguments& options);
 
 }  // namespace orispline::cli

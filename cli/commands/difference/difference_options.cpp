@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/difference/difference_options.hpp"
 
-#include <orispline/reduce/reduce_fields.hpp>
+#include <orispline/fields.hpp>
 
 #include "options/command_options.hpp"
 
@@ -21,7 +21,7 @@ are --shell off it along its axes. docs/skeletons.md says more.)";
 
 }  // namespace
 
-void add_difference_options(Command& app, DifferenceOptions& o) {
+void add_difference_options(Command& app, DifferenceArguments& o) {
   app.add_option("FIRST", o.first, "File of a skeleton with its clips, at whose key times the two are compared")
       ->required()
       ->type_name("FILE");

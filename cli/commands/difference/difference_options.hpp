@@ -6,6 +6,6 @@
 
 namespace orispline::cli {
 
-void add_difference_options(Command& app, DifferenceOptions& options);
+void add_difference_options(Command& app, DifferenceArguments& options);
 
 }  // namespace orispline::cli

@@ -87,7 +87,7 @@ Expected<InspectedFile> inspected_file(const InputRequest& input) {
       .warnings = std::move(read.warnings)};
 }
 
-Expected<void> inspect_keys(const InspectOptions& options, const InputRequest& input, std::vector<Method> methods) {
+Expected<void> inspect_keys(const InspectArguments& options, const InputRequest& input, std::vector<Method> methods) {
   auto file = inspected_file(input);
   if (!file) return tl::unexpected(std::move(file.error()));
   file->request.methods = std::move(methods);
@@ -103,7 +103,7 @@ Expected<void> inspect_keys(const InspectOptions& options, const InputRequest& i
 
 }  // namespace
 
-Expected<void> inspect(const InspectOptions& options) {
+Expected<void> inspect(const InspectArguments& options) {
   auto input = input_request(options.input);
   if (!input) return tl::unexpected(std::move(input.error()));
   if (is_about_scene(options, *input)) return inspect_scene(options, *input);

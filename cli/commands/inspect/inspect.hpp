@@ -7,7 +7,7 @@
 namespace orispline::cli {
 
 /// `orispline inspect`, as typed.
-struct InspectOptions {
+struct InspectArguments {
   InputOptions input;
   std::vector<std::string> methods;  ///< names, or lists of names with commas between them
   MethodOptions shape;
@@ -15,6 +15,6 @@ struct InspectOptions {
 };
 
 /// Says what a file of keys holds, faults included, and how continuous the methods are on it.
-[[nodiscard]] Expected<void> inspect(const InspectOptions& options);
+[[nodiscard]] Expected<void> inspect(const InspectArguments& options);
 
 }  // namespace orispline::cli

@@ -17,7 +17,7 @@ far from 1. The JSON is described in docs/inspect-json.md.)";
 
 }  // namespace
 
-void add_inspect_options(Command& app, InspectOptions& o) {
+void add_inspect_options(Command& app, InspectArguments& o) {
   add_input_options(app, o.input);
   app.add_option("--method", o.methods, "Methods whose continuity to measure; repeatable, or a list with commas")
       ->repeated()

@@ -7,6 +7,6 @@
 namespace orispline::cli {
 
 /// The options of `orispline inspect`, and what the help says about them.
-void add_inspect_options(Command& app, InspectOptions& options);
+void add_inspect_options(Command& app, InspectArguments& options);
 
 }  // namespace orispline::cli

@@ -75,11 +75,11 @@ Json json_of(const scenes::Scene& scene) {
 
 }  // namespace
 
-bool is_about_scene(const InspectOptions& options, const InputRequest& input) {
+bool is_about_scene(const InspectArguments& options, const InputRequest& input) {
   return is_scene(input) && options.methods.empty() && !input.read.scene.joint;
 }
 
-Expected<void> inspect_scene(const InspectOptions& options, const InputRequest& input) {
+Expected<void> inspect_scene(const InspectArguments& options, const InputRequest& input) {
   if (input.read.scene.space == io::SceneTrack::Space::world)
     return usage_failure("--space: found no joint, wanted --joint NAME as well");
   const auto scene = open_scene(input);

@@ -6,9 +6,9 @@
 namespace orispline::cli {
 
 /// Whether what is asked for is about the whole file of skeletons, not about the curves of one joint.
-[[nodiscard]] bool is_about_scene(const InspectOptions& options, const InputRequest& input);
+[[nodiscard]] bool is_about_scene(const InspectArguments& options, const InputRequest& input);
 
 /// Says what a file of skeletons holds: clips, joints, tracks, keys, sign flips, widest steps.
-[[nodiscard]] Expected<void> inspect_scene(const InspectOptions& options, const InputRequest& input);
+[[nodiscard]] Expected<void> inspect_scene(const InspectArguments& options, const InputRequest& input);
 
 }  // namespace orispline::cli

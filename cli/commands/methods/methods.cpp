@@ -83,7 +83,7 @@ std::string page() {
 
 }  // namespace
 
-Expected<void> methods(const MethodsOptions& options) {
+Expected<void> methods(const MethodsArguments& options) {
   if (!options.name) return print_document(options.json ? json_of(families_info()) : page());
   return find_family(*options.name).and_then([&](const FamilyInfo* family) {
     return print_document(options.json ? json_of({family, 1}) : page_of(*family));

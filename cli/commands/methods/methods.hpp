@@ -9,12 +9,12 @@
 namespace orispline::cli {
 
 /// `orispline methods`, as typed.
-struct MethodsOptions {
+struct MethodsArguments {
   std::optional<std::string> name;
   bool json = false;
 };
 
 /// Lists the methods with what they promise and accept, or says everything of one.
-[[nodiscard]] Expected<void> methods(const MethodsOptions& options);
+[[nodiscard]] Expected<void> methods(const MethodsArguments& options);
 
 }  // namespace orispline::cli

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <orispline/jobs/plot.hpp>
+
 #include "options/input_options.hpp"
 #include "options/method_options.hpp"
 
 namespace orispline::cli {
 
-enum class BodyAxis { x, y, z };
-
-inline constexpr std::array axis_choices{Choice<BodyAxis>{"x", BodyAxis::x}, Choice<BodyAxis>{"y", BodyAxis::y},
-                                         Choice<BodyAxis>{"z", BodyAxis::z}};
+inline constexpr std::array axis_choices{Choice<jobs::BodyAxis>{"x", jobs::BodyAxis::x},
+                                         Choice<jobs::BodyAxis>{"y", jobs::BodyAxis::y},
+                                         Choice<jobs::BodyAxis>{"z", jobs::BodyAxis::z}};
 
 /// `orispline plot`, as typed.
-struct PlotOptions {
+struct PlotArguments {
   InputOptions input;
   std::vector<std::string> methods;  ///< names, or lists of names with commas between them
   MethodOptions shape;
@@ -21,6 +22,6 @@ struct PlotOptions {
 };
 
 /// Keyframes in, a picture of the curves through them out.
-[[nodiscard]] Expected<void> plot(const PlotOptions& options);
+[[nodiscard]] Expected<void> plot(const PlotArguments& options);
 
 }  // namespace orispline::cli

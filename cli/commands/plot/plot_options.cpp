@@ -18,7 +18,7 @@ body axis on the unit sphere. It shows 6 methods at most, each in its own colour
 
 }  // namespace
 
-void add_plot_options(Command& app, PlotOptions& o) {
+void add_plot_options(Command& app, PlotArguments& o) {
   add_input_options(app, o.input);
   app.add_option(
          "--method", o.methods,

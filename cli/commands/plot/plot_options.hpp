@@ -7,6 +7,6 @@
 namespace orispline::cli {
 
 /// The options of `orispline plot`, and what the help says about them.
-void add_plot_options(Command& app, PlotOptions& options);
+void add_plot_options(Command& app, PlotArguments& options);
 
 }  // namespace orispline::cli

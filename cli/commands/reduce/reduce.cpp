@@ -6,9 +6,9 @@
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/fields.hpp>
 #include <orispline/io/track_file.hpp>
 #include <orispline/jobs/reduce.hpp>
-#include <orispline/reduce/reduce_fields.hpp>
 
 #include "commands/reduce/reduce_scene.hpp"
 #include "options/file_places.hpp"
@@ -31,7 +31,7 @@ struct Request {
   jobs::ReduceRequest job;
 };
 
-Expected<InputRequest> input_in(const ReduceOptions& options) {
+Expected<InputRequest> input_in(const ReduceArguments& options) {
   return input_request(options.input).map([](InputRequest request) {
     request.read.rate_orders = 0;
     request.read.keep_exact_times = true;
@@ -40,14 +40,14 @@ Expected<InputRequest> input_in(const ReduceOptions& options) {
   });
 }
 
-Expected<std::optional<orispline::SmoothOptions>> smoothing_wanted(const ReduceOptions& options) {
+Expected<std::optional<orispline::SmoothOptions>> smoothing_wanted(const ReduceArguments& options) {
   if (!options.smooth && !any_given(options.smoothness)) return std::optional<orispline::SmoothOptions>();
   return smoothing_in(options.smoothness).map([](const orispline::SmoothOptions& found) {
     return std::optional(found);
   });
 }
 
-Expected<std::vector<Method>> methods_in(const ReduceOptions& options) {
+Expected<std::vector<Method>> methods_in(const ReduceArguments& options) {
   if (options.method != smallest_method)
     return method_request(options.method, options.shape).map([](Method method) {
       return std::vector{std::move(method)};
@@ -57,14 +57,14 @@ Expected<std::vector<Method>> methods_in(const ReduceOptions& options) {
   return jobs::ReduceRequest().methods;
 }
 
-Expected<io::SampleColumns> columns_in(const ReduceOptions& options) {
+Expected<io::SampleColumns> columns_in(const ReduceArguments& options) {
   return output_columns(options.output).and_then([&](io::SampleColumns columns) {
     return check_times_are_kept(*columns.format, options.output.option, "the tolerance").map([&] { return columns; });
   });
 }
 
 /// What makes sense for clips only.
-Expected<void> check_no_clips(const ReduceOptions& options) {
+Expected<void> check_no_clips(const ReduceArguments& options) {
   for (const auto& [name, text] : options.scene)
     if (text)
       return usage_failure(
@@ -80,7 +80,7 @@ Expected<void> check_no_clips(const ReduceOptions& options) {
   return usage_failure("reduce: --tolerance is missing; 'orispline help reduce' shows what to type");
 }
 
-Expected<Request> request_in(const ReduceOptions& options) {
+Expected<Request> request_in(const ReduceArguments& options) {
   if (auto fits = check_no_clips(options); !fits) return tl::unexpected(std::move(fits.error()));
   FirstError checked;
   Request request{.input = checked(input_in(options)),
@@ -98,7 +98,7 @@ Expected<Request> request_in(const ReduceOptions& options) {
 }
 
 /// What is wrong in the words of files and of the command.
-Error in_words(const ReduceOptions& options, Error error) {
+Error in_words(const ReduceArguments& options, Error error) {
   if (error.code == ErrorCode::bad_data && error.option == "position_tolerance") {
     error.message = "found no positions, wanted columns px,py,pz for `position_tolerance`";
     error.option.clear();
@@ -106,7 +106,7 @@ Error in_words(const ReduceOptions& options, Error error) {
   return said_of_cutoff(options.smoothness, std::move(error));
 }
 
-Expected<jobs::ReduceOutcome> reduced(const ReduceOptions& options, jobs::ReduceRequest request, io::TrackFile file) {
+Expected<jobs::ReduceOutcome> reduced(const ReduceArguments& options, jobs::ReduceRequest request, io::TrackFile file) {
   request.recordings = {std::make_shared<const Track>(std::move(file.track))};
   auto outcome = std::move(jobs::reduce(request).front());
   if (!outcome) return tl::unexpected(in_words(options, std::move(outcome.error())));
@@ -131,7 +131,7 @@ Expected<void> write(const Track& keys, const std::string& path, io::SampleColum
   });
 }
 
-Expected<void> reduce_one(const ReduceOptions& options) {
+Expected<void> reduce_one(const ReduceArguments& options) {
   if (is_scene(options.output.path)) return reduce_scene(options);
   auto request = request_in(options);
   if (!request) return tl::unexpected(std::move(request.error()));
@@ -156,7 +156,7 @@ Expected<void> reduce_one(const ReduceOptions& options) {
 
 }  // namespace
 
-Expected<void> check_files(const ReduceOptions& options) {
+Expected<void> check_files(const ReduceArguments& options) {
   const OutputOptions& output = options.output;
   return check_output_apart(output.option, output.path, {{"INPUT", options.input.path}})
       .and_then([&] { return check_summary(options.summary, output.path, "keys"); })
@@ -165,8 +165,8 @@ Expected<void> check_files(const ReduceOptions& options) {
       });
 }
 
-Expected<void> reduce(const ReduceOptions& options) {
-  const auto check = [](const ReduceOptions& one) {
+Expected<void> reduce(const ReduceArguments& options) {
+  const auto check = [](const ReduceArguments& one) {
     return is_scene(one.output.path) ? check_reduce_scene(one) : request_in(one).map([](const Request&) {});
   };
   return on_inputs(options, {.written = "keys", .check = check, .work = reduce_one, .scenes = SceneOutputs::glb});

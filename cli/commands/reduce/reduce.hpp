@@ -16,7 +16,7 @@ namespace orispline::cli {
 inline constexpr std::string_view smallest_method = "smallest";
 
 /// `orispline reduce`, as typed.
-struct ReduceOptions {
+struct ReduceArguments {
   SeveralInputs inputs;
   InputOptions input;  ///< how they are read
   OutputOptions output;
@@ -33,9 +33,9 @@ struct ReduceOptions {
 };
 
 /// What the files ask of each other. Error: bad_argument.
-[[nodiscard]] Expected<void> check_files(const ReduceOptions& options);
+[[nodiscard]] Expected<void> check_files(const ReduceArguments& options);
 
 /// Dense recordings in, for each the fewest keys whose curve is within the tolerance out.
-[[nodiscard]] Expected<void> reduce(const ReduceOptions& options);
+[[nodiscard]] Expected<void> reduce(const ReduceArguments& options);
 
 }  // namespace orispline::cli

@@ -2,7 +2,7 @@
 #include "commands/reduce/reduce_options.hpp"
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/reduce/reduce_fields.hpp>
+#include <orispline/fields.hpp>
 
 namespace orispline::cli {
 
@@ -25,7 +25,7 @@ pruning. hermite-c1 mostly needs fewer: its keys have rates too, wx,wy,wz in a C
 
 }  // namespace
 
-void add_reduce_options(Command& app, ReduceOptions& o) {
+void add_reduce_options(Command& app, ReduceArguments& o) {
   add_several_inputs(app, o.inputs, "keys");
   add_reading_options(app, o.input);
   const std::string group = "Reduction";

@@ -7,6 +7,6 @@
 namespace orispline::cli {
 
 /// The options of `orispline reduce`, and what the help says about them.
-void add_reduce_options(Command& app, ReduceOptions& options);
+void add_reduce_options(Command& app, ReduceArguments& options);
 
 }  // namespace orispline::cli

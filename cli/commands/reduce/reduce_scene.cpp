@@ -6,8 +6,8 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
-#include <orispline/jobs/reduce_scene.hpp>
-#include <orispline/reduce/reduce_fields.hpp>
+#include <orispline/fields.hpp>
+#include <orispline/jobs/reduce.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
 #include "options/file_places.hpp"
@@ -28,7 +28,7 @@ struct SceneRequest {
   jobs::ReduceSceneRequest job{};
 };
 
-Expected<Method> scene_method_in(const ReduceOptions& options) {
+Expected<Method> scene_method_in(const ReduceArguments& options) {
   if (options.method == smallest_method || options.method == cubicspline_method) {
     if (any_given(options.shape))
       return usage_failure(formatted("{}: found the method {}, which has no such option, wanted another --method",
@@ -39,7 +39,7 @@ Expected<Method> scene_method_in(const ReduceOptions& options) {
 }
 
 /// What is not for clips.
-Expected<void> check_clips(const ReduceOptions& options) {
+Expected<void> check_clips(const ReduceArguments& options) {
   if (options.smooth || any_given(options.smoothness))
     return usage_failure(
         formatted("{}: found a file of skeletons, wanted keys of one track as the output, or 'orispline smooth' first",
@@ -55,7 +55,7 @@ Expected<void> check_clips(const ReduceOptions& options) {
       "reduce: --tolerance or --world-tolerance is missing; 'orispline help reduce' shows what to type");
 }
 
-Expected<orispline::ClipReduceOptions> clip_reduction_in(const ReduceOptions& options) {
+Expected<orispline::ClipReduceOptions> clip_reduction_in(const ReduceArguments& options) {
   TypedFields typed = options.scene;
   for (const std::string_view name : {"tolerance", "position_tolerance"})
     if (const auto found = options.reduction.find(name); found != options.reduction.end()) typed[name] = found->second;
@@ -66,14 +66,14 @@ Expected<orispline::ClipReduceOptions> clip_reduction_in(const ReduceOptions& op
   return std::move(checked).or_else(std::move(reduction));
 }
 
-Expected<std::optional<double>> position_scale_in(const ReduceOptions& options) {
+Expected<std::optional<double>> position_scale_in(const ReduceArguments& options) {
   if (!options.position_scale) return std::optional<double>();
   return positive_in({"--position-scale", *options.position_scale}).map([](double found) {
     return std::optional(found);
   });
 }
 
-jobs::ClipFile file_of(const ReduceOptions& options, const scenes::SceneFormat* format) {
+jobs::ClipFile file_of(const ReduceArguments& options, const scenes::SceneFormat* format) {
   if (!format) return {.name = options.input.path};  // keys of a table
   return {.name = options.input.path,
           .format = format->file,
@@ -81,7 +81,7 @@ jobs::ClipFile file_of(const ReduceOptions& options, const scenes::SceneFormat* 
           .is_single_precise = format->holds_floats};
 }
 
-Expected<SceneRequest> scene_request_in(const ReduceOptions& options) {
+Expected<SceneRequest> scene_request_in(const ReduceArguments& options) {
   if (auto fits = check_clips(options); !fits) return tl::unexpected(std::move(fits.error()));
   FirstError checked;
   SceneRequest request{.input = checked(input_request(options.input)),
@@ -129,11 +129,11 @@ Json json_of(const ReducedScene& written) {
 
 }  // namespace
 
-Expected<void> check_reduce_scene(const ReduceOptions& options) {
+Expected<void> check_reduce_scene(const ReduceArguments& options) {
   return scene_request_in(options).map([](const SceneRequest&) {});
 }
 
-Expected<void> reduce_scene(const ReduceOptions& options) {
+Expected<void> reduce_scene(const ReduceArguments& options) {
   auto request = scene_request_in(options);
   if (!request) return tl::unexpected(request.error());
   auto page = ReportFile::open(options.report);

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/fields.hpp>
 #include <orispline/jobs/retime.hpp>
-#include <orispline/retime/retime_fields.hpp>
 
 #include "options/file_places.hpp"
 #include "output/each_input.hpp"
@@ -26,7 +26,7 @@ struct Request {
 };
 
 /// What the files ask of each other.
-Expected<void> agree(const RetimeOptions& options) {
+Expected<void> agree(const RetimeArguments& options) {
   if (auto apart = check_output_apart(options.output.option, options.output.path, {{"INPUT", options.input.path}});
       !apart)
     return apart;
@@ -36,7 +36,7 @@ Expected<void> agree(const RetimeOptions& options) {
   });
 }
 
-Expected<Request> request_in(const RetimeOptions& options) {
+Expected<Request> request_in(const RetimeArguments& options) {
   FirstError checked;
   Request request{.input = checked(input_request(options.input)),
                   .named = checked(named_method(options.method, options.shape)),
@@ -52,7 +52,7 @@ Expected<Request> request_in(const RetimeOptions& options) {
       .map([&] { return std::move(*read); });
 }
 
-Expected<void> retime_one(const RetimeOptions& options) {
+Expected<void> retime_one(const RetimeArguments& options) {
   auto request = request_in(options);
   if (!request) return tl::unexpected(std::move(request.error()));
   auto page = ReportFile::open(options.report);
@@ -88,8 +88,8 @@ Expected<void> retime_one(const RetimeOptions& options) {
 
 }  // namespace
 
-Expected<void> retime(const RetimeOptions& options) {
-  const auto check = [](const RetimeOptions& one) { return request_in(one).map([](const Request&) {}); };
+Expected<void> retime(const RetimeArguments& options) {
+  const auto check = [](const RetimeArguments& one) { return request_in(one).map([](const Request&) {}); };
   return on_inputs(options, {.written = "keys", .check = check, .work = retime_one});
 }
 

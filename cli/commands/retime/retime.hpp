@@ -12,7 +12,7 @@
 namespace orispline::cli {
 
 /// `orispline retime`, as typed.
-struct RetimeOptions {
+struct RetimeArguments {
   SeveralInputs inputs;
   InputOptions input;  ///< how they are read
   OutputOptions output;
@@ -24,6 +24,6 @@ struct RetimeOptions {
 };
 
 /// Keyframes in, the same at later times out, so that the motion stays within the limits.
-[[nodiscard]] Expected<void> retime(const RetimeOptions& options);
+[[nodiscard]] Expected<void> retime(const RetimeArguments& options);
 
 }  // namespace orispline::cli

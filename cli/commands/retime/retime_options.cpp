@@ -2,7 +2,7 @@
 #include "commands/retime/retime_options.hpp"
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/retime/retime_fields.hpp>
+#include <orispline/fields.hpp>
 
 namespace orispline::cli {
 
@@ -23,7 +23,7 @@ duration; where no method is named, the body stands still in them. docs/retime.m
 
 }  // namespace
 
-void add_retime_options(Command& app, RetimeOptions& o) {
+void add_retime_options(Command& app, RetimeArguments& o) {
   add_several_inputs(app, o.inputs, "keys");
   add_input_threads(app, o.inputs);
   add_reading_options(app, o.input);

@@ -7,6 +7,6 @@
 namespace orispline::cli {
 
 /// The options of `orispline retime`, and what the help says about them.
-void add_retime_options(Command& app, RetimeOptions& options);
+void add_retime_options(Command& app, RetimeArguments& options);
 
 }  // namespace orispline::cli

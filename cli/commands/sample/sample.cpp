@@ -99,13 +99,13 @@ Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader 
 }
 
 /// The curve through all keys as cubics, or its samples, in a file of skeletons.
-Expected<void> sample_into_scene(const SampleOptions& options, const SampleRequest& request, io::KeyReader keys) {
+Expected<void> sample_into_scene(const SampleArguments& options, const SampleRequest& request, io::KeyReader keys) {
   return open_source(request, std::move(keys)).and_then([&](const Source& source) {
     return write_curve_scene(options, request, {source.file.track.keys.size(), source.shaped.curve, source.times});
   });
 }
 
-Expected<void> sample_one(const SampleOptions& options) {
+Expected<void> sample_one(const SampleArguments& options) {
   if (asks_for_stored(options)) return options.inputs.folder ? sample_joints(options) : sample_stored(options);
   auto request = sample_request(options);
   if (!request) return tl::unexpected(std::move(request.error()));
@@ -125,7 +125,7 @@ Expected<void> sample_one(const SampleOptions& options) {
       .map_error([](Error error) { return or_all_of_them(std::move(error), "--output-folder without --method"); });
 }
 
-Expected<void> check_each(const SampleOptions& options) {
+Expected<void> check_each(const SampleArguments& options) {
   if (options.times.list == io::standard_stream || options.truth == io::standard_stream)
     return usage_failure(
         "--output-folder: found '-' for --times or --truth, wanted a file, which is read again for each input");
@@ -135,7 +135,7 @@ Expected<void> check_each(const SampleOptions& options) {
 
 }  // namespace
 
-Expected<void> sample(const SampleOptions& options) {
+Expected<void> sample(const SampleArguments& options) {
   return on_inputs(options, {.written = "samples", .check = check_each, .work = sample_one});
 }
 

@@ -17,7 +17,7 @@ inline constexpr std::array frame_choices{Choice<io::Frame>{"body", io::Frame::b
 inline constexpr std::string_view stored_method = "stored";
 
 /// `orispline sample`, as typed.
-struct SampleOptions {
+struct SampleArguments {
   SeveralInputs inputs;
   InputOptions input;  ///< how they are read
   std::optional<std::string> method;
@@ -30,6 +30,6 @@ struct SampleOptions {
 };
 
 /// Keyframes in, samples of the curve through them out, for each input.
-[[nodiscard]] Expected<void> sample(const SampleOptions& options);
+[[nodiscard]] Expected<void> sample(const SampleArguments& options);
 
 }  // namespace orispline::cli

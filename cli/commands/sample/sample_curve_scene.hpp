@@ -15,7 +15,7 @@ struct CurveScene {
 };
 
 /// Writes a curve into a file of skeletons, as the motion of one joint: as cubics within the tolerance, or its samples.
-[[nodiscard]] Expected<void> write_curve_scene(const SampleOptions& options, const SampleRequest& request,
+[[nodiscard]] Expected<void> write_curve_scene(const SampleArguments& options, const SampleRequest& request,
                                                const CurveScene& scene);
 
 }  // namespace orispline::cli

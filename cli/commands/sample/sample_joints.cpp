@@ -85,13 +85,13 @@ struct JointFile {
 };
 
 /// OUT, or OUT/STEM of several inputs.
-std::string folder_of(const SampleOptions& options) {
+std::string folder_of(const SampleArguments& options) {
   const SeveralInputs& inputs = options.inputs;
   const bool is_only_one = !inputs.list && inputs.paths.size() == 1 && inputs.paths.front() == options.input.path;
   return is_only_one ? *inputs.folder : std::filesystem::path(options.output.path).replace_extension().string();
 }
 
-Expected<std::vector<JointFile>> files_of(const SampleOptions& options, const SampleRequest& request,
+Expected<std::vector<JointFile>> files_of(const SampleArguments& options, const SampleRequest& request,
                                           const scenes::Scene& scene) {
   const auto& [clips, named, space] = request.input.read.scene;
   std::vector<JointFile> list;
@@ -113,7 +113,7 @@ Expected<std::vector<JointFile>> files_of(const SampleOptions& options, const Sa
 
 }  // namespace
 
-Expected<void> sample_joints(const SampleOptions& options) {
+Expected<void> sample_joints(const SampleArguments& options) {
   auto request = stored_request(options);
   if (!request) return tl::unexpected(std::move(request.error()));
   const auto scene = opened(request->input);

@@ -61,7 +61,7 @@ void add_time_options(Command& app, TimeOptions& o) {
 
 }  // namespace
 
-void add_sample_options(Command& app, SampleOptions& o) {
+void add_sample_options(Command& app, SampleArguments& o) {
   add_several_inputs(app, o.inputs, "samples");
   add_reading_options(app, o.input);
   app.add_option("--method", o.method,

@@ -7,6 +7,6 @@
 namespace orispline::cli {
 
 /// The options of `orispline sample`, and what the help says about them.
-void add_sample_options(Command& app, SampleOptions& options);
+void add_sample_options(Command& app, SampleArguments& options);
 
 }  // namespace orispline::cli

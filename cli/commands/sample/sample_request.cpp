@@ -32,7 +32,7 @@ Expected<double> share_in(OptionText option) {
   });
 }
 
-Expected<io::SampleColumns> columns_in(const SampleOptions& options, const io::FormatInfo* input = nullptr) {
+Expected<io::SampleColumns> columns_in(const SampleArguments& options, const io::FormatInfo* input = nullptr) {
   FirstError checked;
   auto columns = checked(output_columns(options.output));
   const auto derivatives = checked(if_given("--derivatives", options.derivatives, derivatives_in));
@@ -68,7 +68,7 @@ Expected<double> measured_in(OptionText option, std::span<const Unit> units) {
 }
 
 /// What a file of skeletons has no room for.
-Expected<void> check_into_scene(const SampleOptions& options) {
+Expected<void> check_into_scene(const SampleArguments& options) {
   if (!is_scene(options.output.path)) return check_format_is_of_rows(options.output);
   const bool cubics = !names_times(options.times);
   if (cubics && (options.times.from || options.times.to || options.times.include_end))
@@ -86,7 +86,7 @@ Expected<void> check_into_scene(const SampleOptions& options) {
 }
 
 /// Of a file of skeletons: how near its cubics are to the curve, unless it gets samples.
-Expected<std::optional<double>> tolerance_in(const SampleOptions& options) {
+Expected<std::optional<double>> tolerance_in(const SampleArguments& options) {
   if (!is_scene(options.output.path)) {
     if (options.tolerance || options.position_tolerance)
       return usage_failure(formatted("{}: found samples in rows, wanted a file of cubics, such as motion.glb",
@@ -106,13 +106,13 @@ Expected<std::optional<double>> tolerance_in(const SampleOptions& options) {
   });
 }
 
-Expected<double> position_tolerance_in(const SampleOptions& options) {
+Expected<double> position_tolerance_in(const SampleArguments& options) {
   if (!options.position_tolerance) return SampleRequest().position_tolerance;
   return measured_in({"--position-tolerance", *options.position_tolerance}, units::length);
 }
 
 /// Those of a file of skeletons are where its keys are, unless they are asked for.
-Expected<TimeRequest> times_in(const SampleOptions& options) {
+Expected<TimeRequest> times_in(const SampleArguments& options) {
   return clock_in(options.input).and_then([&](const io::Clock& clock) {
     TimeOptions times = options.times;
     if (is_scene(options.output.path) && !names_times(times)) times.count = "1";
@@ -120,13 +120,13 @@ Expected<TimeRequest> times_in(const SampleOptions& options) {
   });
 }
 
-Progress::Show progress_for(const SampleOptions& options) {
+Progress::Show progress_for(const SampleArguments& options) {
   const bool in_the_way = options.summary.quiet || options.output.path == io::standard_stream;
   return in_the_way ? Progress::Show::never : Progress::Show::on_terminal;
 }
 
 /// Standard input can be read once only.
-bool reads_standard_input_twice(const SampleOptions& options) {
+bool reads_standard_input_twice(const SampleArguments& options) {
   const int readers = (options.input.path == io::standard_stream) + (options.times.list == io::standard_stream) +
                       (options.truth == io::standard_stream);
   return readers > 1;
@@ -134,7 +134,7 @@ bool reads_standard_input_twice(const SampleOptions& options) {
 
 }  // namespace
 
-Expected<SampleRequest> sample_request(const SampleOptions& options) {
+Expected<SampleRequest> sample_request(const SampleArguments& options) {
   if (auto fits = check_into_scene(options); !fits) return tl::unexpected(std::move(fits.error()));
   FirstError checked;
   SampleRequest request{
@@ -167,7 +167,7 @@ Expected<SampleRequest> sample_request(const SampleOptions& options) {
   return read;
 }
 
-io::SampleColumns columns_for(const SampleOptions& options, const io::FormatInfo& input) {
+io::SampleColumns columns_for(const SampleArguments& options, const io::FormatInfo& input) {
   return columns_in(options, &input).value();
 }
 

@@ -27,13 +27,13 @@ struct SampleRequest {
   Progress::Show progress = Progress::Show::never;
 };
 
-[[nodiscard]] Expected<SampleRequest> sample_request(const SampleOptions& options);
+[[nodiscard]] Expected<SampleRequest> sample_request(const SampleArguments& options);
 
 /// Decides for a method, by the file if nobody else does, and how the keys are read for it; what is noteworthy.
 [[nodiscard]] Expected<std::vector<Warning>> settle_method(SampleRequest& request, const io::KeyInput& keys);
 
 /// The columns for INPUT of that format, of options that sample_request() has understood.
-[[nodiscard]] io::SampleColumns columns_for(const SampleOptions& options, const io::FormatInfo& input);
+[[nodiscard]] io::SampleColumns columns_for(const SampleArguments& options, const io::FormatInfo& input);
 
 /// The columns for keys with or without positions.
 [[nodiscard]] io::SampleColumns with_positions(io::SampleColumns columns, bool positions);

@@ -24,7 +24,7 @@ Error located(Error error, const std::string& file) {
 }
 
 /// What does not fit to it.
-Expected<void> check_stored(const SampleOptions& options) {
+Expected<void> check_stored(const SampleArguments& options) {
   if (any_given(options.shape))
     return usage_failure(
         formatted("{}: found the motion that the file says, which has its shape, wanted --method as well",
@@ -38,14 +38,14 @@ Expected<void> check_stored(const SampleOptions& options) {
 
 }  // namespace
 
-bool asks_for_stored(const SampleOptions& options) {
+bool asks_for_stored(const SampleArguments& options) {
   return is_scene(options.input, options.input.path) &&
          options.method.value_or(std::string(stored_method)) == stored_method;
 }
 
-Expected<SampleRequest> stored_request(const SampleOptions& options) {
+Expected<SampleRequest> stored_request(const SampleArguments& options) {
   if (auto fits = check_stored(options); !fits) return tl::unexpected(std::move(fits.error()));
-  SampleOptions without_method = options;
+  SampleArguments without_method = options;
   without_method.method.reset();
   return sample_request(without_method);
 }
@@ -99,7 +99,7 @@ Expected<SampleReport> write_joint(const SampleRequest& request, const JointSamp
       .map([&] { return report; });
 }
 
-Expected<void> sample_stored(const SampleOptions& options) {
+Expected<void> sample_stored(const SampleArguments& options) {
   const auto request = stored_request(options);
   if (!request) return tl::unexpected(request.error());
   const auto scene = opened(request->input);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <orispline/curve/path.hpp>
-#include <orispline/scenes/scene_format.hpp>
+#include <orispline/scenes/scene_file.hpp>
 
 #include "commands/sample/sample_report.hpp"
 #include "commands/sample/sample_request.hpp"
@@ -10,10 +10,10 @@
 namespace orispline::cli {
 
 /// Whether joints of a file of skeletons are to be sampled as the file says that they move.
-[[nodiscard]] bool asks_for_stored(const SampleOptions& options);
+[[nodiscard]] bool asks_for_stored(const SampleArguments& options);
 
 /// What is then to be sampled. Error (bad_argument): what does not fit to it.
-[[nodiscard]] Expected<SampleRequest> stored_request(const SampleOptions& options);
+[[nodiscard]] Expected<SampleRequest> stored_request(const SampleArguments& options);
 
 /// The chosen clips.
 [[nodiscard]] Expected<scenes::Scene> opened(const InputRequest& input);
@@ -31,6 +31,6 @@ struct JointSamples {
 [[nodiscard]] Expected<SampleReport> write_joint(const SampleRequest& request, const JointSamples& samples);
 
 /// Samples the one joint that is chosen.
-[[nodiscard]] Expected<void> sample_stored(const SampleOptions& options);
+[[nodiscard]] Expected<void> sample_stored(const SampleArguments& options);
 
 }  // namespace orispline::cli

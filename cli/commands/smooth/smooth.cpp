@@ -34,7 +34,7 @@ struct Request {
 };
 
 /// What the files ask of each other.
-Expected<void> agree(const SmoothOptions& options) {
+Expected<void> agree(const SmoothArguments& options) {
   if (auto apart = check_output_apart(options.output.option, options.output.path, {{"INPUT", options.input.path}});
       !apart)
     return apart;
@@ -44,7 +44,7 @@ Expected<void> agree(const SmoothOptions& options) {
   });
 }
 
-Expected<Request> request_in(const SmoothOptions& options) {
+Expected<Request> request_in(const SmoothArguments& options) {
   if (auto agreed = agree(options); !agreed) return tl::unexpected(std::move(agreed.error()));
   if (options.include_end && !options.rate) return usage_failure("--include-end: wanted --rate as well");
   if (options.rate && is_given(options.smoothness.fields, "sigma"))
@@ -123,7 +123,7 @@ Expected<void> write(const std::string& path, const Request& request, jobs::Smoo
   });
 }
 
-Expected<void> smooth_one(const SmoothOptions& options) {
+Expected<void> smooth_one(const SmoothArguments& options) {
   if (is_scene(options.output.path)) return smooth_scene(options);
   auto request = request_in(options);
   if (!request) return tl::unexpected(std::move(request.error()));
@@ -153,8 +153,8 @@ Expected<void> smooth_one(const SmoothOptions& options) {
 
 }  // namespace
 
-Expected<void> smooth(const SmoothOptions& options) {
-  const auto check = [](const SmoothOptions& one) {
+Expected<void> smooth(const SmoothArguments& options) {
+  const auto check = [](const SmoothArguments& one) {
     return is_scene(one.output.path) ? check_smooth_scene(one) : request_in(one).map([](const Request&) {});
   };
   return on_inputs(options, {.written = "keys", .check = check, .work = smooth_one, .scenes = SceneOutputs::same});

@@ -11,7 +11,7 @@
 namespace orispline::cli {
 
 /// `orispline smooth`, as typed.
-struct SmoothOptions {
+struct SmoothArguments {
   SeveralInputs inputs;
   InputOptions input;  ///< how they are read
   SmoothnessOptions smoothness;
@@ -23,6 +23,6 @@ struct SmoothOptions {
 };
 
 /// Noisy recordings in, smooth keys with rates, or samples, out.
-[[nodiscard]] Expected<void> smooth(const SmoothOptions& options);
+[[nodiscard]] Expected<void> smooth(const SmoothArguments& options);
 
 }  // namespace orispline::cli

@@ -21,7 +21,7 @@ curve; with --rate it has samples of that curve. docs/smooth.md says more.)";
 
 }  // namespace
 
-void add_smooth_options(Command& app, SmoothOptions& o) {
+void add_smooth_options(Command& app, SmoothArguments& o) {
   add_several_inputs(app, o.inputs, "keys");
   add_input_threads(app, o.inputs);
   add_reading_options(app, o.input);

@@ -7,6 +7,6 @@
 namespace orispline::cli {
 
 /// The options of `orispline smooth`, and what the help says about them.
-void add_smooth_options(Command& app, SmoothOptions& options);
+void add_smooth_options(Command& app, SmoothArguments& options);
 
 }  // namespace orispline::cli

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/jobs/smooth_clips.hpp>
+#include <orispline/jobs/smooth.hpp>
 
 #include "options/file_places.hpp"
 #include "options/scene_input.hpp"
@@ -25,7 +25,7 @@ struct SceneRequest {
   unsigned threads = 1;
 };
 
-Expected<void> check_clips(const SmoothOptions& options) {
+Expected<void> check_clips(const SmoothArguments& options) {
   if (options.rate || options.include_end)
     return usage_failure(
         formatted("{}: found a file of skeletons, whose keys are smoothed, wanted samples of one track",
@@ -38,7 +38,7 @@ Expected<void> check_clips(const SmoothOptions& options) {
   return {};
 }
 
-Expected<SceneRequest> scene_request_in(const SmoothOptions& options) {
+Expected<SceneRequest> scene_request_in(const SmoothArguments& options) {
   if (auto fits = check_clips(options); !fits) return tl::unexpected(std::move(fits.error()));
   FirstError checked;
   SceneRequest request{.input = checked(input_request(options.input)),
@@ -55,11 +55,11 @@ Expected<SceneRequest> scene_request_in(const SmoothOptions& options) {
 
 }  // namespace
 
-Expected<void> check_smooth_scene(const SmoothOptions& options) {
+Expected<void> check_smooth_scene(const SmoothArguments& options) {
   return scene_request_in(options).map([](const SceneRequest&) {});
 }
 
-Expected<void> smooth_scene(const SmoothOptions& options) {
+Expected<void> smooth_scene(const SmoothArguments& options) {
   const auto request = scene_request_in(options);
   if (!request) return tl::unexpected(request.error());
   if (auto able = check_output(options.output.path); !able) return able;

@@ -45,7 +45,7 @@ std::string text_of(const TaskInfo& task) {
 
 }  // namespace
 
-Expected<void> tasks(const TasksOptions& options) {
+Expected<void> tasks(const TasksArguments& options) {
   const auto tasks = tasks_info();
   if (options.json) return print_document(json_of(tasks));
   std::string text;

@@ -6,11 +6,11 @@
 namespace orispline::cli {
 
 /// `orispline tasks`, as typed.
-struct TasksOptions {
+struct TasksArguments {
   bool json = false;
 };
 
 /// Lists the tasks of the library with the fields of their options and results.
-[[nodiscard]] Expected<void> tasks(const TasksOptions& options);
+[[nodiscard]] Expected<void> tasks(const TasksArguments& options);
 
 }  // namespace orispline::cli

@@ -6,8 +6,8 @@
 #include <memory>
 #include <utility>
 
+#include <orispline/fields.hpp>
 #include <orispline/jobs/tune.hpp>
-#include <orispline/tune/tune_fields.hpp>
 
 #include "options/file_places.hpp"
 #include "output/keys_file.hpp"
@@ -25,12 +25,12 @@ struct Request {
 };
 
 /// The file that `reference` is in.
-const std::optional<std::string>& reference_of(const TuneOptions& options) {
+const std::optional<std::string>& reference_of(const TuneArguments& options) {
   return options.tuning.find("reference")->second;
 }
 
 /// What the files ask of each other.
-Expected<void> agree(const TuneOptions& options) {
+Expected<void> agree(const TuneArguments& options) {
   if (options.output.empty()) return usage_failure("-o: found an empty name, wanted FILE or -");
   if (auto checked = check_summary(options.summary, options.output, "keys"); !checked) return checked;
   std::vector<OtherFile> others{{"INPUT", options.input.path}};
@@ -52,7 +52,7 @@ bool reads_the_same_again(const InputOptions& o) {
   });
 }
 
-Expected<Request> request_in(const TuneOptions& options) {
+Expected<Request> request_in(const TuneArguments& options) {
   FirstError checked;
   Request request{.input = checked(input_request(options.input)),
                   .named = checked(named_method(options.method, options.shape)),
@@ -64,7 +64,7 @@ Expected<Request> request_in(const TuneOptions& options) {
   return read;
 }
 
-Expected<std::shared_ptr<const Track>> read_reference(const TuneOptions& options, const io::TrackFile& keys,
+Expected<std::shared_ptr<const Track>> read_reference(const TuneArguments& options, const io::TrackFile& keys,
                                                       const io::ReadOptions& reading) {
   const auto& path = reference_of(options);
   if (!path) return nullptr;
@@ -87,7 +87,7 @@ Track written_track(const jobs::TuneOutcome& outcome) {
 
 }  // namespace
 
-Expected<void> tune(const TuneOptions& options) {
+Expected<void> tune(const TuneArguments& options) {
   auto request = request_in(options);
   if (!request) return tl::unexpected(std::move(request.error()));
   auto input = io::KeyInput::open(request->input.path, request->input.read.recipe);

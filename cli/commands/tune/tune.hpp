@@ -9,7 +9,7 @@
 namespace orispline::cli {
 
 /// `orispline tune`, as typed.
-struct TuneOptions {
+struct TuneArguments {
   InputOptions input;
   std::optional<std::string> method;
   MethodOptions shape;
@@ -19,6 +19,6 @@ struct TuneOptions {
 };
 
 /// Keyframes in, the same with the best tensions out.
-[[nodiscard]] Expected<void> tune(const TuneOptions& options);
+[[nodiscard]] Expected<void> tune(const TuneArguments& options);
 
 }  // namespace orispline::cli

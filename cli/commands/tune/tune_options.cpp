@@ -2,8 +2,8 @@
 #include "commands/tune/tune_options.hpp"
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/fields.hpp>
 #include <orispline/jobs/tune.hpp>
-#include <orispline/tune/tune_fields.hpp>
 
 namespace orispline::cli {
 
@@ -24,7 +24,7 @@ in it names the method and its ends, and 'sample' takes them from there. docs/tu
 
 }  // namespace
 
-void add_tune_options(Command& app, TuneOptions& o) {
+void add_tune_options(Command& app, TuneArguments& o) {
   add_input_options(app, o.input);
   app.add_option("--method", o.method,
                  formatted("Method whose tensions to find [as INPUT says, else {}]", jobs::usual_tuned.name))

@@ -7,6 +7,6 @@
 namespace orispline::cli {
 
 /// The options of `orispline tune`, and what the help says about them.
-void add_tune_options(Command& app, TuneOptions& options);
+void add_tune_options(Command& app, TuneArguments& options);
 
 }  // namespace orispline::cli

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include <orispline/analysis/angle_travelled.hpp>
+#include <orispline/analysis/curve_measures.hpp>
 #include <orispline/analysis/decimation.hpp>
-#include <orispline/analysis/energy.hpp>
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/base/counted_work.hpp>
 #include <orispline/base/expect.hpp>

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include <orispline/analysis/continuity.hpp>
+#include <orispline/analysis/curve_measures.hpp>
 #include <orispline/analysis/distance.hpp>
-#include <orispline/analysis/energy.hpp>
-#include <orispline/analysis/peaks.hpp>
 #include <orispline/base/progress.hpp>
 #include <orispline/base/warning.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
+#include <orispline/fields/field_info.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -79,5 +79,8 @@ struct ORISPLINE_EXPORT Comparison {
 [[nodiscard]] ORISPLINE_EXPORT Comparison compare(std::span<const Candidate> candidates,
                                                   const RecordedMotion& recording, const MeasureOptions& options = {},
                                                   unsigned threads = 1, const Progress& progress = {});
+
+template <>
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<MeasureOptions>() noexcept;
 
 }}  // namespace orispline

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/analysis/comparison_fields.hpp>
+#include <orispline/analysis/comparison.hpp>
+#include <orispline/analysis/decimation.hpp>
 
 #include <array>
 

@@ -9,6 +9,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
+#include <orispline/fields/field_info.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -48,5 +49,14 @@ struct Decimation {
 /// fewer than 3 keys.
 [[nodiscard]] ORISPLINE_EXPORT Expected<DistanceStatistics> leave_out_error(const Keyframes& keys,
                                                                             const Method& method = {});
+
+template <>
+inline constexpr std::array words<Spacing>{
+    word("even", Spacing::even, "the samples 0, N, 2N, … are keys"),
+    word("jittered", Spacing::jittered, "all of these but the first are moved by up to 35 % of N, at random"),
+    word("random", Spacing::random, "steps of N/4, N/2, N and 2N are drawn at random")};
+
+template <>
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<Decimation>() noexcept;
 
 }}  // namespace orispline

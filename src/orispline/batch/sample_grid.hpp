@@ -109,4 +109,10 @@ class ORISPLINE_EXPORT SampleGrid {
   std::optional<Decimals> decimals_;
 };
 
+/// Samples `first` … `end - 1` of a grid.
+struct SampleRange {
+  std::uint64_t first = 0, end = 0;
+  [[nodiscard]] std::uint64_t size() const noexcept { return end > first ? end - first : 0; }
+};
+
 }}  // namespace orispline

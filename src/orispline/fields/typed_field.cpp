@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/fields/typed_field.hpp>
+#include <orispline/fields/field_info.hpp>
 
 #include <algorithm>
 

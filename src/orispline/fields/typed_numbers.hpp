@@ -16,14 +16,14 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace typed {
 /// `found 'fast', wanted a number`.
 [[nodiscard]] tl::unexpected<Error> wanted(std::string_view text, std::string_view what);
 
-/// The same without the unit that the number is in anyhow, if it is typed behind it: `0.5 s` is `0.5`.
+/// A number's text without the unit that the number is in anyhow, if it is typed behind it: `0.5 s` is `0.5`.
 [[nodiscard]] std::string_view without_unit(std::string_view text, std::string_view unit);
 
 /// A finite number.
 [[nodiscard]] Expected<double> number(std::string_view text);
 /// A finite number, or a fraction.
 [[nodiscard]] Expected<double> quotient(std::string_view text);
-/// The same above 0.
+/// A finite number above 0, or a fraction.
 [[nodiscard]] Expected<double> positive(std::string_view text, std::string_view what = "a number greater than 0");
 /// Finite numbers between commas.
 [[nodiscard]] Expected<std::vector<double>> numbers(std::string_view text);

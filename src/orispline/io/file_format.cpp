@@ -7,7 +7,6 @@
 #include <orispline/base/expect.hpp>
 #include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
-#include <orispline/io/formats/formats.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -121,5 +122,11 @@ ORISPLINE_EXPORT void add_formats(std::span<const FormatInfo* const> more);
 
 /// The titles as a message names them: `CSV, TUM or EuRoC`.
 [[nodiscard]] ORISPLINE_EXPORT std::string any_of(std::span<const FormatInfo* const> formats);
+
+// THE list of formats. Each is stated by the file of this folder that has its name.
+
+extern const FormatInfo csv_format, tum_format, euroc_format, npy_format;
+
+inline constexpr std::array all_formats{&csv_format, &tum_format, &euroc_format, &npy_format};
 
 }}}  // namespace orispline::io

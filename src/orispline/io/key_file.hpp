@@ -12,7 +12,7 @@
 #include <orispline/curve/track.hpp>
 #include <orispline/io/clock.hpp>
 #include <orispline/io/euler_turns.hpp>
-#include <orispline/io/formats/formats.hpp>
+#include <orispline/io/file_format.hpp>
 #include <orispline/io/orientation_form.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {

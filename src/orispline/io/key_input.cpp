@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/io/key_input.hpp>
 
+#include <utility>
+
+#include <orispline/io/line_reader.hpp>
 #include <orispline/io/recipe_line.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
@@ -45,5 +48,15 @@ Expected<KeyInput> KeyInput::open(const std::string& path, RecipeUse use) {
     return KeyInput(std::move(lines), std::move(*recipe));
   });
 }
+
+KeyInput::KeyInput(LineReader lines, Recipe recipe)
+    : lines_(std::make_unique<LineReader>(std::move(lines))), recipe_(std::move(recipe)) {}
+KeyInput::KeyInput(KeyInput&&) noexcept = default;
+KeyInput& KeyInput::operator=(KeyInput&&) noexcept = default;
+KeyInput::~KeyInput() = default;
+
+const std::string& KeyInput::path() const noexcept { return lines_->path(); }
+
+LineReader KeyInput::lines() && noexcept { return std::move(*lines_); }
 
 }}}  // namespace orispline::io

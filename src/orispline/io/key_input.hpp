@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
-#include <utility>
 
 #include <orispline/curve/track.hpp>
 #include <orispline/io/key_file.hpp>
-#include <orispline/io/line_reader.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
+class LineReader;
 
 /// A file of keys at its beginning, and what the comments there say: a caller learns which curve the keys are for
 /// before it decides how they are read.
@@ -18,16 +19,20 @@ class ORISPLINE_EXPORT KeyInput {
   /// recipe that cannot be understood.
   [[nodiscard]] static Expected<KeyInput> open(const std::string& path, RecipeUse use = RecipeUse::honoured);
 
-  [[nodiscard]] const std::string& path() const noexcept { return lines_.path(); }
+  KeyInput(KeyInput&&) noexcept;
+  KeyInput& operator=(KeyInput&&) noexcept;
+  ~KeyInput();
+
+  [[nodiscard]] const std::string& path() const noexcept;
   /// Empty where the file has none, or where it is ignored.
   [[nodiscard]] const Recipe& recipe() const noexcept { return recipe_; }
   /// All lines from the first on.
-  [[nodiscard]] LineReader lines() && noexcept { return std::move(lines_); }
+  [[nodiscard]] LineReader lines() && noexcept;
 
  private:
-  KeyInput(LineReader lines, Recipe recipe) : lines_(std::move(lines)), recipe_(std::move(recipe)) {}
+  KeyInput(LineReader lines, Recipe recipe);
 
-  LineReader lines_;
+  std::unique_ptr<LineReader> lines_;
   Recipe recipe_;
 };
 

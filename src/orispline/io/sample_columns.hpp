@@ -9,7 +9,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/curve/path.hpp>
-#include <orispline/io/formats/formats.hpp>
+#include <orispline/io/file_format.hpp>
 #include <orispline/io/orientation_form.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {

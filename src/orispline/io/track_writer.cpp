@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/io/track_writer.hpp>
+#include <orispline/io/track_file.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/jobs/chosen_method.hpp>
+#include <orispline/jobs/curve_of_keys.hpp>
 
 #include <utility>
 

@@ -5,7 +5,8 @@
 #include <iterator>
 #include <utility>
 
-#include <orispline/analysis/comparison_fields.hpp>
+#include <orispline/analysis/comparison.hpp>
+#include <orispline/analysis/decimation.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/jobs/tune.hpp>
@@ -14,7 +15,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
 namespace {
 
-/// The same with the tensions that make ∫|α|² least, or with the reason why there are none.
+/// The method with the tensions that make ∫|α|² least, or with the reason why there are none.
 ComparedMethod tuned(ComparedMethod method, const Track& keys, const Progress& progress) {
   method.label += ":tuned";
   auto tuning = orispline::tune(keys, method.candidate.method, {}, {.stop = progress.stop});

@@ -77,7 +77,7 @@ struct ORISPLINE_EXPORT CompareOutcome {
 [[nodiscard]] ORISPLINE_EXPORT std::string title_of(const CompareOutcome& outcome, std::size_t key_set);
 /// One for each set of keys, for people.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<report::Table> tables_of(const CompareOutcome& outcome);
-/// The same as text, in lines as long as they are.
+/// These tables as text, in lines as long as they are.
 [[nodiscard]] ORISPLINE_EXPORT std::string summary_of(const CompareOutcome& outcome);
 /// The best method of each set of keys, in one line without an end.
 [[nodiscard]] ORISPLINE_EXPORT std::string line_of(const CompareOutcome& outcome);

@@ -7,8 +7,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/families/registry.hpp>
-#include <orispline/jobs/chosen_method.hpp>
 #include <orispline/jobs/compare.hpp>
+#include <orispline/jobs/curve_of_keys.hpp>
 #include <orispline/jobs/words.hpp>
 #include <orispline/report/table.hpp>
 

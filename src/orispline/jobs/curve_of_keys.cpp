@@ -7,7 +7,6 @@
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/families/registry.hpp>
-#include <orispline/jobs/chosen_method.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include <orispline/base/warning.hpp>
@@ -27,5 +29,38 @@ struct CurveOfKeys {
 
 /// Errors: those of shaped_curve().
 [[nodiscard]] ORISPLINE_EXPORT Expected<CurveOfKeys> curve_of_keys(const Method& method, const Track& keys);
+
+/// What a task takes where neither its user nor the keys name a method that fits.
+struct UsualMethod {
+  std::string_view name{default_method};
+  bool (*fits)(const FamilyInfo&) = nullptr;  ///< which methods of the keys do; null: all
+};
+
+enum class NamedBy { user, keys, nobody };
+
+/// The method whose curve a task is about.
+struct ChosenMethod {
+  Method method{};
+  NamedBy by = NamedBy::user;
+  std::vector<Warning> warnings{};  ///< `recipe_set_aside`; those that are left here are told by the outcome
+};
+
+/// What a user says of a method besides its name.
+using Shaping = std::function<Expected<Method>(Method method, NamedBy by)>;
+
+/// The method that the user names, as it is; else the one that the keys are for, where it fits, or the usual one,
+/// shaped. Errors: a recipe that cannot be read, and those of the shaping.
+[[nodiscard]] ORISPLINE_EXPORT Expected<ChosenMethod> chosen_method(const std::optional<Method>& named,
+                                                                    const Recipe& recipe, std::string_view file,
+                                                                    const UsualMethod& usual,
+                                                                    const Shaping& shaping = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<ChosenMethod> chosen_method(const std::optional<Method>& named,
+                                                                    const Track& keys, const UsualMethod& usual);
+
+/// The family of a method that was understood.
+[[nodiscard]] ORISPLINE_EXPORT const FamilyInfo& family_of(const Method& method);
+
+/// The error with its place in the file of the keys, unless the user alone is at fault.
+[[nodiscard]] ORISPLINE_EXPORT Error placed(const Track& keys, Error error);
 
 }}}  // namespace orispline::jobs

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include <orispline/base/parallel.hpp>
-#include <orispline/jobs/chosen_method.hpp>
+#include <orispline/jobs/curve_of_keys.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 

@@ -4,9 +4,10 @@
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
-#include <orispline/jobs/reduce_scene.hpp>
+#include <orispline/jobs/reduce.hpp>
 #include <orispline/math/degrees.hpp>
-#include <orispline/reduce/reduce_fields.hpp>
+#include <orispline/reduce/clip_reduction.hpp>
+#include <orispline/reduce/reduce.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 

@@ -8,8 +8,9 @@
 #include <orispline/jobs/smoothing_words.hpp>
 #include <orispline/jobs/words.hpp>
 #include <orispline/math/degrees.hpp>
-#include <orispline/reduce/reduce_fields.hpp>
-#include <orispline/smooth/smooth_fields.hpp>
+#include <orispline/reduce/clip_reduction.hpp>
+#include <orispline/reduce/reduce.hpp>
+#include <orispline/smooth/smooth.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 

@@ -10,7 +10,7 @@
 #include <orispline/families/method_text.hpp>
 #include <orispline/fields/field_json.hpp>
 #include <orispline/jobs/words.hpp>
-#include <orispline/retime/retime_fields.hpp>
+#include <orispline/retime/retime.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 

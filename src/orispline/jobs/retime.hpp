@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <orispline/fields/json.hpp>
-#include <orispline/jobs/chosen_method.hpp>
+#include <orispline/jobs/curve_of_keys.hpp>
 #include <orispline/retime/retime.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -47,7 +47,7 @@ struct ORISPLINE_EXPORT RetimeOutcome {
 [[nodiscard]] ORISPLINE_EXPORT Json document_of(const RetimeOutcome& outcome);
 /// A few lines for people.
 [[nodiscard]] ORISPLINE_EXPORT std::string summary_of(const RetimeOutcome& outcome);
-/// The same in one, without an end.
+/// What summary_of() says, in one line without an end.
 [[nodiscard]] ORISPLINE_EXPORT std::string line_of(const RetimeOutcome& outcome);
 /// With ORISPLINE_PAGE.
 [[nodiscard]] ORISPLINE_EXPORT report::Page page_of(const RetimeOutcome& outcome, const pages::PageHead& head);

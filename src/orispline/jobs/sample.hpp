@@ -49,7 +49,7 @@ struct SampleOutcome {
 [[nodiscard]] ORISPLINE_EXPORT Json document_of(const SampleOutcome& outcome, Json of_columns, Json of_repairs);
 /// A few lines for people.
 [[nodiscard]] ORISPLINE_EXPORT std::string summary_of(const SampleOutcome& outcome);
-/// The same in one, without an end.
+/// What summary_of() says, in one line without an end.
 [[nodiscard]] ORISPLINE_EXPORT std::string line_of(const SampleOutcome& outcome);
 
 }}}  // namespace orispline::jobs

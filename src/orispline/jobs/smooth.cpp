@@ -9,11 +9,11 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/fields/field_json.hpp>
-#include <orispline/jobs/chosen_method.hpp>
+#include <orispline/jobs/curve_of_keys.hpp>
 #include <orispline/jobs/smoothing_words.hpp>
 #include <orispline/jobs/words.hpp>
 #include <orispline/math/degrees.hpp>
-#include <orispline/smooth/smooth_fields.hpp>
+#include <orispline/smooth/smooth.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 

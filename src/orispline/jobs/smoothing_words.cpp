@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/smooth/smooth_fields.hpp>
+#include <orispline/smooth/smooth.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 

@@ -12,7 +12,6 @@
 #include <orispline/jobs/compare.hpp>
 #include <orispline/jobs/difference.hpp>
 #include <orispline/jobs/reduce.hpp>
-#include <orispline/jobs/reduce_scene.hpp>
 #include <orispline/jobs/retime.hpp>
 #include <orispline/jobs/smooth.hpp>
 #include <orispline/pages/task_pages.hpp>

@@ -11,7 +11,7 @@
 #include <orispline/jobs/words.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/tune/tension_model.hpp>
-#include <orispline/tune/tune_fields.hpp>
+#include <orispline/tune/tune.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <orispline/fields/json.hpp>
-#include <orispline/jobs/chosen_method.hpp>
+#include <orispline/jobs/curve_of_keys.hpp>
 #include <orispline/tune/tune.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {

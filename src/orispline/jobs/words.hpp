@@ -26,7 +26,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
 /// `key noise 0.5: 46 %, spline: 31 %, …; polynomial believed 0.8; trust 0.9`.
 [[nodiscard]] std::string findings_text(const KeyFindings& findings);
-/// The same as JSON, with the numbers as settings of the method `measured`; null where there are none.
+/// What the keys say as JSON, with the numbers as settings of the method `measured`; null where there are none.
 [[nodiscard]] Json findings_json(const std::optional<KeyFindings>& findings);
 
 /// Where the samples of a track are. It outlives them.

@@ -11,6 +11,7 @@
 #include <orispline/batch/sample_layout.hpp>
 #include <orispline/curve/key_check.hpp>
 #include <orispline/online/track_state.hpp>
+#include <orispline/online/track_stretch.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -71,6 +72,14 @@ Expected<void> sample_part(const PoseCurve& curve, const SampleGrid& grid, std::
 }
 
 }  // namespace
+
+TrackSampler::TrackSampler(const Method& given, StreamMethod method, const TrackGrid& grid, const TrackOptions& options)
+    : given_(given), method_(std::move(method)), grid_(grid), options_(options) {}
+TrackSampler::TrackSampler(const TrackSampler& other) = default;
+TrackSampler::TrackSampler(TrackSampler&& other) noexcept = default;
+TrackSampler& TrackSampler::operator=(const TrackSampler& other) = default;
+TrackSampler& TrackSampler::operator=(TrackSampler&& other) noexcept = default;
+TrackSampler::~TrackSampler() = default;
 
 Expected<TrackSampler> TrackSampler::make(const Method& method, const TrackGrid& grid, const TrackOptions& options) {
   const double step = grid.step / grid.parts;

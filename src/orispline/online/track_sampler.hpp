@@ -2,16 +2,28 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
+#include <list>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <orispline/batch/sample.hpp>
+#include <orispline/batch/sample_grid.hpp>
 #include <orispline/curve/key_check.hpp>
 #include <orispline/curve/method.hpp>
-#include <orispline/online/track_stretch.hpp>
+#include <orispline/online/stream_method.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
+
+/// Which samples a track has: those of steps that lie between its keys, or those of a request.
+struct TrackGrid {
+  double step = 0.01;             ///< [s], greater than 0: sample k at k * step / parts + start
+  double parts = 1.0;             ///< samples in a step, greater than 0
+  std::optional<double> start{};  ///< [s]; absent: where the first curve begins
+  /// Instead of both the grid of a rate or a count, where it is absent from the start of the first curve to the end of
+  /// the last: all of its samples, which before the one and after the other hold the end orientation at rest.
+  std::optional<SampleGrid::Request> request{};
+};
 
 /// How the keys of a track become curves.
 struct TrackOptions {
@@ -19,6 +31,8 @@ struct TrackOptions {
   /// A longer interval between two keys [s] ends one curve and begins the next. Absent: one curve.
   std::optional<double> gap{};
 };
+
+class TrackStretch;
 
 /// Even samples of a track whose keys arrive in pieces, and whose state can be put away between them as bytes.
 ///
@@ -36,6 +50,11 @@ class ORISPLINE_EXPORT TrackSampler {
   /// a loop, options that the method does not accept.
   [[nodiscard]] static Expected<TrackSampler> make(const Method& method, const TrackGrid& grid,
                                                    const TrackOptions& options = {});
+  TrackSampler(const TrackSampler& other);
+  TrackSampler(TrackSampler&& other) noexcept;
+  TrackSampler& operator=(const TrackSampler& other);
+  TrackSampler& operator=(TrackSampler&& other) noexcept;
+  ~TrackSampler();
 
   /// Takes the next key. Errors as of OnlineCurve::append; after a gap also those of finish() for the stretch before. A
   /// refused key changes nothing. Those of SampleGrid::make() too, of which the track does not recover.
@@ -83,8 +102,7 @@ class ORISPLINE_EXPORT TrackSampler {
  private:
   friend class TrackState;
 
-  TrackSampler(const Method& given, StreamMethod method, const TrackGrid& grid, const TrackOptions& options)
-      : given_(given), method_(std::move(method)), grid_(grid), options_(options) {}
+  TrackSampler(const Method& given, StreamMethod method, const TrackGrid& grid, const TrackOptions& options);
 
   /// The samples of a stretch that are final and not taken.
   struct Part {
@@ -103,7 +121,7 @@ class ORISPLINE_EXPORT TrackSampler {
   StreamMethod method_;
   TrackGrid grid_;
   TrackOptions options_;
-  std::deque<TrackStretch> stretches_;
+  std::list<TrackStretch> stretches_;
   std::uint64_t keys_ = 0, next_ = 0;  ///< keys taken; the next sample
   std::optional<double> newest_;       ///< time of the newest key [s]
   std::optional<double> start_, end_;  ///< of the first curve and of the last one [s]

@@ -8,22 +8,6 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
-/// Which samples a track has: those of steps that lie between its keys, or those of a request.
-struct TrackGrid {
-  double step = 0.01;             ///< [s], greater than 0: sample k at k * step / parts + start
-  double parts = 1.0;             ///< samples in a step, greater than 0
-  std::optional<double> start{};  ///< [s]; absent: where the first curve begins
-  /// Instead of both the grid of a rate or a count, where it is absent from the start of the first curve to the end of
-  /// the last: all of its samples, which before the one and after the other hold the end orientation at rest.
-  std::optional<SampleGrid::Request> request{};
-};
-
-/// Samples `first` … `end - 1` of a grid.
-struct SampleRange {
-  std::uint64_t first = 0, end = 0;
-  [[nodiscard]] std::uint64_t size() const noexcept { return end > first ? end - first : 0; }
-};
-
 /// One curve of a track: the keys that are still needed, and what of it is final.
 class ORISPLINE_EXPORT TrackStretch {
  public:

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include <orispline/analysis/angle_travelled.hpp>
+#include <orispline/analysis/curve_measures.hpp>
 #include <orispline/base/counted.hpp>
 #include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>

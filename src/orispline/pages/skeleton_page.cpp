@@ -13,8 +13,8 @@
 #include <orispline/base/version.hpp>
 #include <orispline/clip/clip_difference.hpp>
 #include <orispline/math/degrees.hpp>
-#include <orispline/reduce/clip_totals.hpp>
-#include <orispline/reduce/reduce_fields.hpp>
+#include <orispline/reduce/clip_reduction.hpp>
+#include <orispline/reduce/reduce.hpp>
 #include <orispline/report/page.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <orispline/clip/clip_difference.hpp>
 #include <orispline/curve/method.hpp>
+#include <orispline/fields/field_info.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -85,5 +89,30 @@ struct ClipReduction {
                                                                                  std::span<const Clip> clips,
                                                                                  const ClipReduceOptions& options,
                                                                                  unsigned threads = 0);
+
+template <>
+inline constexpr std::array words<BetweenSamples>{
+    word("smooth", BetweenSamples::smooth, "The motion between the keys of the input is the curve auto through them"),
+    word("stored", BetweenSamples::stored, "It is what the input says, such as straight lines")};
+
+template <>
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexcept;
+
+/// The tolerances that are given: `0.1°, 0.02 m in the world`.
+///
+/// `metres`: in the skeleton's unit of length; `unit`: what follows a length, such as ` m`.
+[[nodiscard]] ORISPLINE_EXPORT std::string tolerance_text(const ClipReduceOptions& options, double metres,
+                                                          std::string_view unit);
+
+/// Of all clips together; its members are those of the clips.
+struct ClipTotals {
+  std::size_t rotation_keys = 0, rotation_keys_before = 0, rotation_tracks = 0, open_tracks = 0;
+  std::size_t translation_keys = 0, translation_keys_before = 0;
+  /// The clips where these are largest, of equals the first; null where there is no clip.
+  const ClipReduction *angle = nullptr, *distance = nullptr, *from_smooth = nullptr, *from_stored = nullptr;
+};
+
+/// The totals point to the reductions, which outlive them.
+[[nodiscard]] ORISPLINE_EXPORT ClipTotals totals_of(std::span<const ClipReduction> reductions);
 
 }}  // namespace orispline

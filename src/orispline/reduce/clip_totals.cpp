@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/reduce/clip_totals.hpp>
+#include <orispline/reduce/clip_reduction.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

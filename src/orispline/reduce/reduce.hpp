@@ -13,6 +13,7 @@
 #include <orispline/base/progress.hpp>
 #include <orispline/curve/method.hpp>
 #include <orispline/curve/track.hpp>
+#include <orispline/fields/field_info.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -88,5 +89,15 @@ inline constexpr std::array<std::string_view, 3> reducing_methods{"auto", "timed
 
 /// The index of the one with the fewest keys, of equals the first.
 [[nodiscard]] ORISPLINE_EXPORT std::size_t smallest(std::span<const Reduction> reductions);
+
+template <>
+inline constexpr std::array words<KeyValues>{
+    word("sampled", KeyValues::sampled, "Every key is a sample"),
+    word("refit", KeyValues::refitted, "Keys are moved off the samples where that saves keys")};
+
+template <>
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<ReduceOptions>() noexcept;
+template <>
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<Reduction>() noexcept;
 
 }}  // namespace orispline

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/reduce/reduce_fields.hpp>
+#include <orispline/reduce/clip_reduction.hpp>
+#include <orispline/reduce/reduce.hpp>
 
 #include <array>
 #include <cmath>

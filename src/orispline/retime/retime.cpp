@@ -15,7 +15,6 @@
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/retime/interval_times.hpp>
-#include <orispline/retime/retime_fields.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

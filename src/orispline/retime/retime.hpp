@@ -10,6 +10,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/base/progress.hpp>
 #include <orispline/curve/track.hpp>
+#include <orispline/fields/field_info.hpp>
 #include <orispline/fields/quantity.hpp>
 #include <orispline/math/eigen.hpp>
 
@@ -121,5 +122,15 @@ struct ORISPLINE_EXPORT Certificate {
 /// One for each of quantities_of(limits). Precondition: one segment at least.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<Certificate> certificates_of(const MotionLimits& limits,
                                                                         std::span<const SegmentPeaks> peaks);
+
+template <>
+inline constexpr std::array words<Slowing>{
+    word("uniform", Slowing::uniform, "All intervals between keys are slowed alike"),
+    word("per-interval", Slowing::per_interval, "Each interval between keys is slowed by itself")};
+
+template <>
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept;
+template <>
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<Retiming>() noexcept;
 
 }}  // namespace orispline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/retime/retime_fields.hpp>
+#include <orispline/retime/retime.hpp>
 
 #include <array>
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include <orispline/scenes/scene_format.hpp>
+#include <orispline/scenes/scene_file.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
 

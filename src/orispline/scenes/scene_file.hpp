@@ -1,11 +1,88 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include <orispline/scenes/scene_format.hpp>
+#include <orispline/base/expected.hpp>
+#include <orispline/base/warning.hpp>
+#include <orispline/clip/clip.hpp>
+#include <orispline/math/euler.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
+
+struct SceneFormat;
+
+/// What a file holds beside skeleton and clips. Writing in the same format passes it on; each format has its own.
+class SceneSource {
+ public:
+  virtual ~SceneSource() = default;
+};
+
+/// A skeleton with its clips, as a file holds them.
+struct Scene {
+  std::string name{};  ///< of the file
+  Skeleton skeleton{};
+  std::vector<Clip> clips{};
+  std::vector<Warning> warnings{};              ///< of reading
+  const SceneFormat* format = nullptr;          ///< of the file; null for a scene that was made
+  std::shared_ptr<const SceneSource> source{};  ///< null likewise
+};
+
+struct SceneFormat;
+
+/// How a scene is to be read.
+struct SceneReading {
+  bool drop_duplicates = false;         ///< of keys of a channel at equal times keep the first
+  const SceneFormat* format = nullptr;  ///< of the file; null: that of its extension
+};
+
+/// How a scene is to be written.
+struct SceneWriting {
+  std::optional<EulerOrder> euler{};  ///< of BVH: absent is the input's, else ZYX about the axes of the body
+  std::optional<double> rate{};  ///< of BVH: frames per second [Hz]; absent is that of the keys, which must be even
+  bool bones = true;  ///< of glTF: whether a skeleton without a mesh gets one bone of a few triangles per joint
+};
+
+/// What became of a scene that was written.
+struct SceneWritten {
+  std::string bytes{};              ///< of the file
+  std::vector<Warning> warnings{};  ///< of what the format has no room for
+};
+
+/// A format of files of skeletons and clips: all that is known of it elsewhere.
+struct ORISPLINE_EXPORT SceneFormat {
+  std::string_view id;                             ///< the word that it is chosen by: `bvh`
+  std::string_view title;                          ///< what people call it: `BVH`
+  std::string_view file;                           ///< with its article: `a BVH file`
+  std::string_view summary;                        ///< what it is, in a few words
+  std::span<const std::string_view> extensions{};  ///< in small letters, with their dots
+  bool has_no_unit = false;   ///< its files do not say in what their lengths are; others: in metres
+  bool holds_floats = false;  ///< times and values are in single precision
+
+  /// From the bytes of a file; the path is for messages and for files beside it. Errors name the file, and the line or
+  /// clip, joint and key: bad_data, bad_access.
+  Expected<Scene> (*read)(std::string_view bytes, const std::string& path, const SceneReading&) = nullptr;
+  /// The path tells what the extension asks for. Errors: bad_data for what the format cannot hold, bad_argument.
+  /// Null: files of the format are read only.
+  Expected<SceneWritten> (*write)(const Scene&, const std::string& path, const SceneWriting&) = nullptr;
+
+  /// Whether a path ends in one of the extensions, in any case of letters.
+  [[nodiscard]] bool has_extension_of(std::string_view path) const noexcept;
+};
+
+// THE list of formats. Each is stated by the file of this folder that has its name.
+extern const SceneFormat bvh_format, gltf_format;
+
+/// All formats, in the order in which they are shown.
+[[nodiscard]] ORISPLINE_EXPORT std::span<const SceneFormat* const> scene_formats() noexcept;
+/// The format of that word, and that with the extension of the path; null if there is none.
+[[nodiscard]] ORISPLINE_EXPORT const SceneFormat* scene_format_named(std::string_view id) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT const SceneFormat* scene_format_of(std::string_view path) noexcept;
 
 /// A file larger than this is not read [bytes].
 inline constexpr std::size_t largest_scene_file = std::size_t{2} << 30;

@@ -4,7 +4,7 @@
 #include <string>
 
 #include <orispline/io/track_file.hpp>
-#include <orispline/scenes/scene_format.hpp>
+#include <orispline/scenes/scene_file.hpp>
 
 // One joint of a scene as a track: the door for whoever reads files of keys.
 

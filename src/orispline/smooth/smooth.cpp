@@ -9,7 +9,6 @@
 #include <orispline/families/method_text.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/math/median.hpp>
-#include <orispline/smooth/smooth_fields.hpp>
 #include <orispline/smooth/smoothing_gyro.hpp>
 #include <orispline/smooth/smoothing_result.hpp>
 #include <orispline/smooth/smoothing_search.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/smooth/smooth_fields.hpp>
+#include <orispline/smooth/smooth.hpp>
 
 #include <algorithm>
 #include <array>

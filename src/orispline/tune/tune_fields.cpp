@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/tune/tune_fields.hpp>
+#include <orispline/tune/tune.hpp>
 
 #include <array>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tables with named columns, or with a stated order of them.
 #include <orispline/base/formatted.hpp>
+#include <orispline/io/file_format.hpp>
 #include <orispline/io/format_choice.hpp>
-#include <orispline/io/formats/formats.hpp>
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/key_table.hpp>

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/io/formats/formats.hpp>
+#include <orispline/io/file_format.hpp>
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/sample_columns.hpp>

@@ -5,7 +5,7 @@
 #include <bit>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/io/formats/formats.hpp>
+#include <orispline/io/file_format.hpp>
 #include <orispline/io/sample_columns.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trajectories of the TUM RGB-D benchmark: `t tx ty tz qx qy qz qw`.
-#include <orispline/io/formats/formats.hpp>
+#include <orispline/io/file_format.hpp>
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/sample_columns.hpp>

@@ -13,7 +13,7 @@
 #include <orispline/scenes/bvh/source.hpp>
 #include <orispline/scenes/bvh/text.hpp>
 #include <orispline/scenes/bvh/writer.hpp>
-#include <orispline/scenes/scene_format.hpp>
+#include <orispline/scenes/scene_file.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 

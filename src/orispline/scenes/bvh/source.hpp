@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <orispline/base/decimal.hpp>
-#include <orispline/scenes/scene_format.hpp>
+#include <orispline/scenes/scene_file.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 

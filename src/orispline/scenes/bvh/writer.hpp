@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <orispline/scenes/bvh/source.hpp>
-#include <orispline/scenes/scene_format.hpp>
+#include <orispline/scenes/scene_file.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 

@@ -11,7 +11,7 @@
 #include <orispline/base/warning.hpp>
 #include <orispline/clip/clip.hpp>
 #include <orispline/scenes/gltf/json.hpp>
-#include <orispline/scenes/scene_format.hpp>
+#include <orispline/scenes/scene_file.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
