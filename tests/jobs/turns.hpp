@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -38,5 +39,8 @@ inline Json member(const Json& json, std::string_view name) {
 }
 
 inline double number(const Json& json, std::string_view name) { return std::get<double>(member(json, name).value()); }
+inline std::uint64_t count(const Json& json, std::string_view name) {
+  return std::get<std::uint64_t>(member(json, name).value());
+}
 
 }  // namespace orispline
