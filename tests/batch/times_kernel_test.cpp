@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Loops over times: by every instruction set, and through blocks of which some are in order and some are not.
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include <orispline/base/decimal.hpp>
+#include <orispline/base/shortest_rest.hpp>
 
 #include <batch/every_kernel.hpp>
 #include <batch/sampled.hpp>
@@ -52,6 +56,37 @@ TEST(TimesKernel, WritesEvenTimesAsTheirFormulaSays) {
             ASSERT_EQ(times[k], sum / even.divisor) << kernels->name << ' ' << first << ' ' << k;
           }
         }
+}
+
+TEST(TimesKernel, WritesTheNearestDoublesOfDecimalTimesOrSaysThatItCannotTell) {
+  for (const char* const start : {"0.83716123456789115", "-3.7", "1700000000.1234567", "1e-9"})
+    for (const batch::EvenTimes& steps :
+         {batch::EvenTimes{1.0, 0.0, 1000.0}, batch::EvenTimes{9.1234567890123, 0.0, 999.0},
+          batch::EvenTimes{1001.0, 0.0, 30000.0}, batch::EvenTimes{1e6, 0.0, 3.0}, batch::EvenTimes{1e-5, 0.0, 7.0},
+          batch::EvenTimes{1.0, 0.0, 1024.0}}) {
+      const TimeOrigin origin(Decimal::parse(start).value());
+      const batch::DecimalTimes wanted{steps.factor, steps.divisor, origin.halves()->high, origin.halves()->low};
+      const auto offset = [&](std::size_t k) { return static_cast<double>(k) * steps.factor / steps.divisor; };
+      for (int exponent = lowest_decade; exponent <= highest_decade; ++exponent) {
+        std::size_t first = 1;
+        while (first < 20000 && offset(first) < least_of_decade(exponent)) ++first;
+        std::size_t count = 0;
+        while (count < 1003 && offset(first + count) < least_of_decade(exponent + 1)) ++count;
+        if (first == 20000 || count == 0) continue;
+        std::vector<double> times(count);
+        for (const batch::Kernels* kernels : all_kernels()) {
+          const std::size_t unsure =
+              kernels->write_decimal_times(wanted, exponent, static_cast<double>(first), count, times.data());
+          EXPECT_EQ(unsure, static_cast<std::size_t>(std::ranges::count_if(times, [](double t) { return t != t; })));
+          EXPECT_LE(unsure, 4 + count / 50) << kernels->name << ' ' << start << ' ' << offset(first);
+          for (std::size_t k = 0; k < count; ++k) {
+            const double exact = origin.plus(offset(first + k)).to_double();
+            ASSERT_TRUE(std::isnan(times[k]) || times[k] == exact)
+                << kernels->name << ' ' << start << " + " << offset(first + k) << ": " << times[k] - exact;
+          }
+        }
+      }
+    }
 }
 
 /// Each as if it were the only time.

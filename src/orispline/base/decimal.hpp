@@ -2,6 +2,7 @@
 #pragma once
 
 #include <compare>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -116,10 +117,16 @@ class ORISPLINE_EXPORT TimeOrigin {
   /// The double nearest to that sum, mostly without forming it.
   [[nodiscard]] double nearest_plus(double offset) const;
 
+  /// The time as the sum of two doubles, to 2^-53 of the lower one.
+  struct Halves {
+    double high = 0.0, low = 0.0;
+  };
+  /// Absent where the time is too large for that.
+  [[nodiscard]] const std::optional<Halves>& halves() const noexcept { return halves_; }
+
  private:
   Decimal time_;
-  bool is_split_;  // whether the time is high_ + low_, to 2^-53 |low_|
-  double high_, low_ = 0.0;
+  std::optional<Halves> halves_{};
 };
 
 }}  // namespace orispline

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/shortest_rest.hpp>
 #include <orispline/batch/kernel/dispatch.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -127,14 +129,54 @@ std::optional<batch::EvenTimes> SampleGrid::even_until(std::uint64_t last) const
 void SampleGrid::fill(std::uint64_t first, std::span<double> times) const {
   const std::size_t size = times.size();
   if (size == 0) return;
-  const auto even = even_until(first + size - 1);
-  if (!even) {
+  if (const auto even = even_until(first + size - 1)) {
+    batch::kernels().write_even_times(*even, static_cast<double>(first), size, times.data());
+  } else if (const auto decimal = decimal_times(); decimal && first < most) {
+    fill_by_decades(*decimal, first, times);
+  } else {
     for (std::size_t i = 0; i < size; ++i) times[i] = (*this)[first + i].t;
-    return;
   }
-  batch::kernels().write_even_times(*even, static_cast<double>(first), size, times.data());
   if (end_ && end_->index && first <= *end_->index && *end_->index - first < size)
     times[static_cast<std::size_t>(*end_->index - first)] = (*this)[*end_->index].t;
+}
+
+/// Offsets as offset() computes them, but for those at the start and at the end; absent where they are not counted from
+/// two halves.
+std::optional<batch::DecimalTimes> SampleGrid::decimal_times() const {
+  const auto& halves = start_.halves();
+  if (!halves) return std::nullopt;
+  if (const auto* const rate = std::get_if<Rate>(&spacing_))
+    return batch::DecimalTimes{rate->seconds, rate->hertz, halves->high, halves->low};
+  const auto* const count = std::get_if<Count>(&spacing_);
+  if (!count || count->samples < 2 || !end_) return std::nullopt;
+  return batch::DecimalTimes{end_->span, static_cast<double>(count->samples - 1), halves->high, halves->low};
+}
+
+void SampleGrid::fill_by_decades(const batch::DecimalTimes& wanted, std::uint64_t first,
+                                 std::span<double> times) const {
+  const std::uint64_t end = first + times.size();
+  const auto begin_of = [&](int exponent) {  // the first sample of that decade or of a higher one
+    const auto is_before = [&](std::uint64_t k) {
+      return static_cast<double>(k) * wanted.factor / wanted.divisor < least_of_decade(exponent);
+    };
+    const auto all = std::views::iota(first, end);
+    return first + static_cast<std::uint64_t>(std::ranges::partition_point(all, is_before) - all.begin());
+  };
+  const auto one_by_one = [&](std::uint64_t from, std::uint64_t to) {
+    for (std::uint64_t k = from; k < to; ++k) times[static_cast<std::size_t>(k - first)] = (*this)[k].t;
+  };
+  std::uint64_t from = begin_of(lowest_decade);
+  one_by_one(first, from);
+  for (int exponent = lowest_decade; exponent <= highest_decade && from < end; ++exponent) {
+    const std::uint64_t to = begin_of(exponent + 1);
+    const auto part = times.subspan(static_cast<std::size_t>(from - first), static_cast<std::size_t>(to - from));
+    const bool all_sure = batch::kernels().write_decimal_times(wanted, exponent, static_cast<double>(from), part.size(),
+                                                               part.data()) == 0;
+    for (std::size_t i = 0; !all_sure && i < part.size(); ++i)
+      if (std::isnan(part[i])) part[i] = (*this)[from + i].t;
+    from = to;
+  }
+  one_by_one(from, end);
 }
 
 double SampleGrid::time(std::uint64_t k) const { return end_ && k >= end_->samples ? infinity : (*this)[k].t; }

@@ -101,6 +101,8 @@ class ORISPLINE_EXPORT SampleGrid {
   template <class Reached>
   [[nodiscard]] std::uint64_t first_that(double t, Reached reached) const;
   [[nodiscard]] std::optional<batch::EvenTimes> even_until(std::uint64_t last) const;
+  [[nodiscard]] std::optional<batch::DecimalTimes> decimal_times() const;
+  void fill_by_decades(const batch::DecimalTimes& wanted, std::uint64_t first, std::span<double> times) const;
 
   Spacing spacing_;
   TimeOrigin start_;      // of the keys' epoch

@@ -68,6 +68,7 @@ const Kernels ORISPLINE_KERNELS{ORISPLINE_TEXT(ORISPLINE_KERNELS),
                                 &bundle<float>,
                                 &are_in_order,
                                 &write_even_times,
+                                &write_decimal_times,
                                 &ORISPLINE_POLYNOMIAL_KERNELS};
 
 }}}  // namespace orispline::batch

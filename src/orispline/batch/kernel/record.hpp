@@ -77,6 +77,12 @@ struct EvenTimes {
   double factor, offset, divisor;
 };
 
+/// Sample k is at the double nearest to high + low and the shortest decimal of k * factor / divisor together.
+struct DecimalTimes {
+  double factor, divisor;
+  double high, low;  ///< an exact time, low to 2^-53 of itself
+};
+
 struct PolynomialKernels;
 
 /// The loops of one instruction set. Each writes `count` samples, of one segment or of as many curves.
@@ -91,6 +97,9 @@ struct Kernels {
   bool (*are_in_order)(const double* times, std::size_t count);  ///< whether they rise or stay, none being NaN
   /// From sample `first` on, a whole number like all k: exact up to 2⁵³.
   void (*write_even_times)(const EvenTimes&, double first, std::size_t count, double* times);
+  /// Likewise, where all offsets are from 10^decade on to below ten times that; NaN where it is not sure which double
+  /// is the nearest. How many these are.
+  std::size_t (*write_decimal_times)(const DecimalTimes&, int decade, double first, std::size_t count, double* times);
   const PolynomialKernels* polynomials;
 };
 
