@@ -112,7 +112,7 @@ TEST(Batch, GoesThroughTheKernelForPolynomialFamilies) {
   const Keyframes keys = keyframes(random_walk(43, 12, Spacing::even, 0.8));
   const auto is_compiled = [&](const char* family) {
     const CompiledCurve<> compiled(make_curve(family, keys).value());
-    return !std::holds_alternative<std::monostate>(compiled.record(2));
+    return !std::holds_alternative<std::monostate>(*compiled.record(2));
   };
   for (const char* family : {"slerp", "quintic", "sextic", "timed-c1", "timed-c2", "timed-c3", "timed-sextic",
                              "hermite-cumulative", "bspline", "bspline-through", "xing-quartic", "xing-quintic", "auto",

@@ -37,7 +37,7 @@ PythonCurve::PythonCurve(Keys keys, const std::string& method_text)
 }
 
 const CompiledCurve<double>& PythonCurve::compiled() const {
-  std::call_once(once_, [this] { compiled_.emplace(pose_->orientation); });
+  std::call_once(once_, [this] { compiled_.emplace(pose_->orientation, Compiling::as_wanted); });
   return *compiled_;
 }
 

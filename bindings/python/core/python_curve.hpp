@@ -27,7 +27,7 @@ class PythonCurve {
   [[nodiscard]] const PoseCurve& pose() const noexcept { return *pose_; }
   [[nodiscard]] Domain domain() const noexcept { return pose_->orientation.domain(); }
 
-  /// For times in no order: made when it is first asked for.
+  /// With the segments on which so few samples were asked that compiling them took as long.
   [[nodiscard]] const CompiledCurve<double>& compiled() const;
   /// The arc length, made when it is first asked for. Not to be asked with the GIL.
   [[nodiscard]] const AngleTravelled& travelled() const;

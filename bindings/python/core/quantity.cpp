@@ -35,6 +35,12 @@ std::span<T>& target_of(Samples<T>& samples, What what) {
   }
 }
 
+/// Whether times in order are few on each segment that they touch, so that compiling it takes as long as they do.
+bool are_few(std::span<const double> times, const Knots& knots) {
+  constexpr std::size_t many = 8;
+  return !times.empty() && times.size() < many * (knots.segment_at(times.back()) - knots.segment_at(times.front()) + 1);
+}
+
 }  // namespace
 
 std::size_t samples_at_a_time(unsigned threads) {
@@ -48,7 +54,7 @@ Expected<void> sample_into(const PythonCurve& curve, std::span<const double> tim
   const auto made = [&]() -> Expected<void> {
     if (wants_positions(out)) return sample_at<T>(curve.pose(), times, out, {.threads = threads});
     if constexpr (std::is_same_v<T, double>)
-      if (!batch::kernels().are_in_order(times.data(), times.size()))
+      if (!batch::kernels().are_in_order(times.data(), times.size()) || are_few(times, curve.pose().orientation.knots()))
         return sample_at<T>(curve.compiled(), times, out, {.threads = threads});
     return sample_at<T>(curve.pose().orientation, times, out, {.threads = threads});
   };

@@ -2,13 +2,56 @@
 #include <orispline/batch/compiled_curve.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <deque>
 #include <limits>
+#include <mutex>
+#include <new>
+#include <utility>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
+
+namespace batch {
+
 template <class T>
-CompiledCurve<T>::CompiledCurve(AnyCurve curve) : curve_(std::move(curve)) {
+class KeptRecords {
+ public:
+  explicit KeptRecords(std::size_t segments) : places_(segments) {}
+
+  /// Null where there is no memory.
+  [[nodiscard]] const SegmentRecord<T>* of(const AnyCurve& curve, std::size_t segment) noexcept {
+    const SegmentRecord<T>* const kept = places_[segment].load(std::memory_order_acquire);
+    return kept ? kept : make(curve, segment);
+  }
+
+ private:
+  [[nodiscard]] const SegmentRecord<T>* make(const AnyCurve& curve, std::size_t segment) noexcept {
+    const SegmentRecord<T> record = record_of<T>(curve, segment);
+    const std::lock_guard lock(mutex_);
+    std::atomic<const SegmentRecord<T>*>& place = places_[segment];
+    if (const auto* const other = place.load(std::memory_order_relaxed)) return other;
+    try {
+      place.store(&records_.emplace_back(record), std::memory_order_release);
+    } catch (const std::bad_alloc&) {
+    }
+    return place.load(std::memory_order_relaxed);
+  }
+
+  std::vector<std::atomic<const SegmentRecord<T>*>> places_;
+  std::mutex mutex_;
+  std::deque<SegmentRecord<T>> records_;
+};
+
+}  // namespace batch
+
+template <class T>
+CompiledCurve<T>::CompiledCurve(AnyCurve curve, Compiling when) : curve_(std::move(curve)) {
   const Knots& knots = curve_.knots();
+  if (when == Compiling::as_wanted) {
+    wanted_ = std::make_shared<batch::KeptRecords<T>>(knots.segments());
+    return;
+  }
   records_.reserve(knots.segments());
   for (std::size_t i = 0; i < knots.segments(); ++i) records_.push_back(batch::record_of<T>(curve_, i));
 }
@@ -18,9 +61,16 @@ Eigen::Quaternion<T> CompiledCurve<T>::operator()(double t) const noexcept {
   const Knots& knots = curve_.knots();
   if (std::isnan(t)) return Eigen::Quaternion<T>(Eigen::Vector4<T>::Constant(std::numeric_limits<T>::quiet_NaN()));
   t = std::clamp(t, knots.front(), knots.back());
-  if (records_.empty()) return curve_(t).template cast<T>();
+  if (knots.segments() == 0) return curve_(t).template cast<T>();
   const std::size_t segment = knots.segment_at(t);
-  return batch::orientation_by(records_[segment], curve_, segment, t);
+  const auto* const kept = record(segment);
+  return kept ? batch::orientation_by(*kept, curve_, segment, t)
+              : batch::orientation_by(batch::record_of<T>(curve_, segment), curve_, segment, t);
+}
+
+template <class T>
+const batch::SegmentRecord<T>* CompiledCurve<T>::made(std::size_t segment) const noexcept {
+  return wanted_->of(curve_, segment);
 }
 
 template class CompiledCurve<double>;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -32,27 +33,44 @@ template <class T>
 [[nodiscard]] ORISPLINE_EXPORT bool by_kernel(const AnyCurve& curve, std::size_t segment, const Clock& clock,
                                               std::size_t count, const Target<T>& target) noexcept;
 
+/// Records that are made when they are first wanted, by any thread, and kept.
+template <class T>
+class KeptRecords;
+
 }}}  // namespace orispline::batch
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
-/// A curve with all its segments compiled for evaluation in bulk: for curves that are evaluated again and again.
+/// When the segments of a curve are compiled.
+enum class Compiling {
+  at_once,
+  as_wanted,  ///< each by the first sample on it, which allocates memory: for a few samples of a curve of many segments
+};
+
+/// A curve with its segments compiled for evaluation in bulk: for curves that are evaluated again and again.
 ///
-/// 704 bytes a segment in double, 384 in float. `sample…` take it in place of the curve, with the same results.
+/// 704 bytes a segment in double, 384 in float. `sample…` take it in place of the curve, with the same results, in any
+/// number of threads. Copies share what is compiled as wanted.
 template <class T = double>
 class ORISPLINE_EXPORT CompiledCurve {
  public:
-  explicit CompiledCurve(AnyCurve curve);
+  explicit CompiledCurve(AnyCurve curve, Compiling when = Compiling::at_once);
 
   [[nodiscard]] const AnyCurve& curve() const noexcept { return curve_; }
-  [[nodiscard]] const batch::SegmentRecord<T>& record(std::size_t segment) const noexcept { return records_[segment]; }
+  /// Null where there is no memory for it.
+  [[nodiscard]] const batch::SegmentRecord<T>* record(std::size_t segment) const noexcept {
+    return wanted_ ? made(segment) : &records_[segment];
+  }
 
   /// Orientation at time t [s], with the bits of a sample; outside the domain the end orientation, NaN at a NaN time.
   [[nodiscard]] Eigen::Quaternion<T> operator()(double t) const noexcept;
 
  private:
+  [[nodiscard]] const batch::SegmentRecord<T>* made(std::size_t segment) const noexcept;
+
   AnyCurve curve_;
-  std::vector<batch::SegmentRecord<T>> records_;
+  std::vector<batch::SegmentRecord<T>> records_;  ///< of all segments; empty where they are made as wanted
+  std::shared_ptr<batch::KeptRecords<T>> wanted_;
 };
 
 }}  // namespace orispline

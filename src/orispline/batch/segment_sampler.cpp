@@ -9,9 +9,8 @@ template <class T>
 void SegmentSampler<T>::on_segment(std::size_t segment, const Clock& clock, std::size_t at,
                                    std::size_t count) noexcept {
   const Target<T> target = target_of(out_, at);
-  if (compiled_ ? by_kernel(compiled_->record(segment), clock, count, target)
-                : by_kernel(curve_, segment, clock, count, target))
-    return;
+  const SegmentRecord<T>* const record = compiled_ ? compiled_->record(segment) : nullptr;
+  if (record ? by_kernel(*record, clock, count, target) : by_kernel(curve_, segment, clock, count, target)) return;
   const bool rates = wants_angular_rates(out_);
   for (std::size_t k = 0; k < count; ++k) {
     const double t = time_of(clock, k);
@@ -26,7 +25,8 @@ Eigen::Quaterniond SegmentSampler<T>::orientation_at(double t) const noexcept {
   const auto at_end = [&](const SegmentRecord<T>& record) {
     return orientation_by(record, curve_, segment, t).template cast<double>();
   };
-  return compiled_ ? at_end(compiled_->record(segment)) : at_end(record_of<T>(curve_, segment));
+  const SegmentRecord<T>* const record = compiled_ ? compiled_->record(segment) : nullptr;
+  return record ? at_end(*record) : at_end(record_of<T>(curve_, segment));
 }
 
 template class SegmentSampler<double>;
