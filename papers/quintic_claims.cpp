@@ -79,9 +79,11 @@ double curvature_energy(const AnyCurve& curve) {
   double sum = 0.0;
   for (std::size_t i = 0; i < curve.knots().segments(); ++i) {
     const KnotSpan span = curve.knots().span(i);
-    const auto integrand = [&](double t) {
-      const Motion motion = curve.motion_on(i, t);
-      return Figures<1>(path_shape(motion).curvature.squaredNorm() * speed(motion));
+    const auto integrand = [&](std::span<const double> times, std::span<Figures<1>> values) {
+      for (std::size_t k = 0; k < times.size(); ++k) {
+        const Motion motion = curve.motion_on(i, times[k]);
+        values[k] = path_shape(motion).curvature.squaredNorm() * speed(motion);
+      }
     };
     sum += adaptive_integral<1>(integrand, span.start(), span.start() + span.step(), Figures<1>::Zero())[0];
   }

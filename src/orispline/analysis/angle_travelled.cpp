@@ -5,6 +5,7 @@
 
 #include <orispline/analysis/quadrature.hpp>
 #include <orispline/analysis/rounding.hpp>
+#include <orispline/analysis/segment_motions.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -23,7 +24,11 @@ AngleTravelled::AngleTravelled(AnyCurve curve) : curve_(std::move(curve)) {
 }
 
 double AngleTravelled::within(std::size_t segment, double start, double end) const {
-  const auto speed = [&](double t) { return Figures<1>(curve_.motion_on(segment, t).angular_velocity.norm()); };
+  SegmentMotions motions(curve_, segment);
+  const auto speed = [&](std::span<const double> times, std::span<Figures<1>> values) {
+    motions.evaluate(times);
+    for (std::size_t i = 0; i < times.size(); ++i) values[i] = motions.angular_velocity(i).norm();
+  };
   return adaptive_integral<1>(speed, start, end, Figures<1>(rounding_of_increments))[0];
 }
 

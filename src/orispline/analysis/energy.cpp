@@ -3,6 +3,7 @@
 
 #include <orispline/analysis/quadrature.hpp>
 #include <orispline/analysis/rounding.hpp>
+#include <orispline/analysis/segment_motions.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/families/registry.hpp>
 
@@ -20,12 +21,17 @@ Figures<3> rounding_of(double h, double moment) {
 
 Energies energies(const AnyCurve& curve, const Eigen::Matrix3d& inertia) {
   const auto knots = curve.knots().times();
+  const bool is_unit = inertia == Eigen::Matrix3d::Identity();  // whose torque is α
   Figures<3> sum = Figures<3>::Zero();
   for (std::size_t segment = 0; segment + 1 < knots.size(); ++segment) {
-    const auto integrands = [&](double t) {
-      const Motion m = curve.motion_on(segment, t);
-      return Figures<3>(m.angular_acceleration.squaredNorm(), m.angular_jerk.squaredNorm(),
-                        torque(m, inertia).squaredNorm());
+    SegmentMotions motions(curve, segment);
+    const auto integrands = [&](std::span<const double> times, std::span<Figures<3>> values) {
+      motions.evaluate(times);
+      for (std::size_t i = 0; i < times.size(); ++i) {
+        const double acceleration = motions.angular_acceleration(i).squaredNorm();
+        values[i] = {acceleration, motions.angular_jerk(i).squaredNorm(),
+                     is_unit ? acceleration : torque(motions.rates(i), inertia).squaredNorm()};
+      }
     };
     const double start = knots[segment], end = knots[segment + 1];
     sum += adaptive_integral<3>(integrands, start, end, rounding_of(end - start, inertia.norm()));

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/analysis/curve_measures.hpp>
 
-#include <orispline/curve/motion.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
+
+#include <orispline/analysis/segment_motions.hpp>
+#include <orispline/curve/motion.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -31,12 +32,21 @@ struct Searched {
   const AnyCurve& curve;
   const Eigen::Matrix3d& inertia;
 
-  [[nodiscard]] Heights at(std::size_t segment, double t) const {
-    const Motion m = curve.motion_on(segment, t);
+  [[nodiscard]] Heights of(const Motion& m) const {
     return {height_of(m.angular_velocity, m.angular_acceleration), height_of(m.angular_acceleration, m.angular_jerk),
             height_of(torque(m, inertia), torque_rate(m, inertia))};
   }
+  [[nodiscard]] Heights at(std::size_t segment, double t) const { return of(curve.motion_on(segment, t)); }
 };
+
+using Steps = std::array<double, steps_per_segment + 1>;  // the times of a segment's steps, both ends among them
+
+Steps steps_between(double start, double end) {
+  Steps steps;
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    steps[k] = std::lerp(start, end, static_cast<double>(k) / double{steps_per_segment});
+  return steps;
+}
 
 /// A step within a segment, at whose ends a rate rises and falls: a maximum lies between.
 struct Summit {
@@ -81,19 +91,19 @@ Peaks peaks(const AnyCurve& curve, const Eigen::Matrix3d& inertia) {
   if (knots.size() < 2) return {{0.0, knots.front()}, {0.0, knots.front()}, {0.0, knots.front()}};
   std::array<Search, 3> searches;
   for (std::size_t segment = 0; segment + 1 < knots.size(); ++segment) {
-    double before = knots[segment];
-    Heights last = searched.at(segment, before);
-    for (std::size_t step = 0; step <= steps_per_segment; ++step) {
-      const double t =
-          std::lerp(knots[segment], knots[segment + 1], static_cast<double>(step) / double{steps_per_segment});
-      const Heights now = searched.at(segment, t);
+    const Steps times = steps_between(knots[segment], knots[segment + 1]);
+    SegmentMotions motions(curve, segment);
+    motions.evaluate(times);
+    Heights last{};
+    for (std::size_t step = 0; step < times.size(); ++step) {
+      const Heights now = searched.of(motions.rates(step));
       for (std::size_t rate = 0; rate < searches.size(); ++rate) {
-        searches[rate].see(now[rate].square, t);
-        if (last[rate].slope > 0.0 && now[rate].slope < 0.0)
-          searches[rate].summits.push_back({segment, before, t, std::max(last[rate].square, now[rate].square)});
+        searches[rate].see(now[rate].square, times[step]);
+        if (step > 0 && last[rate].slope > 0.0 && now[rate].slope < 0.0)
+          searches[rate].summits.push_back(
+              {segment, times[step - 1], times[step], std::max(last[rate].square, now[rate].square)});
       }
       last = now;
-      before = t;
     }
   }
   return {peak_of(searches[0], searched, 0), peak_of(searches[1], searched, 1), peak_of(searches[2], searched, 2)};
