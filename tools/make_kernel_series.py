@@ -31,6 +31,11 @@ def negative(function):
     return lambda u: -function(u)
 
 
+def arcsine(u):
+    """(asin √u / √u - 1) / u"""
+    return (mpmath.asin(mpmath.sqrt(u)) / mpmath.sqrt(u) - 1) / u
+
+
 def show(name, kind, function, largest, count):
     coefficients = interpolated(function, mpf(largest), count)
     grid = mpmath.linspace(mpf(10) ** -9, mpf(largest), 400)
@@ -50,6 +55,7 @@ def main():
         show("versine_slope", kind, negative(series(4, lambda k: k + 1)), 4, count)
         show("sine_defect_slope", kind, negative(series(5, lambda k: k + 1)), 4, count)
         show("versine_curvature", kind, series(6, lambda k: (k + 1) * (k + 2)), 4, count)
+        show("arcsine", kind, arcsine, mpmath.sin(mpf(1) / 2) ** 2, 13 if kind == "double" else 6)
         show("sine_defect_curvature", kind, series(7, lambda k: (k + 1) * (k + 2)), 4, count)
 
 

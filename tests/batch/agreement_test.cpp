@@ -108,17 +108,19 @@ TEST(Batch, IsOfUnitQuaternionsHoweverOftenASegmentTurns) {
   }
 }
 
-TEST(Batch, GoesThroughTheKernelForPolynomialFamilies) {
+TEST(Batch, GoesThroughTheKernelForFamiliesThatStateTheirSegments) {
   const Keyframes keys = keyframes(random_walk(43, 12, Spacing::even, 0.8));
   const auto is_compiled = [&](const char* family) {
     const CompiledCurve<> compiled(make_curve(family, keys).value());
     return !std::holds_alternative<std::monostate>(*compiled.record(2));
   };
-  for (const char* family : {"slerp", "quintic", "sextic", "timed-c1", "timed-c2", "timed-c3", "timed-sextic",
-                             "hermite-cumulative", "bspline", "bspline-through", "xing-quartic", "xing-quintic", "auto",
-                             "auto5", "hermite-c1", "hermite-c2", "hermite-c3", "rotation-spline"})
+  for (const char* family : {"slerp",      "quintic",         "sextic",       "timed-c1",
+                             "timed-c2",   "timed-c3",        "timed-sextic", "hermite-cumulative",
+                             "bspline",    "bspline-through", "xing-quartic", "xing-quintic",
+                             "auto",       "auto5",           "hermite-c1",   "hermite-c2",
+                             "hermite-c3", "rotation-spline", "squad",        "squad-timed"})
     EXPECT_TRUE(is_compiled(family)) << family;
-  for (const char* family : {"squad", "barry-goldman"}) EXPECT_FALSE(is_compiled(family)) << family;
+  EXPECT_FALSE(is_compiled("barry-goldman"));
 }
 
 }}  // namespace orispline

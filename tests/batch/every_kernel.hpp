@@ -21,7 +21,8 @@ namespace orispline::testing_support {
 
 inline constexpr std::size_t block_and_part = 173;  ///< samples: a whole block and a part of one
 
-/// Writes `count` samples of a segment; none of one that is left to the scalar evaluator.
+/// Writes `count` samples of a segment, of a spherical quadrangle the orientations alone; none of one that is left to
+/// the scalar evaluator.
 template <class T>
 void run(const batch::Kernels& k, const batch::SegmentRecord<T>& record, const batch::Clock& clock, std::size_t count,
          const batch::Target<T>& to) {
@@ -37,6 +38,10 @@ void run(const batch::Kernels& k, const batch::SegmentRecord<T>& record, const b
   if (const auto* rational = std::get_if<batch::RationalRecord<T>>(&record)) {
     if constexpr (is_double) k.polynomials->rational(*rational, clock, count, to);
     else k.polynomials->rational_float(*rational, clock, count, to);
+  }
+  if (const auto* squad = std::get_if<batch::SquadRecord<T>>(&record)) {
+    if constexpr (is_double) k.squad(*squad, clock, count, to);
+    else k.squad_float(*squad, clock, count, to);
   }
 }
 

@@ -26,7 +26,7 @@ class SegmentMotions {
                                        .angular_velocity = angular_velocities_.front().data(),
                                        .angular_acceleration = angular_accelerations_.front().data(),
                                        .angular_jerk = angular_jerks_.front().data()};
-    if (batch::by_kernel(record_, clock, times.size(), target)) return;
+    if (batch::by_kernel(record_, clock, times.size(), target) == batch::Written::all) return;
     for (std::size_t i = 0; i < times.size(); ++i) {
       const Motion m = curve_.motion_on(segment_, times[i]);
       angular_velocities_[i] = m.angular_velocity;

@@ -236,6 +236,42 @@ CompiledRational<T> compile_segment(const RationalForm& form, const KnotSpan& sp
   return compiled;
 }
 
+namespace {
+
+template <class T>
+ArcRecord<T> arc_of(const Eigen::Quaterniond& start, const Eigen::Vector3d& increment, double half_angle) noexcept {
+  const double angle = 2.0 * half_angle;
+  const Eigen::Vector3d axis = angle > 0.0 ? Eigen::Vector3d(increment / angle) : Eigen::Vector3d::UnitX();
+  const Eigen::Quaterniond across = start * pure(axis);
+  ArcRecord<T> arc;
+  for (Eigen::Index k = 0; k < 4; ++k) {
+    arc.start[k] = static_cast<T>(start.coeffs()[k]);
+    arc.across[k] = static_cast<T>(across.coeffs()[k]);
+  }
+  arc.half_angle = static_cast<T>(half_angle);
+  return arc;
+}
+
+}  // namespace
+
+template <class T>
+CompiledSegment<SquadRecord<T>> compile_segment(const SquadForm& form, const KnotSpan& span) noexcept {
+  const double outer = 0.5 * norm_of<double>(form.outer_increment), inner = 0.5 * norm_of<double>(form.inner_increment);
+  CompiledSegment<SquadRecord<T>> compiled;
+  compiled.record.outer = arc_of<T>(form.outer, form.outer_increment, outer);
+  compiled.record.inner = arc_of<T>(form.inner, form.inner_increment, inner);
+  compiled.record.middle = span.start();
+  compiled.record.per_step = 1.0 / span.step();
+  // From either end the arcs part by no more than they turn.
+  const double at_start = 0.5 * norm_of<double>(increment<double>(form.outer, form.inner));
+  const double at_end = 0.5 * norm_of<double>(increment<double>(form.outer * exp<double>(form.outer_increment),
+                                                                form.inner * exp<double>(form.inner_increment)));
+  compiled.half_angle = std::max({outer, inner, 0.5 * (at_start + at_end + outer + inner)});
+  return compiled;
+}
+
+template CompiledSegment<SquadRecord<double>> compile_segment<double>(const SquadForm&, const KnotSpan&) noexcept;
+template CompiledSegment<SquadRecord<float>> compile_segment<float>(const SquadForm&, const KnotSpan&) noexcept;
 template CompiledRational<double> compile_segment<double>(const RationalForm&, const KnotSpan&) noexcept;
 template CompiledRational<float> compile_segment<float>(const RationalForm&, const KnotSpan&) noexcept;
 template CompiledSegment<CumulativeRecord<double>> compile_segment<double>(const CumulativeForm&,

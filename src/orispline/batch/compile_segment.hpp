@@ -11,7 +11,8 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 
 /// Half angles of a segment beyond this [rad] are left to the scalar evaluator: the kernel's series end there, or it
 /// would take off quarter turns that its numbers cannot tell any more.
-inline constexpr double largest_chart_half_angle = 1.0, largest_cumulative_half_angle = 1e5;
+inline constexpr double largest_chart_half_angle = 1.0, largest_cumulative_half_angle = 1e5,
+                        largest_squad_half_angle = 1.0;
 
 /// Where the control points of a rational segment are so many times as long as the segment is near to 0, its powers
 /// about the middle would lose digits.
@@ -55,5 +56,9 @@ struct CompiledRational {
 };
 template <class T>
 [[nodiscard]] CompiledRational<T> compile_segment(const RationalForm& form, const KnotSpan& span) noexcept;
+
+/// A spherical quadrangle, with bounds of the half angles [rad] of its arcs and between them.
+template <class T>
+[[nodiscard]] CompiledSegment<SquadRecord<T>> compile_segment(const SquadForm& form, const KnotSpan& span) noexcept;
 
 }}}  // namespace orispline::batch

@@ -12,7 +12,8 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 
 /// A segment ready for the kernel; empty: left to the scalar evaluator.
 template <class T>
-using SegmentRecord = std::variant<std::monostate, CumulativeRecord<T>, ChartRecord<T>, RationalRecord<T>>;
+using SegmentRecord =
+    std::variant<std::monostate, CumulativeRecord<T>, ChartRecord<T>, RationalRecord<T>, SquadRecord<T>>;
 
 template <class T>
 [[nodiscard]] ORISPLINE_EXPORT SegmentRecord<T> record_of(const AnyCurve& curve, std::size_t segment) noexcept;
@@ -23,15 +24,18 @@ template <class T>
                                                                    const AnyCurve& curve, std::size_t segment,
                                                                    double t) noexcept;
 
-/// Has the kernel write `count` samples of the segment; false where it cannot.
+/// What a kernel writes of the samples that are wanted; the rest is left to the scalar evaluator.
+enum class Written { nothing, orientations, all };
+
+/// Has the kernel write `count` samples of the segment, as far as it can.
 template <class T>
-[[nodiscard]] ORISPLINE_EXPORT bool by_kernel(const SegmentRecord<T>& record, const Clock& clock, std::size_t count,
-                                              const Target<T>& target) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT Written by_kernel(const SegmentRecord<T>& record, const Clock& clock, std::size_t count,
+                                                 const Target<T>& target) noexcept;
 
 /// Has the kernel write `count` samples of a segment whose record nobody keeps.
 template <class T>
-[[nodiscard]] ORISPLINE_EXPORT bool by_kernel(const AnyCurve& curve, std::size_t segment, const Clock& clock,
-                                              std::size_t count, const Target<T>& target) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT Written by_kernel(const AnyCurve& curve, std::size_t segment, const Clock& clock,
+                                                 std::size_t count, const Target<T>& target) noexcept;
 
 /// Records that are made when they are first wanted, by any thread, and kept.
 template <class T>

@@ -48,13 +48,19 @@ template <class T>
           .planes = plane_distance(out)};
 }
 
+/// One sample's angular rates, as far as they are wanted.
+template <class T>
+void put_rates(const Samples<T>& out, std::size_t at, const Motion& motion) noexcept {
+  put<3>(out, out.angular_velocities, at, motion.angular_velocity);
+  put<3>(out, out.angular_accelerations, at, motion.angular_acceleration);
+  put<3>(out, out.angular_jerks, at, motion.angular_jerk);
+}
+
 /// One sample's orientation with its rates, as far as they are wanted.
 template <class T>
 void put(const Samples<T>& out, std::size_t at, const Motion& motion) noexcept {
   put<4>(out, out.orientations, at, motion.orientation.coeffs());
-  put<3>(out, out.angular_velocities, at, motion.angular_velocity);
-  put<3>(out, out.angular_accelerations, at, motion.angular_acceleration);
-  put<3>(out, out.angular_jerks, at, motion.angular_jerk);
+  put_rates(out, at, motion);
 }
 
 /// One sample's position with its rates, as far as they are wanted.

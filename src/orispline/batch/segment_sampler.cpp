@@ -10,11 +10,15 @@ void SegmentSampler<T>::on_segment(std::size_t segment, const Clock& clock, std:
                                    std::size_t count) noexcept {
   const Target<T> target = target_of(out_, at);
   const SegmentRecord<T>* const record = compiled_ ? compiled_->record(segment) : nullptr;
-  if (record ? by_kernel(*record, clock, count, target) : by_kernel(curve_, segment, clock, count, target)) return;
+  const Written written =
+      record ? by_kernel(*record, clock, count, target) : by_kernel(curve_, segment, clock, count, target);
+  if (written == Written::all) return;
   const bool rates = wants_angular_rates(out_);
   for (std::size_t k = 0; k < count; ++k) {
     const double t = time_of(clock, k);
-    put(out_, at + k, rates ? curve_.motion_on(segment, t) : Motion{.orientation = curve_.orientation_on(segment, t)});
+    const Motion m = rates ? curve_.motion_on(segment, t) : Motion{.orientation = curve_.orientation_on(segment, t)};
+    if (written == Written::nothing) put(out_, at + k, m);
+    else put_rates(out_, at + k, m);
   }
 }
 

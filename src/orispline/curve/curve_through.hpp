@@ -41,8 +41,14 @@ struct RationalForm {
   std::array<BernsteinForm, 4> components{};
 };
 
-/// What a segment is made of, where it is made of polynomials: for evaluation in bulk.
-using SegmentForm = std::variant<std::monostate, CumulativeForm, ChartForm, RationalForm>;
+/// A segment q(u) = slerp(outer exp(u φ), inner exp(u ψ); 2u(1-u)), a spherical quadrangle.
+struct SquadForm {
+  Eigen::Quaterniond outer, inner;
+  Eigen::Vector3d outer_increment, inner_increment;  ///< φ and ψ [rad]
+};
+
+/// What a segment is made of, where that is evaluated in bulk.
+using SegmentForm = std::variant<std::monostate, CumulativeForm, ChartForm, RationalForm, SquadForm>;
 
 /// A curve through points of one kind over knots, evaluated segment by segment. Every family builds one.
 ///

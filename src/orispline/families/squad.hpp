@@ -30,9 +30,9 @@ class SquadCurve {
       const Handles next = handles(i + 1);
       const Eigen::Quaterniond leaving = q[i] * exp<double>(here.leaving);
       const Eigen::Quaterniond arriving = q[i + 1] * exp<double>(next.arriving);
-      pieces_.push_back({.key = q[i],
+      pieces_.push_back({.outer = q[i],
                          .inner = leaving,
-                         .key_increment = increment<double>(q[i], q[i + 1]),
+                         .outer_increment = increment<double>(q[i], q[i + 1]),
                          .inner_increment = increment<double>(leaving, arriving)});
       here = next;
     }
@@ -43,19 +43,17 @@ class SquadCurve {
   template <Number T>
   [[nodiscard]] Quaternion<T> point(const T& t, std::size_t segment) const noexcept {
     const T u = knots_.span(segment).normalised(t);
-    const Piece& piece = pieces_[segment];
-    const Quaternion<T> outer = constant<T>(piece.key) * exp<T>(constant<T>(piece.key_increment) * u);
+    const SquadForm& piece = pieces_[segment];
+    const Quaternion<T> outer = constant<T>(piece.outer) * exp<T>(constant<T>(piece.outer_increment) * u);
     const Quaternion<T> inner = constant<T>(piece.inner) * exp<T>(constant<T>(piece.inner_increment) * u);
     return slerp<T>(outer, inner, T(2.0) * u * (T(1.0) - u));
   }
 
+  [[nodiscard]] SegmentForm form(std::size_t segment) const noexcept { return pieces_[segment]; }
+
  private:
-  struct Piece {  // the two great arcs of a segment, their increments formed once
-    Eigen::Quaterniond key, inner;
-    Eigen::Vector3d key_increment, inner_increment;
-  };
   Knots knots_;
-  std::vector<Piece> pieces_;
+  std::vector<SquadForm> pieces_;  // with the increments of their arcs, formed once
 };
 
 /// Eberly's spline of squads in the normalised parameter: C1 on uniform knots.

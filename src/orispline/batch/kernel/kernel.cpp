@@ -4,6 +4,7 @@
 // give the same bits.
 #include <orispline/batch/kernel/chart_kernel.hpp>
 #include <orispline/batch/kernel/cumulative_kernel.hpp>
+#include <orispline/batch/kernel/squad_kernel.hpp>
 #include <orispline/batch/kernel/times_kernel.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
@@ -64,6 +65,8 @@ const Kernels ORISPLINE_KERNELS{ORISPLINE_TEXT(ORISPLINE_KERNELS),
                                 &cumulative<float>,
                                 &chart<double>,
                                 &chart<float>,
+                                &squad<double>,
+                                &squad<float>,
                                 &bundle<double>,
                                 &bundle<float>,
                                 &are_in_order,

@@ -46,6 +46,21 @@ struct alignas(64) ChartRecord {
   bool short_degree;
 };
 
+/// A great arc of R⁴: start cos(u half_angle) + across sin(u half_angle), u in [0, 1]; both qx, qy, qz, qw.
+template <class T>
+struct ArcRecord {
+  T start[4], across[4];
+  T half_angle;  ///< [rad], at most 1
+};
+
+/// One segment of a chain of spherical quadrangles, of which the kernel makes orientations alone: at u the slerp
+/// between two arcs by 2u(1-u), less than 1 rad of R⁴ apart.
+template <class T>
+struct alignas(64) SquadRecord {
+  ArcRecord<T> outer, inner;
+  double middle, per_step;  ///< u = (t - middle) * per_step: the start of the segment [s], [1/s]
+};
+
 /// When samples are taken: at the times given, or sample k at k * step + start.
 struct Clock {
   const double* times;  ///< null for even times
@@ -92,6 +107,8 @@ struct Kernels {
   void (*cumulative_float)(const CumulativeRecord<float>&, const Clock&, std::size_t count, const Target<float>&);
   void (*chart)(const ChartRecord<double>&, const Clock&, std::size_t count, const Target<double>&);
   void (*chart_float)(const ChartRecord<float>&, const Clock&, std::size_t count, const Target<float>&);
+  void (*squad)(const SquadRecord<double>&, const Clock&, std::size_t count, const Target<double>&);
+  void (*squad_float)(const SquadRecord<float>&, const Clock&, std::size_t count, const Target<float>&);
   void (*bundle)(const BundleSegment<double>&, std::size_t count, const Target<double>&);
   void (*bundle_float)(const BundleSegment<float>&, std::size_t count, const Target<float>&);
   bool (*are_in_order)(const double* times, std::size_t count);  ///< whether they rise or stay, none being NaN
