@@ -80,8 +80,8 @@ def write(what: Keys | Curve | Samples, path: Path, *, output_format: str | None
 
 
 def path_text(path: Path) -> str:
-    """A path as the library takes it."""
-    text = os.fspath(path)
+    """A path as the library takes it; bytes that are not UTF-8 stand in it as `os.fsdecode` has them."""
+    text = os.fspath(path) if isinstance(path, (str, os.PathLike)) else None
     if not isinstance(text, str):
         raise TypeError(f"path: found {type(path).__name__}, wanted a str or a path of str")
     if "\0" in text:
