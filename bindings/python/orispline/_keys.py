@@ -11,7 +11,7 @@ from . import _core
 from ._arrays import Array, array_of, numbers, same
 from ._checks import ends_text, flag, index_of, method_text, wrong_type
 from ._clock import Clock, times_of_keys
-from ._columns import VECTORS, Columns, arguments_of, as_arrow, as_pandas, columns_of, named, names_in_order
+from ._columns import VECTORS, Columns, arguments_of, as_arrow, as_pandas, columns_of, named
 from ._errors import ArgumentError, DataError, tell
 from ._files import Options, Writable, write
 from ._forms import of_euler, poses
@@ -288,11 +288,6 @@ class Keys(Writable):
         return bool(_core.origin_of_keys(self._core)[SIGNS_AS_GIVEN])
 
     def _write_as(self, path: str, options: Options, method: str | None = None) -> None:
-        if ("output_format", "npy") in options or path.lower().endswith(".npy"):
-            names = list(self._columns())
-            if names_in_order(len(names)) not in (names, None):
-                tell([(f"{path}: the columns of a NumPy file have no names, wanted to be read with columns={names}", "columns_without_names",
-                       {})])
         tell(_core.write_keys(self._core, path, options, self._read("format", ""), method))
 
     def _method_text(self, method: str | None, ends: Any, start_rate: Any, end_rate: Any, closed: bool,

@@ -11,8 +11,10 @@ import numpy as np
 from . import _core
 from ._clock import Clock
 from ._columns import names_in_order
-from ._errors import AccessError, ArgumentError, DataError, Error
+from ._errors import AccessError, ArgumentError, DataError, Error, tell
 from ._keys import Keys
+
+AMBIGUOUS = 8  # columns: beside time and quaternion there may be a position or an angular velocity
 
 
 def read_npy(path: str, columns: Any, **options: Any) -> Keys:
@@ -21,6 +23,9 @@ def read_npy(path: str, columns: Any, **options: Any) -> Keys:
     names = names_in_order(table.shape[1]) if columns is None else _names(columns, table.shape[1])
     if names is None:
         raise ArgumentError(f"{path}: found {table.shape[1]} columns, wanted 5, 8 or 17, or their names: columns=['t', 'qw', …]")
+    if columns is None and len(names) == AMBIGUOUS:
+        tell([(f"{path}: {AMBIGUOUS} columns without names are taken for {', '.join(names)}; `columns` says otherwise", "columns_without_names",
+               {})])
     try:
         found = dict(zip(names, table.T))
         start = Keys._of_columns(found, **options).times[0]

@@ -37,8 +37,8 @@ def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, s
     names the method that its keys are for, `Keys.curve()` is the curve of that.
 
     The options are those of the command; `columns` is a mapping, such as `{"t": "sclk_ticks", "qw": "q0_w"}`, and `normalize` another
-    spelling of `normalise`. A NumPy file (.npy) is read as it is written; its columns have no names: 5 are time and quaternion, with 8
-    there is the position, with 17 all rates too, and `columns` names those of others in their order.
+    spelling of `normalise`. A NumPy file (.npy) is read as it is written; its columns have no names: 5 are time and quaternion, 17 the
+    position and all rates too, 8 are taken for those with the position, which is warned of, and `columns` names all in their order.
 
     Parameters
     ----------
