@@ -44,6 +44,11 @@ def test_names_of_files_that_are_not_utf_8(tmp_path):
     KEYS.curve().sample(count=3).write(tmp_path / f"motion {LATIN}.csv")
     KEYS.write(tmp_path / f"{LATIN}.npy")
     assert ori.read(tmp_path / f"{LATIN}.npy") == KEYS
+    (tmp_path / f"{LATIN}.npy").write_bytes(b"no array")
+    for kind, name in ((ori.DataError, f"{LATIN}.npy"), (ori.AccessError, f"no {LATIN}.npy")):
+        with pytest.raises(kind, match=r"caf\\xe9.npy: ") as found:
+            ori.read(tmp_path / name)
+        assert found.value.file == str(tmp_path / name)
     ori.tune(ori.read(tmp_path / f"motion {LATIN}.csv"), "quintic")
     with pytest.raises(ori.AccessError) as missing:
         ori.read(tmp_path / f"no {LATIN}.csv")
@@ -68,6 +73,13 @@ def test_names_of_joints_that_are_not_utf_8_can_be_printed(tmp_path):
     with pytest.raises(ori.Error) as found:
         ori.read(path, joint=LATIN)
     str(found.value).encode("utf-8")
+
+
+@pytest.mark.parametrize("name", ["\ud800.csv", "\ud800.npy", "\ud800.glb"])
+def test_names_that_no_file_can_have_are_refused(name):
+    for ask in (ori.read, ori.read_scene, KEYS.write, KEYS.curve().report, KEYS.curve().sample(count=2).write):
+        with pytest.raises(ori.ArgumentError, match=r"path: found '\\ud800.* wanted the name of a file"):
+            ask(name)
 
 
 def test_words_that_are_no_unicode_are_unknown_words():

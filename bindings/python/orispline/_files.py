@@ -86,7 +86,16 @@ def path_text(path: Path) -> str:
         raise TypeError(f"path: found {type(path).__name__}, wanted a str or a path of str")
     if "\0" in text:
         raise ArgumentError("path: found a NUL character in it, wanted the name of a file")
+    try:
+        os.fsencode(text)
+    except UnicodeEncodeError:
+        raise ArgumentError(f"path: found {text!r}, wanted the name of a file, which has no such character") from None
     return text
+
+
+def printable(text: str) -> str:
+    """A text in which bytes that are not UTF-8 are escapes, as in the messages of the library."""
+    return text.encode("utf-8", "surrogateescape").decode("utf-8", "backslashreplace")
 
 
 def stated(options: Mapping[str, Any]) -> Options:

@@ -104,7 +104,6 @@ class Keys(Writable):
                     ("angular_accelerations", angular_accelerations), ("angular_jerks", angular_jerks))}
         times = array_of("times", times)
         count = _check_lengths(times, {"rotations": orientations, **vectors})
-        repairs: dict[str, float]
         kept, repairs = mending.rows(times, [orientations, vectors["positions"]], list(vectors.values())[1:])
         if kept is not None:
             times, orientations = times[kept], orientations[kept]
@@ -165,7 +164,7 @@ class Keys(Writable):
         return zip(self.times, self.rotations)
 
     def __eq__(self, other: object) -> bool:
-        """Whether both have the same times, quaternions and all else that keys carry, to the last bit."""
+        """Whether both have the same times, quaternions and all else that keys carry; NaN is as NaN."""
         if not isinstance(other, Keys):
             return NotImplemented
         return (self._clock, self._scalar_first, self._signs_as_given) == (other._clock, other._scalar_first, other._signs_as_given) \

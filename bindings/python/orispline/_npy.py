@@ -12,6 +12,7 @@ from . import _core
 from ._clock import Clock
 from ._columns import names_in_order
 from ._errors import AccessError, ArgumentError, DataError, Error, tell
+from ._files import printable
 from ._keys import Keys
 
 AMBIGUOUS = 8  # columns: beside time and quaternion there may be a position or an angular velocity
@@ -22,16 +23,16 @@ def read_npy(path: str, columns: Any, **options: Any) -> Keys:
     table = _table(path)
     names = names_in_order(table.shape[1]) if columns is None else _names(columns, table.shape[1])
     if names is None:
-        raise ArgumentError(f"{path}: found {table.shape[1]} columns, wanted 5, 8 or 17, or their names: columns=['t', 'qw', …]")
+        raise ArgumentError(f"{printable(path)}: found {table.shape[1]} columns, wanted 5, 8 or 17, or their names: columns=['t', 'qw', …]")
     if columns is None and len(names) == AMBIGUOUS:
-        tell([(f"{path}: {AMBIGUOUS} columns without names are taken for {', '.join(names)}; `columns` says otherwise", "columns_without_names",
+        tell([(f"{printable(path)}: {AMBIGUOUS} columns without names are taken for {', '.join(names)}; `columns` says otherwise", "columns_without_names",
                {})])
     try:
         found = dict(zip(names, table.T))
         start = Keys._of_columns(found, **options).times[0]
         keys = Keys._of_columns({**found, "t": found["t"] - start}, **options)
     except Error as error:
-        error.file, error.args = path, (f"{path}: {error}", *error.args[1:])
+        error.file, error.args = path, (f"{printable(path)}: {error}", *error.args[1:])
         raise
     since = _core.keys_since(keys._core, f"{decimal.Decimal(repr(float(start))):f}")
     made = Keys._of(since, Clock(), scalar_first=keys._scalar_first)
@@ -43,7 +44,9 @@ def _table(path: str) -> Any:
     try:
         table = np.load(path, allow_pickle=False)
     except OSError as error:
-        raise AccessError(f"{path}: cannot open: {error.strerror or error}") from None
+        refused = AccessError(f"{printable(path)}: cannot open: {error.strerror or error}")
+        refused.file = path
+        raise refused from None
     except (ValueError, EOFError) as error:
         raise _broken(path, f"found no NumPy file that holds an array of numbers ({str(error).splitlines()[0]})") from None
     if not isinstance(table, np.ndarray) or table.ndim != 2 or table.dtype.kind not in "fiu":
@@ -53,7 +56,7 @@ def _table(path: str) -> Any:
 
 
 def _broken(path: str, message: str) -> DataError:
-    error = DataError(f"{path}: {message}")
+    error = DataError(f"{printable(path)}: {message}")
     error.file = path
     return error
 
