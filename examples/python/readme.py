@@ -11,4 +11,4 @@ curve = ori.Curve(times, rotations)               # seconds or datetime64; x, y,
 q = curve(t)                                      # (1000, 4)
 w = curve.angular_velocity(t)                     # (1000, 3) rad/s, body frame; exact, like all rates
 motion = curve.sample(rate=100, derivatives=2)    # times, orientations, ω, α as arrays
-spline = ori.RotationSpline(times, rotations)     # SciPy's call, SciPy's numbers, faster
+spline = ori.RotationSpline(times, rotations)     # SciPy's call, faster; SciPy's numbers where SciPy converges

@@ -37,7 +37,7 @@ def command(*words):
 
 def test_options_are_those_of_the_library():
     assert list(inspect.signature(ori.read).parameters)[1:-1] and set(inspect.signature(ori.read).parameters) == {
-        "path", "scalar_first", *(option["name"] for option in _core.reading_options())}
+        "path", "scalar_first", "normalize", *(option["name"] for option in _core.reading_options())}
     assert set(inspect.signature(ori.write).parameters) == {
         "what", "path", *(option["name"] for option in _core.writing_options())}
     helped = subprocess.run([COMMAND, "sample", "--help"], capture_output=True, text=True, check=True).stdout
@@ -244,3 +244,37 @@ def test_statistics_are_those_that_inspect_tells(file):
     assert one.spacing is None and one.span == 0
     half = ori.Keys([0, 1, 2], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 0.8, -0.6]]).statistics()
     assert half.near_half_turns == (1,)
+
+
+@pytest.mark.parametrize("with_rates", [0, 3])
+@pytest.mark.parametrize("with_positions", [False, True])
+def test_numpy_files_are_read_as_they_are_written(with_rates, with_positions, tmp_path):
+    """Their columns have no names: where their number does not tell them, the caller does."""
+    names = ("angular_velocities", "angular_accelerations", "angular_jerks")[:with_rates]
+    dice = np.random.default_rng(3)
+    more = {name: dice.normal(size=(3, 3)) for name in (*names, *(["positions"] if with_positions else []))}
+    keys = ori.Keys([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]], **more)
+    path = tmp_path / "keys.npy"
+    keys.write(path)
+    columns = list(keys.to_arrow().column_names)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = ori.read(path, columns=None if len(columns) in (5, 17) else columns)
+    assert found == keys and found.epoch == 0
+    first = ori.read(path, columns=columns, scalar_first=True)
+    assert np.array_equal(first.rotations, keys.rotations[:, [3, 0, 1, 2]])
+
+
+def test_columns_of_numpy_files_that_may_be_others_are_warned_of(tmp_path):
+    q = [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]]
+    ori.Keys([5.5, 6, 7], q, positions=np.eye(3)).write(tmp_path / "keys.npy")
+    with pytest.warns(ori.ShapeWarning, match="8 columns without names are taken for t, qw, qx, qy, qz, px, py, pz; `columns` says") as told:
+        assert np.array_equal(ori.read(tmp_path / "keys.npy").positions, np.eye(3))
+    assert told[0].filename == __file__ and told[0].message.code == "columns_without_names"
+    ori.Keys([5.5, 6, 7], q, angular_velocities=np.eye(3)).write(tmp_path / "keys.npy")
+    again = ori.read(tmp_path / "keys.npy", columns=["t", "qw", "qx", "qy", "qz", "wx", "wy", "wz"])
+    assert again.epoch == decimal.Decimal("5.5") and again.times.tolist() == [0, 0.5, 1.5]
+    assert np.array_equal(again.angular_velocities, np.eye(3))
+    np.save(tmp_path / "mended.npy", [[1, 2, 0, 0, 0], [0, 1, 0, 0, 0], [np.nan, 1, 0, 0, 0], [1, 1, 0, 0, 0]])
+    mended = ori.read(tmp_path / "mended.npy", normalise=True, sort=True, drop_invalid=True, drop_duplicates=True)
+    assert len(mended) == 2 and mended.repairs["duplicates_dropped"] == mended.repairs["invalid_dropped"] == mended.repairs["normalised"] == 1

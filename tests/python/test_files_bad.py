@@ -80,11 +80,30 @@ def test_options_that_are_none(options, kind, text, tmp_path):
     assert text in one_line(error)
 
 
-def test_files_of_a_kind_that_is_not_read(tmp_path):
-    CURVE.sample(count=3).write(tmp_path / "motion.npy")
-    with pytest.raises(ori.ArgumentError) as error:
-        ori.read(tmp_path / "motion.npy")
-    assert "keys are not read from NumPy files, wanted CSV, TUM, EuRoC, BVH or glTF" in one_line(error)
+def test_numpy_files_that_hold_no_keys(tmp_path):
+    path = tmp_path / "keys.npy"
+    path.write_bytes(b"t,qw,qx,qy,qz")
+    faults = [(ori.DataError, "found no NumPy file that holds an array of numbers", None, {})]
+    table = np.array([[0, 1, 0, 0, 0], [1, 0.8, 0, 0, 0.6]])
+    faults += [(ori.DataError, "found an array of <U1 of the shape (2,)", np.array(["a", "b"]), {}),
+               (ori.DataError, "found an array of float64 of the shape (5,)", table[0], {}),
+               (ori.DataError, "found no NumPy file that holds an array of numbers", np.array([{}], object), {}),
+               (ori.ArgumentError, "found 4 columns, wanted 5, 8 or 17, or their names", table[:, :4], {}),
+               (ori.ArgumentError, "columns: found no qz, wanted t, qw, qx, qy and qz", table[:, :4], {"columns": ["t", "qw", "qx", "qy"]}),
+               (ori.ArgumentError, "columns: found 2 names, wanted 5 that differ", table, {"columns": ["t", "qw"]}),
+               (ori.ArgumentError, "columns: found 't', wanted the names of the 5 columns", table, {"columns": "t"}),
+               (ori.ArgumentError, "epoch: found it with a NumPy file", table, {"epoch": "2026-01-01"}),
+               (ori.ArgumentError, "conjugate: found it with a NumPy file", table, {"conjugate": True}),
+               (ori.DataError, "key 1: time 0 comes after 1", table[::-1], {}), (ori.DataError, "no keys", table[:0], {})]
+    for kind, text, array, options in faults:
+        if array is not None:
+            np.save(path, array)
+        with pytest.raises(kind) as error:
+            ori.read(path, **options)
+        assert text in one_line(error)
+        assert error.value.file == str(path) or kind is ori.ArgumentError
+    with pytest.raises(ori.AccessError, match="none.npy: cannot open: No such file"):
+        ori.read(tmp_path / "none.npy")
 
 
 def test_places_where_no_file_can_be(tmp_path):

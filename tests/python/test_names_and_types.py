@@ -119,6 +119,7 @@ def use(curve: ori.Curve, stack: ori.CurveStack, online: ori.OnlineCurve, spline
 
 MISTAKES = {"curve.sampel(rate=1)": '"Curve" has no attribute "sampel"', "curve.motion(0.5, 'before')": 'Argument 2 to "motion"',
             "curve.angular_velocity(0.5, frame='camera')": 'No overload variant of "__call__" of "Rate"',
+            "ori.Curve(t, t, extrapolate='far')": '"extrapolate" to "Curve"', "ori.Keys(t, t, signs='long')": '"signs" to "Keys"',
             "ori.tune(1, 'quintic')": 'Argument 1 to "tune"', "spline(t, 4)": 'No overload variant of "__call__"'}
 
 

@@ -61,6 +61,49 @@ def test_samples_threads_outputs_and_single_precision(figure):
             stack(samples.times, **wrong)
 
 
+def test_samples_say_what_they_are_and_become_tables(figure, tmp_path):
+    pytest.importorskip("pandas"), pytest.importorskip("pyarrow")
+    stack = ori.CurveStack(*figure)
+    samples = stack.sample(rate="30000/1001", derivatives=1, frame="world")
+    assert samples.frame == "world" and samples.epoch == 0
+    frame, table = samples.to_pandas(), samples.to_arrow()
+    assert list(frame.columns) == table.column_names == ["joint", "t", "qw", "qx", "qy", "qz", "wx_world", "wy_world", "wz_world"]
+    assert len(frame) == 5 * len(samples) and frame["joint"].tolist() == np.repeat(range(5), len(samples)).tolist()
+    for joint in (0, 3, -1):
+        one = stack[joint].sample(rate="30000/1001", derivatives=1, frame="world")
+        mine = samples.joint(joint)
+        assert np.array_equal(mine.orientations, one.orientations) and np.array_equal(mine.angular_velocities, one.angular_velocities)
+        rows = frame[frame["joint"] == joint % 5].drop(columns="joint").reset_index(drop=True)
+        assert rows.equals(one.to_pandas()) and mine.frame == "world" and mine.angular_jerks is None
+        mine.write(tmp_path / "mine.csv")
+        one.write(tmp_path / "wanted.csv")
+        assert (tmp_path / "mine.csv").read_bytes() == (tmp_path / "wanted.csv").read_bytes()
+    with pytest.raises(ori.ArgumentError, match=r"found samples of 5 joints, wanted those of one, such as of samples.joint\(0\)"):
+        samples.write(tmp_path / "all.csv")
+    with pytest.raises(ori.ArgumentError, match="joint: found 5, wanted a whole number from -5 to 4"):
+        samples.joint(5)
+    with pytest.raises(ori.ArgumentError, match="joint: found samples of one curve"):
+        stack[0].sample(count=3).joint(0)
+    assert list(tmp_path.glob("all*")) == []
+
+
+def test_samples_of_stacks_are_tables_of_tracks(figure):
+    tables = pytest.importorskip("orispline.tables")
+    samples = ori.CurveStack(*figure).sample(count=20)
+    found = tables.resample(samples.to_arrow(), by="joint", rate=10).read_all().to_pandas()
+    one = ori.Curve(samples.times, samples.orientations[:, 2]).sample(rate=10)
+    assert np.array_equal(found[found["joint"] == 2][["qx", "qy", "qz", "qw"]].to_numpy(), one.orientations)
+
+
+def test_joints_are_taken_by_their_numbers(figure):
+    stack = ori.CurveStack(*figure)
+    assert repr(stack[np.int64(-1)]) == repr(stack[4]) and len(list(stack)) == 5
+    with pytest.raises(IndexError, match="joint: found 5, wanted one of 5 joints"):
+        stack[5]
+    with pytest.raises(TypeError, match="joint: found 'hand' of type str, wanted the number of a joint"):
+        stack["hand"]
+
+
 def test_forms_of_keys(figure):
     from scipy.spatial.transform import Rotation
     times, rotations = figure

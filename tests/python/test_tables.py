@@ -197,6 +197,18 @@ def test_evaluation_keeps_the_rows_of_the_other_table(made, keys):
     assert held.num_rows == (track < 300).sum() and held["error"].null_count == held.num_rows
 
 
+def test_stamps_of_centuries_apart_are_not_wrapped():
+    """Nanoseconds in 64 bits reach 292 years: a difference of more was one of the other sign."""
+    def keys_at(*dates):
+        return pa.table({"track": ["a"] * 3, "t": pa.array(np.array(dates, "datetime64[ns]")), "qx": [0.0] * 3, "qy": [0.0] * 3,
+                         "qz": [0.0, 0.6, 1.0], "qw": [1.0, 0.8, 0.0]})
+    late = pa.table({"track": ["a"], "t": pa.array(np.array(["2250-01-01"], "datetime64[ns]"))})
+    end, = tables.evaluate(keys_at("1700", "1701", "1702"), late, method="slerp", extrapolate="hold").read_all().to_pylist()
+    assert (end["qz"], end["error"]) == (pytest.approx(1.0), None)
+    middle, = tables.evaluate(keys_at("1700", "2250", "2260"), late, method="slerp").read_all().to_pylist()
+    assert (middle["qz"], middle["error"]) == (pytest.approx(0.6, abs=1e-6), None)
+
+
 def test_evaluation_of_timestamps_of_another_unit():
     stamps = np.datetime64("2026-02-03T04:05:06", "ms") + np.arange(4) * 1000
     half = np.linspace(0, 1, 4)

@@ -33,7 +33,8 @@ def expect_keys(keys, path, rates=()):
 
 
 SMOOTHINGS = {"": {}, "--noise 0.5deg --penalty jerk": {"noise": "0.5deg", "penalty": "jerk"},
-              "--smoothing-time 0.05 --loss l2": {"smoothing_time": 0.05, "loss": "l2"}, "--no-adapt": {"adapt": False}}
+              "--smoothing-time 0.05 --loss l2": {"smoothing_time": 0.05, "loss": "l2"}, "--no-adapt": {"adapt": False}, "--cutoff 8": {"cutoff": 8},
+              "--cutoff 2.5 --penalty jerk": {"cutoff": "2.5Hz", "penalty": "jerk"}}
 
 
 @pytest.mark.parametrize("words", SMOOTHINGS)
@@ -112,7 +113,7 @@ def test_reduction_is_that_of_the_command(words, options, tmp_path):
 
 
 SMOOTHED = {"--smooth": {"smooth": True}, "--noise 0.5deg --method auto --refit": {"noise": "0.5deg", "method": "auto", "values": "refit"},
-            "--smoothing-time 0.05": {"smoothing_time": 0.05}}
+            "--smoothing-time 0.05": {"smoothing_time": 0.05}, "--cutoff 3": {"cutoff": 3}}
 
 
 @pytest.mark.parametrize("words", SMOOTHED)
@@ -123,7 +124,7 @@ def test_reduction_of_what_was_smoothed_first_is_that_of_the_command(words, tmp_
     reduction = ori.reduce(recording, "1deg", **SMOOTHED[words])
     expect_members(reduction, told)
     expect_keys(reduction.keys, out)
-    options = {name: value for name, value in SMOOTHED[words].items() if name in ("noise", "smoothing_time")}
+    options = {name: value for name, value in SMOOTHED[words].items() if name in ("noise", "smoothing_time", "cutoff")}
     alone = ori.smooth(recording, **options)
     assert reduction.smoothing.as_dict() == alone.as_dict()
     assert np.array_equal(reduction.smoothing.keys.rotations, alone.keys.rotations)

@@ -6,7 +6,6 @@
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
-#include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include <orispline/curve/motion.hpp>
@@ -17,6 +16,7 @@
 #include "arrays.hpp"
 #include "errors.hpp"
 #include "python_curve.hpp"
+#include "text.hpp"
 
 using namespace nanobind::literals;
 
@@ -153,7 +153,7 @@ nb::dict settings_of(const PythonCurve& curve) {
   nb::dict settings;
   for (const Parameter& parameter : family.parameters) {
     const auto found = given.parameters.find(parameter.name);
-    const nb::str name(parameter.name.data(), parameter.name.size());
+    const nb::str name = text(parameter.name);
     if (found == given.parameters.end()) settings[name] = parameter.initial;
     else if (found->second.size() == 1) settings[name] = found->second.front();
     else settings[name] = array_of(found->second.data(), found->second.size(), 0);
@@ -161,7 +161,7 @@ nb::dict settings_of(const PythonCurve& curve) {
   for (const Choice& choice : family.choices) {
     const auto found = given.choices.find(choice.name);
     const std::string_view word = found == given.choices.end() ? choice.words.front() : std::string_view(found->second);
-    settings[nb::str(choice.name.data(), choice.name.size())] = nb::str(word.data(), word.size());
+    settings[text(choice.name)] = text(word);
   }
   return settings;
 }

@@ -5,7 +5,6 @@
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
-#include <nanobind/stl/string.h>
 
 #include <orispline/analysis.hpp>
 #include <orispline/families/method_text.hpp>
@@ -15,6 +14,7 @@
 #include "errors.hpp"
 #include "quantity.hpp"
 #include "sample_memory.hpp"
+#include "text.hpp"
 
 using namespace nanobind::literals;
 
@@ -88,7 +88,7 @@ nb::list rates_before(const PythonCurve& curve, double t, bool world) {
 void add_curve(nb::module_& module) {
   module.def("extrapolations", [] {
     nb::list list;
-    for (const Word& word : words<Extrapolation>) list.append(nb::str(word.word.data(), word.word.size()));
+    for (const Word& word : words<Extrapolation>) list.append(text(word.word));
     return list;
   });
   auto curve_class = nb::class_<PythonCurve>(module, "Curve");

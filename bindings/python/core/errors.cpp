@@ -7,8 +7,8 @@
 
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/optional.h>
-#include <nanobind/stl/string.h>
-#include <nanobind/stl/string_view.h>
+
+#include "text.hpp"
 
 namespace nb = nanobind;
 
@@ -34,8 +34,8 @@ std::string_view name_of(ErrorCode code) {
 }  // namespace
 
 void raise(const Error& error) {
-  const nb::object type = nb::module_::import_("orispline._errors").attr(nb::str(name_of(error.code).data()));
-  const nb::object exception = type(describe(error));
+  const nb::object type = nb::module_::import_("orispline._errors").attr(text(name_of(error.code)));
+  const nb::object exception = type(shown(describe(error)));
   const auto set = [&](const char* name, const auto& value) { exception.attr(name) = nb::cast(value); };
   set("key", error.where.key);
   set("time_index", error.where.time_index);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include "errors.hpp"
@@ -107,8 +106,6 @@ void put_infos(nb::dict& all, const char* name, std::span<const FieldInfo> field
 
 }  // namespace
 
-nb::str text(std::string_view words) { return nb::str(words.data(), words.size()); }
-
 void take_options(std::span<const FieldInfo> fields, void* options, const nb::dict& stated) {
   for (const auto& [name, value] : stated) {
     const FieldInfo& field = *value_of(find_field(fields, nb::cast<std::string>(name)));
@@ -129,7 +126,7 @@ nb::list warnings_of(std::span<const Warning> warnings) {
   for (const Warning& warning : warnings) {
     nb::dict numbers;
     for (const auto& [name, number] : warning.numbers) numbers[text(name)] = number;
-    list.append(nb::make_tuple(text(describe(warning)), text(warning.code), numbers));
+    list.append(nb::make_tuple(shown(describe(warning)), text(warning.code), numbers));
   }
   return list;
 }

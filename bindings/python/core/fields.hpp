@@ -10,6 +10,8 @@
 #include <orispline/fields.hpp>
 #include <orispline/fields/json.hpp>
 
+#include "text.hpp"
+
 // The fields of the library's options and results, as Python states and sees them.
 
 namespace orispline::python {
@@ -37,7 +39,5 @@ nanobind::object object_of(const Json& json);
 
 /// `(text, code, numbers)` of each.
 nanobind::list warnings_of(std::span<const Warning> warnings);
-
-nanobind::str text(std::string_view words);
 
 }  // namespace orispline::python

@@ -5,8 +5,6 @@
 #include <vector>
 
 #include <nanobind/stl/optional.h>
-#include <nanobind/stl/string.h>
-#include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
 
 #include <orispline/analysis.hpp>
@@ -17,6 +15,7 @@
 #include "errors.hpp"
 #include "files.hpp"
 #include "keys.hpp"
+#include "text.hpp"
 
 using namespace nanobind::literals;
 

@@ -8,8 +8,6 @@
 
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/pair.h>
-#include <nanobind/stl/string.h>
-#include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
 
 #include <orispline/families/method_text.hpp>
@@ -18,6 +16,7 @@
 #include "errors.hpp"
 #include "files.hpp"
 #include "keys.hpp"
+#include "text.hpp"
 
 namespace nb = nanobind;
 using namespace nanobind::literals;
@@ -40,11 +39,11 @@ nb::list told(const std::vector<Warning>& warnings) {
   std::set<std::string> texts;
   nb::list list;
   for (const Warning& warning : warnings) {
-    const auto [text, is_new] = texts.insert(describe(warning));
+    const auto [words, is_new] = texts.insert(describe(warning));
     if (!is_new) continue;
     nb::dict numbers;
-    for (const auto& [name, number] : warning.numbers) numbers[nb::cast(name)] = number;
-    list.append(nb::make_tuple(*text, warning.code, numbers));
+    for (const auto& [name, number] : warning.numbers) numbers[text(name)] = number;
+    list.append(nb::make_tuple(shown(*words), text(warning.code), numbers));
   }
   return list;
 }
@@ -132,11 +131,11 @@ nb::dict read(const std::string& path, const io::StatedOptions& stated,
   }();
   if (!file) raise(in_words(std::move(file.error())));
   nb::list ignored;
-  for (const std::string& name : file->ignored_columns) ignored.append(nb::cast(name));
+  for (const std::string& name : file->ignored_columns) ignored.append(text(name));
   nb::dict result;
   result["repairs"] = repairs_of(file->repairs);
   result["warnings"] = told(file->warnings);
-  result["format"] = nb::cast(file->format->id);
+  result["format"] = text(file->format->id);
   result["ignored_columns"] = ignored;
   result["keys"] = nb::cast(Keys{std::make_shared<const Track>(std::move(file->track))});
   return result;
@@ -147,9 +146,9 @@ nb::list listed(std::span<const io::FileOption<Target>> options) {
   nb::list list;
   for (const auto& option : options) {
     nb::dict entry;
-    entry["name"] = nb::cast(option.name);
-    entry["sentence"] = nb::cast(option.sentence);
-    entry["argument"] = option.argument ? nb::cast(option.argument()) : nb::none();
+    entry["name"] = text(option.name);
+    entry["sentence"] = text(option.sentence);
+    entry["argument"] = option.argument ? nb::object(text(option.argument())) : nb::none();
     list.append(entry);
   }
   return list;

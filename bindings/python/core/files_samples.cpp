@@ -8,7 +8,6 @@
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
-#include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
@@ -16,6 +15,7 @@
 #include "errors.hpp"
 #include "files.hpp"
 #include "grid.hpp"
+#include "text.hpp"
 
 using namespace nanobind::literals;
 

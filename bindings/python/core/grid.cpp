@@ -3,7 +3,6 @@
 #include <string>
 
 #include <nanobind/stl/optional.h>
-#include <nanobind/stl/string.h>
 
 #include <orispline/base/decimal.hpp>
 #include <orispline/batch/sample_grid.hpp>
@@ -12,6 +11,7 @@
 #include "errors.hpp"
 #include "grid.hpp"
 #include "python_curve.hpp"
+#include "text.hpp"
 
 using namespace nanobind::literals;
 

@@ -6,11 +6,11 @@
 
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
-#include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include "arrays.hpp"
 #include "errors.hpp"
+#include "text.hpp"
 
 using namespace nanobind::literals;
 

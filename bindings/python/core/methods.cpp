@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
 
-#include <nanobind/stl/string.h>
-
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 
 #include "errors.hpp"
 #include "keys.hpp"
+#include "text.hpp"
 
 namespace nb = nanobind;
 using namespace nanobind::literals;
@@ -15,8 +14,6 @@ using namespace nanobind::literals;
 namespace orispline::python {
 
 namespace {
-
-nb::object text(std::string_view words) { return nb::str(words.data(), words.size()); }
 
 nb::list parameters_of(const FamilyInfo& family) {
   nb::list list;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nanobind/nanobind.h>
-#include <nanobind/stl/string.h>
 
 #include <orispline/base/version.hpp>
 
 #include "keys.hpp"
 #include "tasks.hpp"
+#include "text.hpp"
 
 NB_MODULE(_core, module) {
   module.attr("version") = std::string(orispline::version);

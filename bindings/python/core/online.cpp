@@ -6,7 +6,6 @@
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
-#include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include <orispline/families/method_text.hpp>
@@ -16,6 +15,7 @@
 #include "errors.hpp"
 #include "sample_memory.hpp"
 #include "keys.hpp"
+#include "text.hpp"
 
 using namespace nanobind::literals;
 
@@ -74,7 +74,7 @@ void fill(const OnlineCurve& curve, const Numbers& times, const Memory<double>& 
 void add_online(nb::module_& module) {
   module.def("online_methods", [] {
     nb::list list;
-    for (const std::string_view name : OnlineCurve::methods()) list.append(nb::str(name.data(), name.size()));
+    for (const std::string_view name : OnlineCurve::methods()) list.append(text(name));
     return list;
   });
   nb::class_<OnlineCurve>(module, "OnlineCurve")

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <nanobind/stl/optional.h>
-#include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include <orispline/curve/motion.hpp>
@@ -19,6 +18,7 @@
 #include "arrays.hpp"
 #include "errors.hpp"
 #include "python_curve.hpp"
+#include "text.hpp"
 
 using namespace nanobind::literals;
 
@@ -28,8 +28,6 @@ namespace {
 
 using Vector = nb::ndarray<const double, nb::shape<3>, nb::c_contig, nb::device::cpu>;
 using Inertia = nb::ndarray<const double, nb::shape<3, 3>, nb::c_contig, nb::device::cpu>;
-
-nb::str text(std::string_view words) { return nb::str(words.data(), words.size()); }
 
 nb::object numbers(const std::vector<double>& values) { return array_of(values.data(), values.size(), 0); }
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include <nanobind/stl/optional.h>
-#include <nanobind/stl/string.h>
 
 #include <orispline/jobs.hpp>
 #include <orispline/scenes.hpp>
@@ -17,6 +16,7 @@
 #include "files.hpp"
 #include "interruption.hpp"
 #include "tasks.hpp"
+#include "text.hpp"
 
 namespace nb = nanobind;
 using namespace nanobind::literals;

@@ -42,7 +42,7 @@ template <class Document = nanobind::dict, class Outcome>
 void add_words(nanobind::class_<Outcome>& outcome_class) {
   outcome_class.def_prop_ro("warnings", [](const Outcome& outcome) { return warnings_of(outcome.warnings); })
       .def("members", [](const Outcome& outcome) { return nanobind::cast<Document>(object_of(document_of(outcome))); })
-      .def("summary", [](const Outcome& outcome) { return summary_of(outcome); });
+      .def("summary", [](const Outcome& outcome) { return shown(summary_of(outcome)); });
 }
 
 /// Its page.

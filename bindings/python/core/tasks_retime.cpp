@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nanobind/stl/optional.h>
-#include <nanobind/stl/string.h>
 
 #include <orispline/jobs.hpp>
 
 #include "errors.hpp"
 #include "interruption.hpp"
 #include "tasks.hpp"
+#include "text.hpp"
 
 namespace nb = nanobind;
 using namespace nanobind::literals;

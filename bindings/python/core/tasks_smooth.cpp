@@ -4,13 +4,13 @@
 #include <vector>
 
 #include <nanobind/stl/optional.h>
-#include <nanobind/stl/string.h>
 
 #include <orispline/jobs.hpp>
 
 #include "errors.hpp"
 #include "interruption.hpp"
 #include "tasks.hpp"
+#include "text.hpp"
 
 namespace nb = nanobind;
 using namespace nanobind::literals;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <nanobind/stl/optional.h>
-#include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include <orispline/base/decimal.hpp>
@@ -18,6 +17,7 @@
 #include "interruption.hpp"
 #include "keys.hpp"
 #include "quantity.hpp"
+#include "text.hpp"
 
 using namespace nanobind::literals;
 

@@ -2,37 +2,70 @@
 """Arguments as the arrays that the library takes: C-contiguous float64, without a copy where they are that already."""
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._errors import ArgumentError, DataError, tell
+from ._errors import ArgumentError, tell
 
 Array = NDArray[np.float64]
 
 
 def array_of(name: str, values: Any) -> np.ndarray[Any, Any]:
-    """What NumPy makes of them, of datetimes and pandas' timestamps datetime64; nothing of what is masked or of no shape."""
+    """What NumPy makes of them, of dates and durations datetime64 and timedelta64, of pandas' own types plain ones; nothing of
+    what is masked or of no shape."""
+    if type(values) is np.ndarray and values.dtype.kind != "O":
+        return values
     if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
         raise ArgumentError(f"{name}: found masked values, wanted a value everywhere, such as of .filled(numpy.nan)")
     try:
-        array = np.asarray(values)
+        array = np.asarray(_without_extensions(values))
     except ValueError:
         raise ArgumentError(f"{name}: found rows of different lengths, wanted an array") from None
-    return _dates(name, array) if array.dtype.kind == "O" else array
+    return _stamps(name, array) if array.dtype.kind == "O" else array
 
 
-def _dates(name: str, array: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+def _without_extensions(values: Any) -> Any:
+    """Columns of pandas' nullable types, of Arrow's and with a time zone, of which NumPy would make objects: missing is NaN or NaT."""
+    if not type(values).__module__.startswith("pandas."):
+        return values
+    types = getattr(values, "dtypes", getattr(values, "dtype", None))
+    types = list(types) if isinstance(types, Iterable) else [types]
+    if any(kind is None for kind in types) or all(isinstance(kind, np.dtype) for kind in types):
+        return values
+    kinds = {kind.kind for kind in types}
+    if kinds <= {"i", "u"} and not np.any(values.isna()):
+        return values.to_numpy(dtype=np.int64)
+    if kinds <= {"f", "i", "u"}:
+        return values.to_numpy(dtype=np.float64, na_value=np.nan)
+    if len(types) == 1 and kinds <= {"M", "m"}:
+        unit = getattr(types[0], "unit", None) or types[0].pyarrow_dtype.unit
+        return values.to_numpy(dtype=f"{types[0].kind}8[{unit}]")
+    return values
+
+
+def _stamps(name: str, array: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    """Of objects that are dates, UTC where they have a time zone, or durations; all others as they are."""
     import datetime
-    dates = array.reshape(-1)
-    if not len(dates) or not all(isinstance(date, datetime.datetime) for date in dates):
+    objects = list(array.reshape(-1))
+    if not objects:
         return array
-    if any(date.tzinfo is not None for date in dates):
-        raise ArgumentError(f"{name}: found dates with a time zone, wanted dates without one: pandas' .tz_convert(None) has those of UTC")
-    stamps = [date.to_datetime64() if hasattr(date, "to_datetime64") else date for date in dates]  # pandas' have nanoseconds
-    return np.array(stamps, "datetime64[ns]").reshape(array.shape)
+    if all(isinstance(thing, datetime.timedelta) for thing in objects):
+        spans = [thing.to_timedelta64() if hasattr(thing, "to_timedelta64") else np.timedelta64(thing) for thing in objects]
+        return np.array(spans).reshape(array.shape)
+    if not all(isinstance(thing, datetime.date) for thing in objects):
+        return array
+    zoned = {getattr(thing, "tzinfo", None) is not None for thing in objects if thing == thing}  # but pandas' NaT
+    if len(zoned) > 1:
+        raise ArgumentError(f"{name}: found dates with a time zone and dates without one, wanted a time zone for all or for none")
+    if True in zoned:
+        objects = [thing.astimezone(datetime.timezone.utc).replace(tzinfo=None) if thing == thing else thing for thing in objects]
+    stamps = [thing.to_datetime64() if hasattr(thing, "to_datetime64") else np.datetime64(thing) for thing in objects]
+    has_room = all(1678 <= thing.year <= 2261 for thing in objects if thing == thing)  # for nanoseconds
+    return np.array(stamps, f"datetime64[{'ns' if has_room else 'us'}]").reshape(array.shape)
 
 
 def found(array: np.ndarray[Any, Any]) -> str:
@@ -55,44 +88,12 @@ def numbers(name: str, values: Any, shape: tuple[int | None, ...], wanted: str |
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
-def quaternions(name: str, rotations: Any, *, scalar_first: bool) -> Array:
-    """(n, 4) quaternions x, y, z, w of quaternions, of (n, 3, 3) matrices or of a SciPy Rotation."""
-    if hasattr(rotations, "as_quat"):
-        rotations, scalar_first = rotations.as_quat(), False
-    array = array_of(name, rotations)
-    if array.ndim == 3 and array.shape[1:] == (3, 3):
-        return _of_matrices(name, numbers(name, array, (None, 3, 3)))
-    array = numbers(name, array, (None, 4), "(n, 4) quaternions, (n, 3, 3) matrices or a SciPy Rotation")
-    return np.ascontiguousarray(array[:, [1, 2, 3, 0]]) if scalar_first else array
-
-
-def _of_matrices(name: str, matrices: Array) -> Array:
-    """Shepperd's way: by the largest of the four squares 4 w², 4 x², 4 y², 4 z²."""
-    far = np.abs(matrices @ matrices.transpose(0, 2, 1) - np.eye(3)).max(axis=(1, 2), initial=0.0)
-    bad = ~(far < 1e-3) | (np.linalg.det(matrices) < 0)
-    if bad.any():
-        error = DataError(f"key {int(bad.argmax())}: {name}: found a matrix that is no rotation, wanted an orthonormal one of "
-                          "determinant 1")
-        error.key = int(bad.argmax())
-        raise error
-    x, y, z = (matrices[:, i, i] for i in range(3))
-    squares = np.stack([1 + x - y - z, 1 - x + y - z, 1 - x - y + z, 1 + x + y + z], axis=1)
-    largest = squares.argmax(axis=1)
-    m = matrices
-    sums = np.empty((len(m), 4, 4))
-    for i in range(4):
-        sums[:, i, i] = squares[:, i]
-    for (i, j), value in {(0, 1): m[:, 1, 0] + m[:, 0, 1], (0, 2): m[:, 0, 2] + m[:, 2, 0],
-                          (1, 2): m[:, 2, 1] + m[:, 1, 2], (0, 3): m[:, 2, 1] - m[:, 1, 2],
-                          (1, 3): m[:, 0, 2] - m[:, 2, 0], (2, 3): m[:, 1, 0] - m[:, 0, 1]}.items():
-        sums[:, i, j] = sums[:, j, i] = value
-    rows = sums[np.arange(len(m)), largest]
-    return np.ascontiguousarray(rows / np.linalg.norm(rows, axis=1, keepdims=True))
-
-
 def output(name: str, out: Any, shape: tuple[int, ...], dtype: Any, times: Array | None = None) -> NDArray[Any]:
     """The array to fill: `out` if it fits and has none of the memory of `times`, else a new one."""
-    dtype = np.dtype(dtype)
+    try:
+        dtype = np.dtype(dtype)
+    except (TypeError, ValueError):
+        raise TypeError(f"dtype: found {dtype!r} of type {type(dtype).__name__}, wanted float64 or float32") from None
     if dtype not in (np.dtype("float64"), np.dtype("float32")):
         raise ArgumentError(f"dtype: found {dtype}, wanted float64 or float32")
     if out is None:
@@ -112,6 +113,8 @@ def sample_rows(out: Any, lead: tuple[int, ...], derivatives: int, linear: int, 
     """The arrays of samples to fill, those of `out` or new ones: orientations, three rates and three of the path, where None
     is what was not asked for."""
     shapes = [(*lead, 4), *[(*lead, 3)] * (derivatives + linear)]
+    if out is not None and not isinstance(out, (np.ndarray, list, tuple)):
+        raise TypeError(f"out: found {type(out).__name__}, wanted a NumPy array, or a list of them")
     given = [None] * len(shapes) if out is None else [out] if isinstance(out, np.ndarray) else list(out)
     if len(given) != len(shapes):
         raise ArgumentError(f"out: found {len(given)}, wanted {len(shapes)}: an array for the orientations, and one for each rate "
@@ -129,3 +132,10 @@ def inertia_tensor(inertia: Any) -> Array:
     matrix = np.diag(matrix) if matrix.ndim == 1 else matrix
     tell(_core.check_inertia(matrix))
     return matrix
+
+
+def same(one: Any, other: Any) -> bool:
+    """Whether two arrays, or None, have the same numbers; NaN is as NaN."""
+    if one is None or other is None:
+        return one is other
+    return np.array_equal(one, other, equal_nan=np.asarray(one).dtype.kind == "f")

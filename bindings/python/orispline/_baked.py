@@ -2,7 +2,7 @@
 """Curves turned into polynomials."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,13 +12,11 @@ from ._arrays import output
 from ._checks import in_world
 from ._clock import Clock
 from ._errors import ArgumentError
+from ._orienting import Orienting
 from ._types import baked_quantity, baked_rate
 
-if TYPE_CHECKING:
-    from scipy.spatial.transform import Rotation
 
-
-class BakedCurve:
+class BakedCurve(Orienting):
     """A curve turned into polynomials, to be stored and replayed: `Curve.bake` makes one.
 
     It takes times as its curve does, and gives orientations within the tolerance of the curve's own, faster than most
@@ -78,11 +76,6 @@ class BakedCurve:
         turned[...] = result[..., [3, 0, 1, 2]]
         return turned
 
-    def rotation(self, t: Any) -> Rotation:
-        """A SciPy Rotation at a time, or at the times of a one-dimensional array."""
-        from scipy.spatial.transform import Rotation
-        return Rotation.from_quat(self._at(0, t, "body", None))
-
     @baked_rate
     def angular_velocity(self, t: Any, frame: str = "body", out: Any = None) -> NDArray[Any]:
         """(..., 3) [rad/s]."""
@@ -97,6 +90,9 @@ class BakedCurve:
     def angular_jerk(self, t: Any, frame: str = "body", out: Any = None) -> NDArray[Any]:
         """(..., 3) [rad/s³]."""
         return self._at(3, t, frame, out)
+
+    def _quaternions(self, t: Any) -> NDArray[np.float64]:
+        return np.asarray(self._at(0, t, "body", None), np.float64)
 
     def _at(self, order: int, t: Any, frame: str, out: Any) -> NDArray[Any]:
         world = in_world(frame)

@@ -8,7 +8,7 @@ import numpy as np
 
 from . import _core
 from ._arrays import Array, numbers
-from ._checks import whole
+from ._checks import whole, wrong_type
 from ._errors import ArgumentError, DataError
 from ._keys import Keys
 
@@ -20,10 +20,12 @@ GREY, INK = "0.75", "0.2"
 
 def charts(named: Mapping[str, Any], reference: Any, axes: Any, quantities: str | Sequence[str], ghosts: int) -> Any:
     """Charts over time of curves by their names, with those of the errors to a reference, and the bodies."""
+    if not isinstance(quantities, (str, list, tuple)):
+        raise wrong_type("quantities", quantities, "a word, or a list of them")
     words = [quantities] if isinstance(quantities, str) else list(quantities)
     titles = _core.titles_of_charts
     for word in words:
-        if word not in titles:
+        if not isinstance(word, str) or word not in titles:
             raise ArgumentError(f"quantities: found {word!r}, wanted some of {', '.join(map(repr, titles))}")
     if not words and reference is None:
         raise ArgumentError("quantities: found none, wanted one at least")
@@ -36,15 +38,15 @@ def charts(named: Mapping[str, Any], reference: Any, axes: Any, quantities: str 
         _mark_keys(chart, named.values())
     for name, curve in named.items():
         seconds, orientations, values = curve._core.drawn()
-        times = curve._clock.back(seconds)
+        times = curve._clock.charted(seconds)
         if reference is not None:
-            axes[0].plot(*_errors(name, curve, times, orientations, reference), label=name)
+            axes[0].plot(*_errors(name, curve, curve._clock.back(seconds), orientations, reference), label=name)
         for word, chart in zip(words, axes[len(labels) - len(words):]):
             chart.plot(times, values[word], label=name)
     if count:
         _draw_ghosts(axes[-1], list(named.values()), [line.get_color() for line in axes[0].get_lines()[-len(named):]], count)
     clock = next(iter(named.values()))._clock
-    axes[-1].set_xlabel("time" if clock.is_calendar else f"time [{clock.unit}]")
+    axes[-1].set_xlabel(clock.axis)
     if clock.is_calendar:
         _date(axes)
     if len(named) > 1:
@@ -104,7 +106,7 @@ def _axes(axes: Any, count: int) -> Any:
 
 
 def _mark_keys(chart: Any, curves: Iterable[Any]) -> None:
-    for times in {curve._keys._core.times.tobytes(): curve._keys.times for curve in curves}.values():
+    for times in {curve._keys._core.times.tobytes(): curve._clock.charted(curve._keys._core.times) for curve in curves}.values():
         if len(times) <= _core.most_marked_keys:
             chart.vlines(times, 0, 1, transform=chart.get_xaxis_transform(), color=GREY, linewidth=0.8, linestyle=(0, (3, 3)))
 
@@ -121,7 +123,7 @@ def _errors(name: str, curve: Any, times: Any, orientations: Array, reference: A
     times, one = times[inside], np.ascontiguousarray(orientations[inside])
     other = curve if isinstance(reference, Keys) else reference
     seconds, angles = _core.drawn_errors(curve._clock.seconds("reference", times), one, _in_order(other, other(times)))
-    return curve._clock.back(seconds), angles
+    return curve._clock.charted(seconds), angles
 
 
 def _in_order(curve: Any, orientations: Array) -> Array:
@@ -156,7 +158,7 @@ def _draw_ghosts(chart: Any, curves: Sequence[Any], colors: Sequence[Any], count
     size = min(GHOST, 0.55 * chart.bbox.width / chart.figure.dpi / count)
     for row, (curve, color) in enumerate(zip(curves, colors)):
         seconds, faces, opacities = curve._core.ghosts(count)
-        times = curve._clock.back(seconds)
+        times = curve._clock.charted(seconds)
         chart.xaxis.update_units(times)
         places = np.column_stack([chart.convert_xunits(times), np.full(len(times), -float(row))])
         bodies = PolyCollection(faces.reshape(-1, 3, 2) * (size, -size), facecolors=[to_rgba(color, o) for o in opacities],

@@ -53,7 +53,7 @@ def whole(name: str, value: Any, least: int, most: int) -> int:
 
 def index_of(name: str, word: str, words: tuple[str, ...]) -> int:
     """Where a word is among those that there are."""
-    if word not in words:
+    if not isinstance(word, str) or word not in words:
         raise ArgumentError(f"{name}: found {word!r}, wanted {', '.join(repr(w) for w in words[:-1])} or {words[-1]!r}")
     return words.index(word)
 
@@ -105,7 +105,8 @@ def _value_text(name: str, value: Any) -> str:
     return ",".join(repr(float(x)) for x in np.atleast_1d(array))
 
 
-def _ends_text(ends: Any) -> str:
+def ends_text(ends: Any) -> str:
+    """Rules as the library reads them."""
     rules = [ends] if isinstance(ends, str) else list(ends) if isinstance(ends, (tuple, list)) else []
     if not rules or (len(rules) != 2 and rules != [ends]) or not all(isinstance(rule, str) for rule in rules):
         raise wrong_type("ends", ends, "a rule, or a pair of rules for start and end")
@@ -118,7 +119,7 @@ def method_text(method: str, ends: Any, start_rate: Any, end_rate: Any, closed: 
     pieces = [text("method", method)]
     pieces += [f"{name}={_value_text(name, value)}" for name, value in settings.items()]
     if ends is not None:
-        pieces.append(f"ends={_ends_text(ends)}")
+        pieces.append(f"ends={ends_text(ends)}")
     for name, rate in (("start_rate", start_rate), ("end_rate", end_rate)):
         if rate is not None:
             if np.shape(rate) != (3,):

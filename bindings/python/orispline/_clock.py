@@ -8,20 +8,30 @@ from typing import Any
 import numpy as np
 
 from ._arrays import Array, array_of, found, numbers
-from ._errors import ArgumentError, DataError
+from ._errors import ArgumentError, at_key
 
 DIGITS = {"s": 0, "ms": 3, "us": 6, "ns": 9}
 PER_SECOND = {unit: 10**digits for unit, digits in DIGITS.items()}
+STAMPS = {"M": "datetime64", "m": "timedelta64"}  # by NumPy's kinds
+UNITS_OF_STAMPS = ("ns", "us", "ms")  # the first one that has room for all of them
+SECONDS_IN = {"W": 604800.0, "D": 86400.0, "h": 3600.0, "m": 60.0, "s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "ps": 1e-12, "fs": 1e-15,
+              "as": 1e-18}
+ROOM = 2.0**63 * (1 - 1e-12)  # of a whole number in 64 bits
 LARGEST_PLAIN_INTEGER = 10**14  # larger ones can hardly be seconds
 
 
 @dataclasses.dataclass(frozen=True)
 class Clock:
-    """How a caller has times: as seconds, or counted in whole units from an origin, which may be a datetime64's."""
+    """How a caller has times: as seconds, or counted in whole units from an origin, which may be those of NumPy's stamps."""
 
     unit: str = "s"
     origin: int = 0  # in the unit; differences are taken of integers, before anything becomes a double
-    is_calendar: bool = False
+    kind: str = ""  # "M" of datetime64, "m" of timedelta64, empty of numbers
+
+    @property
+    def is_calendar(self) -> bool:
+        """Whether times are dates."""
+        return self.kind == "M"
 
     @property
     def epoch(self) -> str:
@@ -32,39 +42,51 @@ class Clock:
     def seconds(self, name: str, times: Any) -> Array:
         """Times to ask for, of any shape. NaT becomes NaN."""
         array = array_of(name, times)
-        if self.is_calendar != (array.dtype.kind == "M"):
-            wanted = "datetime64" if self.is_calendar else "numbers"
-            raise ArgumentError(f"{name}: found {found(array)}, wanted {wanted}, as the times of the keys are")
-        if self.is_calendar:
-            stamps = array.astype("datetime64[ns]")
-            return np.where(np.isnat(stamps), np.nan, self._counted(stamps.astype(np.int64)))
+        if self.kind != (array.dtype.kind if array.dtype.kind in STAMPS else ""):
+            raise ArgumentError(f"{name}: found {found(array)}, wanted {STAMPS.get(self.kind, 'numbers')}, as the times of the keys are")
+        if self.kind:
+            return self._since(name, array)
         if array.dtype.kind not in "fiu" or array.dtype.itemsize > 8:
             raise ArgumentError(f"{name}: found {found(array)}, wanted real numbers")
         return np.asarray(self._counted(array), order="C")
 
     def back(self, seconds: Array) -> np.ndarray[Any, Any]:
-        """Seconds of the library as the caller has times: whole nanoseconds, else floats in the unit."""
+        """Seconds of the library as the caller has times: stamps, whole nanoseconds, else floats in the unit."""
         if self.unit == "s":
             return seconds
+        if self.kind:
+            return self._stamps(seconds)
         units: np.ndarray[Any, Any] = seconds * PER_SECOND[self.unit]
-        if self.unit == "ns":
-            units = np.rint(units).astype(np.int64)
-        return (units + self.origin).astype("datetime64[ns]") if self.is_calendar else units + self.origin
+        if self.unit != "ns" or not (np.abs(units + float(self.origin)) < ROOM).all():
+            return units + self.origin
+        whole: np.ndarray[Any, Any] = np.rint(units).astype(np.int64)
+        return whole + self.origin
 
     def time(self, seconds: float) -> Any:
         """One time of the library as the caller has it, no array."""
         time = self.back(np.array([seconds]))[0]
-        return time if self.is_calendar else time.item()
+        return time if self.kind else time.item()
 
     def ends(self, domain: tuple[float, float]) -> tuple[Any, Any]:
         """The first and the last time."""
-        first, last = self.back(np.array(domain))
-        return (first, last) if self.is_calendar else (float(first), float(last))
+        return self.time(domain[0]), self.time(domain[1])
+
+    def charted(self, seconds: Array) -> np.ndarray[Any, Any]:
+        """Times for the axis of a chart, which has no durations: these are seconds there."""
+        return seconds + self.origin / PER_SECOND[self.unit] if self.kind == "m" else self.back(seconds)
+
+    @property
+    def axis(self) -> str:
+        """What such an axis is called."""
+        return "time" if self.is_calendar else f"time [{'s' if self.kind else self.unit}]"
 
     def span(self, seconds: Array) -> str:
         """From the first to the last of these times, for people to read."""
-        first, last = self.back(seconds[[0, -1]])
-        return f"{first} … {last}" if self.is_calendar else f"{first:g} … {last:g} {self.unit}"
+        ends = seconds[[0, -1]]
+        if self.is_calendar:
+            return " … ".join(str(time) for time in self.back(ends))
+        first, last = _told_apart(*(time.item() for time in (self.charted(ends) if self.kind else self.back(ends))))
+        return f"{first} … {last} {'s' if self.kind else self.unit}"
 
     def check_inside(self, seconds: Array, domain: tuple[float, float]) -> None:
         """Raises an error about the first time outside, where times are not seconds: about those the library has one."""
@@ -75,6 +97,22 @@ class Clock:
             error.time_index = int(outside[0])
             raise error
 
+    def check_rising(self, seconds: Array) -> None:
+        """Raises an error about the first time that does not come after the one before it, where times are not seconds: about those
+        the library has one."""
+        if self.unit == "s":
+            return
+        for key in np.flatnonzero(np.diff(seconds) <= 0)[:1] + 1:
+            self.check_after(int(key), float(seconds[key]), float(seconds[key - 1]))
+
+    def check_after(self, key: int, time: float, before: float) -> None:
+        """Raises it about a key and the one before it."""
+        if self.unit == "s" or time > before:
+            return
+        this, last = self.back(np.array([time, before]))
+        what = f"duplicate time {this}" if time == before else f"time {this} comes after {last}"
+        raise at_key(key, f"{what}, wanted strictly increasing times")
+
     def _counted(self, array: np.ndarray[Any, Any]) -> Array:
         if self.unit == "s":
             return array.astype(np.float64, copy=False)
@@ -82,36 +120,87 @@ class Clock:
         seconds: Array = since.astype(np.float64) / PER_SECOND[self.unit]
         return seconds
 
+    def _since(self, name: str, stamps: np.ndarray[Any, Any]) -> Array:
+        """Seconds of stamps: by whole units where there is room for them, else by floats. NaT becomes NaN."""
+        if self.origin >= 0 and stamps.dtype == f"{self.kind}8[{self.unit}]":
+            whole = stamps.astype(np.int64)
+            if not (whole < self.origin - (2**63 - 1)).any():  # as NaT is, and all that is too far before
+                return np.asarray(self._counted(whole), order="C")
+        about, per_second = _about(name, stamps), PER_SECOND[self.unit]
+        since = about - self.origin / per_second
+        has_room = np.maximum(np.abs(about), np.abs(since)) < ROOM / per_second
+        if not has_room.all():
+            stamps = np.where(has_room, stamps, np.zeros((), stamps.dtype))
+        counted = self._counted(stamps.astype(f"{self.kind}8[{self.unit}]").astype(np.int64))
+        return np.asarray(counted if has_room.all() else np.where(has_room, counted, since), order="C")
+
+    def _stamps(self, seconds: Array) -> np.ndarray[Any, Any]:
+        """In the unit of the clock, or in the first longer one that has room for all."""
+        largest = np.nanmax(np.abs(seconds), initial=0.0) + abs(self.origin) / PER_SECOND[self.unit]
+        units = UNITS_OF_STAMPS[UNITS_OF_STAMPS.index(self.unit):]
+        unit = next((unit for unit in units if largest * PER_SECOND[unit] < ROOM), units[-1])
+        missing = np.isnan(seconds)
+        whole: np.ndarray[Any, Any] = np.rint(np.where(missing, 0.0, seconds) * PER_SECOND[unit]).astype(np.int64)
+        whole += self.origin // (PER_SECOND[self.unit] // PER_SECOND[unit])
+        stamps: np.ndarray[Any, Any] = whole.astype(f"{self.kind}8[{unit}]")
+        stamps[missing] = np.array("NaT", stamps.dtype)
+        return stamps
+
 
 def times_of_keys(times: Any, unit: str | None) -> tuple[Array, Clock]:
     """The times of keys [s], and the clock by which the caller has them."""
-    if unit is not None and unit not in PER_SECOND:
+    if unit is not None and (not isinstance(unit, str) or unit not in PER_SECOND):
         raise ArgumentError(f"time_unit: found {unit!r}, wanted one of {', '.join(map(repr, PER_SECOND))}")
     array = array_of("times", times)
-    if array.dtype.kind == "M":
-        if unit is not None:
-            raise ArgumentError("time_unit: found it with datetime64, which has a unit of its own")
-        stamps = _stamps(array)
-        clock = Clock("ns", int(stamps[0]) if len(stamps) else 0, is_calendar=True)
-        return clock._counted(stamps), clock
+    if array.dtype.kind in STAMPS and unit is not None:
+        raise ArgumentError(f"time_unit: found it with {STAMPS[array.dtype.kind]}, which has a unit of its own")
+    seconds, clock = clock_of_stamps(array) if array.dtype.kind in STAMPS else _of_numbers(array, unit)
+    clock.check_rising(seconds)
+    return seconds, clock
+
+
+def _of_numbers(array: np.ndarray[Any, Any], unit: str | None) -> tuple[Array, Clock]:
     seconds = numbers("times", array, (None,))
-    if array.dtype.kind not in "iu" or unit in (None, "s"):
-        if unit not in (None, "s"):
-            raise ArgumentError(f"time_unit: found {unit!r} with {array.dtype}, wanted integers, or seconds without a unit")
-        if array.dtype.kind in "iu" and unit is None and len(array) and np.abs(seconds).max() > LARGEST_PLAIN_INTEGER:
-            raise ArgumentError("times: found integers above 1e14, wanted time_unit='ns', 'us', 'ms' or 's' with them")
-        return seconds, Clock()
-    clock = Clock(str(unit), int(array[0]) if len(array) else 0)
-    return clock._counted(array), clock
+    if array.dtype.kind in "iu" and unit not in (None, "s"):
+        clock = Clock(str(unit), int(array[0]) if len(array) else 0)
+        return clock._counted(array), clock
+    if unit not in (None, "s"):
+        raise ArgumentError(f"time_unit: found {unit!r} with {array.dtype}, wanted integers, or seconds without a unit")
+    if array.dtype.kind in "iu" and unit is None and len(array) and np.abs(seconds).max() > LARGEST_PLAIN_INTEGER:
+        raise ArgumentError("times: found integers above 1e14, wanted time_unit='ns', 'us', 'ms' or 's' with them")
+    return seconds, Clock()
 
 
-def _stamps(array: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    """Nanoseconds of datetime64 in one dimension."""
-    missing = np.isnat(array)
-    stamps = array.astype("datetime64[ns]").astype(np.int64)
-    numbers("times", stamps, (None,))
-    if missing.any():
-        error = DataError(f"key {int(missing.argmax())}: found NaT, wanted a time")
-        error.key = int(missing.argmax())
-        raise error
-    return stamps
+def clock_of_stamps(stamps: np.ndarray[Any, Any]) -> tuple[Array, Clock]:
+    """Stamps in one dimension as seconds since the first, and the clock that counts so."""
+    about = _about("times", stamps)
+    numbers("times", about, (None,))
+    if np.isnan(about).any():
+        raise at_key(int(np.isnan(about).argmax()), "found NaT, wanted a time")
+    largest = max(np.abs(about).max(initial=0.0), np.ptp(about) if len(about) else 0.0)
+    units = [unit for unit in UNITS_OF_STAMPS if largest * PER_SECOND[unit] < ROOM]
+    if not units:
+        raise ArgumentError("times: found stamps more than 292 million years apart, wanted less")
+    first = stamps[:1].astype(f"{stamps.dtype.kind}8[{units[0]}]").astype(np.int64)
+    clock = Clock(units[0], int(first[0]) if len(first) else 0, stamps.dtype.kind)
+    return clock._since("times", stamps), clock
+
+
+def _about(name: str, stamps: np.ndarray[Any, Any]) -> Array:
+    """Stamps as floats [s], which cannot overflow."""
+    unit, count = np.datetime_data(stamps.dtype)
+    if unit in ("Y", "M") and stamps.dtype.kind == "M":  # of no fixed length
+        stamps, (unit, count) = stamps.astype("M8[D]"), ("D", 1)
+    if unit == "generic" and np.isnat(stamps).all():
+        return np.full(stamps.shape, np.nan)
+    if unit not in SECONDS_IN:
+        raise ArgumentError(f"{name}: found {stamps.dtype}, wanted a unit of fixed length, such as timedelta64[s]")
+    return np.where(np.isnat(stamps), np.nan, stamps.astype(np.int64).astype(np.float64) * (SECONDS_IN[unit] * count))
+
+
+def _told_apart(first: Any, last: Any) -> tuple[str, str]:
+    """Two numbers with as few digits as tell them apart, six at least."""
+    if isinstance(first, int):
+        return str(first), str(last)
+    texts = [(f"{first:.{digits}g}", f"{last:.{digits}g}") for digits in (6, 9, 12, 15, 17)]
+    return next((pair for pair in texts if first == last or pair[0] != pair[1]), texts[-1])

@@ -5,11 +5,16 @@ from __future__ import annotations
 import copy
 import dataclasses
 import importlib
-import os
-from typing import TYPE_CHECKING, Any, Sequence
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from . import _core
+from ._checks import flag, wrong_type
 from ._errors import ArgumentError, tell
+from ._files import Path, path_text
+from ._html import table
 from ._keys import Keys
 from ._options import checked_keys, checked_threads, method_words, new_keys, plain, times_beside
 from ._results import now
@@ -52,14 +57,16 @@ class Comparison:
         """The curve of a row."""
         return self.keys(row).curve(self._task().texts()[self._row(row)])
 
-    def report(self, path: str | os.PathLike[str]) -> None:
+    def report(self, path: Path) -> None:
         """Writes a page to look at, which needs nothing but a browser. AccessError: the file cannot be written."""
-        self._task().report(os.fspath(path), now())
+        self._task().report(path_text(path), now())
 
     def _row(self, row: int) -> int:
+        if isinstance(row, (bool, np.bool_)) or not isinstance(row, (int, np.integer)):
+            raise wrong_type("row", row, "the number of a row")
         if not -len(self._rows) <= row < len(self._rows):
             raise IndexError(f"row: found {row}, wanted one of {len(self._rows)} rows")
-        return row % len(self._rows)
+        return int(row) % len(self._rows)
 
     def _task(self) -> Any:
         if self._core is None:  # after pickling
@@ -74,6 +81,13 @@ class Comparison:
 
     def __str__(self) -> str:
         return self._summary.rstrip("\n")
+
+    def _repr_html_(self) -> str:
+        """The table that a notebook shows: a row for each method, the best first."""
+        shown = [measure for measure in self.measures if any(row.get(measure["id"]) is not None for row in self._rows)]
+        heads = ["method", "keys", *(f"{m['label']} [{m['unit']}]" if m["unit"] else m["label"] for m in shown), "error"]
+        rows = [[row["method"], row["keys"], *(row.get(measure["id"]) for measure in shown), row["error"]] for row in self._rows]
+        return table(repr(self), heads, rows)
 
     def __repr__(self) -> str:
         best = f", best {self._rows[0]['method']!r}" if self._rows else ""
@@ -91,6 +105,8 @@ def _decimations(keep_every: Any, jitter: bool, random: int | None, reference: K
             raise ArgumentError("found reference and jitter or random, wanted a dense reference or samples of the keys for it")
         return []
     steps = list(keep_every) if isinstance(keep_every, (list, tuple)) else [keep_every]
+    if not all(isinstance(step, (int, float, np.number)) for step in steps):
+        raise wrong_type("keep_every", keep_every, "a whole number, or several")
     if not steps or len(set(steps)) < len(steps):
         raise ArgumentError(f"keep_every: found {keep_every!r}, wanted a whole number, or several that differ")
     spacing = "jittered" if jitter else "even" if random is None else "random"
@@ -100,6 +116,8 @@ def _decimations(keep_every: Any, jitter: bool, random: int | None, reference: K
 def _texts(methods: Sequence[str] | str | None) -> list[str] | None:
     if methods is None:
         return None
+    if not isinstance(methods, Iterable):
+        raise wrong_type("methods", methods, "a method, or a list of them")
     texts = [method_words(method) for method in ([methods] if isinstance(methods, str) else methods)]
     if not texts or len(set(texts)) < len(texts):
         raise ArgumentError(f"methods: found {methods!r}, wanted one at least, and none twice")
@@ -163,7 +181,7 @@ def compare(keys: Keys, methods: Sequence[str] | str | None = None, *, reference
         checked_keys(reference, "reference")
     if not isinstance(sort, str):
         raise TypeError(f"sort: found {type(sort).__name__}, wanted a word")
-    arguments = (_decimations(keep_every, jitter, random, reference), _texts(methods), bool(tune), sort,
+    arguments = (_decimations(keep_every, jitter, random, reference), _texts(methods), flag("tune", tune), sort,
                  plain({"inertia": inertia, "leave_out": leave_out, "least_energy": least_energy}), checked_threads(threads))
     core = _work(keys, reference, *arguments)
     tell(core.warnings)

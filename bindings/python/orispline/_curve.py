@@ -2,38 +2,39 @@
 """Curves through keyframes: what they are at times, what they are worth, and how they look."""
 from __future__ import annotations
 
-import os
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import Array, inertia_tensor, numbers, output, quaternions, sample_rows
+from ._arrays import Array, inertia_tensor, numbers, output, sample_rows
 from ._baked import BakedCurve, baked
-from ._charts import charts, sphere
-from ._checks import check_number, flag, in_world, index_of, rate_text, real, thread_count
+from ._checks import check_number, flag, in_world, index_of, rate_text, real, thread_count, whole
+from ._clock import Clock
 from ._errors import ArgumentError, DataError
+from ._forms import quaternions
 from ._keys import Keys
+from ._looks import Looks
+from ._orienting import Orienting
 from ._samples import Motion, Samples, samples_of
 from ._types import quantity, rate
 
 if TYPE_CHECKING:
-    import pathlib
+    from typing import Literal
 
     from numpy.typing import ArrayLike
-    from scipy.spatial.transform import Rotation
 
     from ._measures import DistanceStatistics, Energies, HandleTurn, Peaks
-    from ._types import Frame, Side, Time
+    from ._types import AngleUnit, Extrapolate, Frame, Rate, Side, Signs, Time, TimeUnit, Vector
 
 BEYOND = tuple(_core.extrapolations())
 SIDES = ("right", "left")
+ALONE = 1  # thread, of an int and not of what equals one
 ORIENTATION, VELOCITY, ACCELERATION, JERK, POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION = range(7)
 
 
-class Curve:
+class Curve(Looks, Orienting):
     """A smooth curve through keyframes, with exact angular velocity, acceleration and jerk.
 
     Functions of time take a time or an array of times of any shape, in any order; what they give has that shape and one
@@ -43,7 +44,7 @@ class Curve:
     Parameters
     ----------
     times, rotations
-        As of `Keys`, which also says what the other arguments for keys mean. Or the first is a `Keys`.
+        As of `Keys`, which also says what the other arguments for keys mean. Or the first is a `Keys`, which has had them all.
     method : str, optional
         A method by name (`orispline.methods()` lists them), or by its text form, `"quintic:tension=0.6"`. Without it
         that of the file which the keys are from, if it names one, else `auto`.
@@ -67,6 +68,8 @@ class Curve:
         A method, setting, rule or rate that there is not.
     DataError
         Keys that `Keys` refuses, or too few of them.
+    TypeError
+        Arguments for keys beside a `Keys`.
 
     Examples
     --------
@@ -84,19 +87,23 @@ class Curve:
 
     def __init__(self, times: Any, rotations: Any = None, method: str | None = None, *,
                  ends: str | tuple[str, str] | None = None, start_rate: Any = None, end_rate: Any = None,
-                 closed: bool = False, period: float | None = None, extrapolate: str = "hold",
-                 positions: Any = None, angular_velocities: Any = None,
-                 angular_accelerations: Any = None, angular_jerks: Any = None, signs: str = "shortest",
-                 scalar_first: bool = False, normalize: bool = False, time_unit: str | None = None,
-                 **settings: Any) -> None:
-        if isinstance(times, Keys):
-            if rotations is not None:
-                raise TypeError("found Keys and rotations, wanted one of them")
-            keys = times
-        else:
-            keys = Keys(times, rotations, positions=positions, angular_velocities=angular_velocities,
-                        angular_accelerations=angular_accelerations, angular_jerks=angular_jerks, signs=signs,
-                        scalar_first=scalar_first, normalize=normalize, time_unit=time_unit)
+                 closed: bool = False, period: float | None = None, extrapolate: Extrapolate = "hold",
+                 positions: Any = None, angular_velocities: Any = None, angular_accelerations: Any = None,
+                 angular_jerks: Any = None, signs: Signs | None = None, scalar_first: bool | None = None,
+                 normalize: bool | None = None, normalise: bool | None = None, euler: str | None = None,
+                 angle_unit: AngleUnit | None = None, drop_invalid: bool | None = None, drop_duplicates: bool | None = None,
+                 sort: bool | None = None, time_unit: TimeUnit | None = None, **settings: Any) -> None:
+        of_keys = {"rotations": rotations, "positions": positions, "angular_velocities": angular_velocities,
+                   "angular_accelerations": angular_accelerations, "angular_jerks": angular_jerks, "signs": signs,
+                   "scalar_first": scalar_first, "normalize": normalize, "normalise": normalise, "euler": euler,
+                   "angle_unit": angle_unit, "drop_invalid": drop_invalid, "drop_duplicates": drop_duplicates, "sort": sort,
+                   "time_unit": time_unit}
+        given = {name: value for name, value in of_keys.items() if value is not None}
+        if isinstance(times, Keys) and isinstance(rotations, str):
+            raise TypeError(f"rotations: found {rotations!r} beside Keys, wanted method={rotations!r}")
+        if isinstance(times, Keys) and given:
+            raise TypeError(f"{next(iter(given))}: found {', '.join(given)} beside Keys, wanted them with the Keys: Keys(times, rotations, …)")
+        keys = times if isinstance(times, Keys) else Keys(times, **{"rotations": None, **given})
         text = keys._method_text(method, ends, start_rate, end_rate, closed, period, settings)
         self._set(keys, _core.Curve(keys._core, text), index_of("extrapolate", extrapolate, BEYOND))
 
@@ -158,7 +165,7 @@ class Curve:
     @quantity
     def __call__(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
         """(..., 4) unit quaternions, x, y, z, w, or w, x, y, z where the keys were given so."""
-        if isinstance(t, float) and self._plain and out is None and dtype is np.float64:
+        if isinstance(t, float) and self._plain and out is None and dtype is np.float64 and threads is ALONE:
             return self._core.one(ORIENTATION, t, False, self._beyond)  # type: ignore[no-any-return]
         if not self._scalar_first:
             return self._at(ORIENTATION, t, "body", out, dtype, threads)
@@ -166,11 +173,6 @@ class Curve:
         result = output("out", out, q.shape, q.dtype)
         result[...] = q[..., [3, 0, 1, 2]]
         return result
-
-    def rotation(self, t: Any) -> Rotation:
-        """A SciPy Rotation, of a time or of (k,) times."""
-        from scipy.spatial.transform import Rotation
-        return Rotation.from_quat(self._at(ORIENTATION, t, "body", None, np.float64, 1))
 
     @rate
     def angular_velocity(self, t: Any, frame: str = "body", out: Any = None, *, dtype: Any = np.float64,
@@ -189,6 +191,17 @@ class Curve:
                      threads: int = 1) -> NDArray[Any]:
         """(..., 3) [rad/s³]."""
         return self._at(JERK, t, frame, out, dtype, threads)
+
+    def derivative(self, order: Literal[1, 2, 3] = 1) -> Rate[Vector]:
+        """The function of time that its first derivative is, `angular_velocity`, or the next ones: `angular_acceleration` and
+        `angular_jerk`.
+
+        >>> import orispline as ori
+        >>> curve = ori.Curve([0, 2], [[0, 0, 0, 1], [0, 0, 1, 0]], "slerp")
+        >>> curve.derivative()([0.5, 1.0]).round(4).tolist()
+        [[0.0, 0.0, 1.5708], [0.0, 0.0, 1.5708]]
+        """
+        return (self.angular_velocity, self.angular_acceleration, self.angular_jerk)[whole("order", order, 1, 3) - 1]
 
     @quantity
     def position(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
@@ -249,7 +262,7 @@ class Curve:
             self._core.fill_even(even, seconds, *rows, **how)
         if self._scalar_first:
             rows[0][...] = rows[0][:, [3, 0, 1, 2]]
-        grid = None if even is None else (rate, count, *self._bounds(start, end), include_end, *self._core.domain)
+        grid = None if even is None else self._grid_stated(rate, count, start, end, include_end)
         return samples_of(self._keys, seconds, rows, frame, grid)
 
     # What it is worth. An `inertia` is a body's tensor about its centre of mass [kg m²], body frame: (3, 3), symmetric and positive
@@ -374,6 +387,7 @@ class Curve:
         1.570796326795
         """
         seconds, rows = self._series(times, quaternions("rotations", rotations, scalar_first=self._scalar_first), "rotations")
+        self._clock.check_rising(seconds)
         reference = _core.Keys(seconds, rows, None, None, None, None, settings={}, signs="as-given")
         return self._statistics(self._core.distance(reference))
 
@@ -387,7 +401,7 @@ class Curve:
         0.14159265359
         """
         seconds, rows = self._series(times, numbers("rates", rates, (None, 3)), "rates")
-        _check_rising(seconds)
+        _check_rising(seconds, self._clock)
         bad = ~np.isfinite(rows).all(axis=1)
         if bad.any():
             raise DataError(f"rates: found {rows[bad][0].tolist()} at index {int(bad.argmax())}, wanted finite numbers")
@@ -418,70 +432,6 @@ class Curve:
         found = self._core.overwound_tangent()
         return None if found is None else HandleTurn(*found)
 
-    # How it looks.
-
-    def plot(self, axes: Any = None, quantities: str | Sequence[str] = ("angle", "rate", "acceleration", "jerk"), *,
-             ghosts: int = 0) -> Any:
-        """Charts over time by matplotlib: the angle from the start [deg], |ω| [rad/s], |α| [rad/s²] and |jerk| [rad/s³], the
-        keys marked, and both sides of every jump. The peaks of a long curve are not missed.
-
-        With `ghosts`, 2 to 60, the body itself stands below at so many even times from start to end, as `orispline plot
-        --ghosts` draws it: that is one more chart.
-
-        `axes` are as many matplotlib Axes as charts, or None for a new figure. Returns an array of these Axes; nothing is
-        shown. Raises ArgumentError for a quantity that there is not, for another number of axes and of ghosts.
-
-        >>> import matplotlib, orispline as ori
-        >>> matplotlib.use("Agg")
-        >>> curve = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
-        >>> [axes.get_ylabel() for axes in curve.plot(quantities="rate")]
-        ['angular velocity |ω|\\n[rad/s]']
-        >>> len(curve.plot(ghosts=12))
-        5
-        """
-        return charts({self._core.method: self}, None, axes, quantities, ghosts)
-
-    def plot_sphere(self, axis: Any = "x", axes: Any = None) -> Any:
-        """The path of a body axis over the unit sphere, with the keys: `orispline.plot_sphere` of this curve."""
-        return sphere({self._core.method: self}, axis, axes)
-
-    def report(self, path: str | os.PathLike[str], *, title: str = "", inertia: Any = None) -> None:
-        """Writes a page to look at in a browser: the motion in space, on the sphere and over time, and its measures; with an
-        inertia (as of `Curve.energies`) its torques too. One HTML file that needs nothing else; it appears complete or not
-        at all. Raises AccessError where it cannot be written.
-
-        >>> import os, tempfile, orispline as ori
-        >>> page = os.path.join(tempfile.mkdtemp(), "motion.html")
-        >>> ori.Curve([0, 1], [[0, 0, 0, 1], [0, 0, 1, 0]]).report(page)
-        >>> os.path.exists(page)
-        True
-        """
-        import datetime
-        name = os.fsdecode(path)
-        self._core.write_page(os.path.join(os.curdir, name) if name == "-" else name, str(title),
-                              datetime.datetime.now().strftime("%Y-%m-%d %H:%M"), self._clock.epoch,
-                              None if inertia is None else inertia_tensor(inertia))
-
-    def show(self, *, title: str = "", inertia: Any = None) -> pathlib.Path:
-        """Writes the page of `report` into a temporary file and opens it in the browser. Returns the path of the file, which
-        stays there."""
-        import pathlib
-        import tempfile
-        import webbrowser
-        handle, name = tempfile.mkstemp(prefix="orispline-", suffix=".html")
-        os.close(handle)
-        self.report(name, title=title, inertia=inertia)
-        path = pathlib.Path(name)
-        webbrowser.open(path.as_uri())
-        return path
-
-    def _repr_svg_(self) -> str:
-        """The drawing that a notebook shows: charts over time and the path of the x axis on the sphere, as `orispline plot`
-        makes it."""
-        count = len(self._keys)
-        title = f"{count} key{'' if count == 1 else 's'}, {self._clock.span(self._keys._core.times)}"
-        return str(self._core.svg(title))
-
     # How it is kept.
 
     def bake(self, tolerance: float, *, dtype: Any = np.float64) -> BakedCurve:
@@ -506,6 +456,9 @@ class Curve:
     def __reduce__(self) -> Any:
         return _restored, (self._keys, self.method, self._beyond)
 
+    def _quaternions(self, t: Any) -> NDArray[np.float64]:
+        return self._at(ORIENTATION, t, "body", None, np.float64, 1)
+
     # How it reads its arguments. A `CurveStack` does so by its first curve.
 
     def _grid_wanted(self, rate: Any, count: int | None, times: Any, start: Any, end: Any, include_end: bool,
@@ -513,11 +466,13 @@ class Curve:
         """The grid of the samples, None where their times are given."""
         if sum(given is not None for given in (rate, count, times)) != 1:
             raise ArgumentError("sample: wanted one of rate, count and times")
-        if derivatives not in (0, 1, 2, 3):
+        if isinstance(derivatives, (bool, np.ndarray)) or derivatives not in (0, 1, 2, 3):
             raise ArgumentError(f"derivatives: found {derivatives!r}, wanted 0, 1, 2 or 3")
-        if times is not None:
-            return None
         include_end = flag("include_end", include_end)
+        if times is not None:
+            if start is not None or end is not None or include_end:
+                raise ArgumentError("times: found start, end or include_end beside times, wanted them with a rate or a count")
+            return None
         bounds = self._bounds(start, end)
         if count is not None and (isinstance(count, bool) or not isinstance(count, (int, np.integer)) or count < 1):
             raise ArgumentError(f"count: found {count!r}, wanted a whole number from 1 on")
@@ -527,6 +482,10 @@ class Curve:
         grid = self._core.grid(text, number, *bounds, include_end)
         check_number(len(grid))
         return grid
+
+    def _grid_stated(self, rate: Any, count: int | None, start: Any, end: Any, include_end: bool) -> tuple[Any, ...]:
+        """A grid as files take it, whose times are exact."""
+        return (rate, count, *self._bounds(start, end), include_end, *self._core.domain)
 
     def _given(self, times: Any) -> NDArray[np.float64]:
         seconds = self._asked("times", times)
@@ -547,7 +506,7 @@ class Curve:
 
     def _at(self, what: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> NDArray[Any]:
         world = in_world(frame)
-        if isinstance(t, float) and self._plain and out is None and dtype is np.float64:
+        if isinstance(t, float) and self._plain and out is None and dtype is np.float64 and threads is ALONE:
             return self._core.one(what, t, world, self._beyond)  # type: ignore[no-any-return]
         seconds = self._asked("t", t)
         result = output("out", out, (*seconds.shape, 4 if what == ORIENTATION else 3), dtype, seconds)
@@ -580,12 +539,13 @@ def _restored(keys: Keys, method: str, beyond: int) -> Curve:
     return curve
 
 
-def _check_rising(seconds: Array) -> None:
+def _check_rising(seconds: Array, clock: Clock) -> None:
     bad = ~np.isfinite(seconds)
     if bad.any():
         raise DataError(f"times: found {seconds[bad][0]} at index {int(bad.argmax())}, wanted finite times")
     falls = np.diff(seconds) < 0
     if falls.any():
         at = int(falls.argmax())
-        raise DataError(f"times: found {seconds[at + 1]:.17g} after {seconds[at]:.17g} at index {at + 1}, wanted times that do "
-                        "not decrease")
+        before, after = clock.back(seconds[at:at + 2])
+        shown = [f"{time:.17g}" if isinstance(time, float) else str(time) for time in (after, before)]
+        raise DataError(f"times: found {shown[0]} after {shown[1]} at index {at + 1}, wanted times that do not decrease")

@@ -31,6 +31,13 @@ class DataError(Error, ValueError):
     """The keyframes, or the content of a file."""
 
 
+def at_key(key: int, message: str) -> DataError:
+    """About a key, to be raised."""
+    error = DataError(f"key {key}: {message}")
+    error.key = key
+    return error
+
+
 class ArgumentError(Error, ValueError):
     """A method, a setting, an end rule or another argument."""
 

@@ -80,13 +80,22 @@ def write(what: Keys | Curve | Samples, path: Path, *, output_format: str | None
 
 
 def path_text(path: Path) -> str:
-    """A path as the library takes it."""
-    text = os.fspath(path)
+    """A path as the library takes it; bytes that are not UTF-8 stand in it as `os.fsdecode` has them."""
+    text = os.fspath(path) if isinstance(path, (str, os.PathLike)) else None
     if not isinstance(text, str):
         raise TypeError(f"path: found {type(path).__name__}, wanted a str or a path of str")
     if "\0" in text:
         raise ArgumentError("path: found a NUL character in it, wanted the name of a file")
+    try:
+        os.fsencode(text)
+    except UnicodeEncodeError:
+        raise ArgumentError(f"path: found {text!r}, wanted the name of a file, which has no such character") from None
     return text
+
+
+def printable(text: str) -> str:
+    """A text in which bytes that are not UTF-8 are escapes, as in the messages of the library."""
+    return text.encode("utf-8", "surrogateescape").decode("utf-8", "backslashreplace")
 
 
 def stated(options: Mapping[str, Any]) -> Options:

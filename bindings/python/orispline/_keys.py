@@ -2,23 +2,27 @@
 """Keyframes."""
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
 from . import _core
-from ._arrays import Array, numbers, quaternions
-from ._checks import flag, method_text, wrong_type
+from ._arrays import Array, array_of, numbers, same
+from ._checks import ends_text, flag, index_of, method_text, wrong_type
 from ._clock import Clock, times_of_keys
+from ._columns import VECTORS, Columns, arguments_of, as_arrow, as_pandas, columns_of, named
 from ._errors import ArgumentError, DataError, tell
 from ._files import Options, Writable, write
+from ._forms import of_euler, poses
+from ._mending import Indices, Mending, scaled
 
 if TYPE_CHECKING:
     import decimal
 
     from ._curve import Curve
     from ._measures import KeyStatistics
+    from ._types import AngleUnit, Signs, TimeUnit
 
 SIGNS = ("shortest", "as-given")
 SIGNS_AS_GIVEN = 6  # of origin_of_keys()
@@ -30,9 +34,11 @@ class Keys(Writable):
     Parameters
     ----------
     times : (n,) array
-        Strictly increasing: seconds, or datetime64. Integers of another unit want `time_unit`.
-    rotations : (n, 4) quaternions, (n, 3, 3) matrices or a SciPy Rotation
-        Body to world. Quaternions are x, y, z, w, as SciPy has them; with `scalar_first` w, x, y, z.
+        Strictly increasing: seconds, datetime64 or timedelta64, also as objects and as columns of pandas. Dates with a time zone
+        come back as those of UTC. Integers of another unit want `time_unit`.
+    rotations : (n, 4) quaternions, (n, 3, 3) matrices, (n, 4, 4) poses, a SciPy Rotation or RigidTransform, or a list of Rotations
+        Body to world. Quaternions are x, y, z, w, as SciPy has them; with `scalar_first` w, x, y, z. Poses bring positions.
+        With `euler` (n, 3) angles.
     positions : (n, 3) array, optional
         [m], world frame.
     angular_velocities, angular_accelerations, angular_jerks : (n, 3) arrays, optional
@@ -44,8 +50,18 @@ class Keys(Writable):
         Whether quaternions are negated for the shortest way, or their signs say how many turns a step makes.
     scalar_first : bool
         The order of quaternions, here and in all that these keys and their curves give back.
-    normalize : bool
-        Take quaternions of any norm but 0. Without it norms may be off by 1e-3.
+    normalize, normalise : bool
+        Take quaternions of any norm but 0. Without it norms may be off by 1e-3. Both spellings mean the same.
+    euler : str, optional
+        The order of Euler angles, as SciPy has it: `"ZYX"` turns about the axes of the body, `"zyx"` about those of the world.
+    angle_unit : {"rad", "deg", "mrad", "arcsec"}, optional
+        Of these angles; without it rad.
+    drop_invalid : bool
+        Drop keys with NaN or infinite numbers, but whole rows of rates, and with NaT.
+    drop_duplicates : bool
+        Of keys at equal times keep the first.
+    sort : bool
+        Bring the keys into the order of their times.
     time_unit : {"s", "ms", "us", "ns"}, optional
         The unit of integer times.
 
@@ -62,8 +78,12 @@ class Keys(Writable):
     >>> keys = ori.Keys([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
     >>> keys
     Keys(3 keys, 0 … 3 s)
-    >>> len(keys[:2])
-    2
+    >>> len(keys[:2]), len(keys[keys.times > 0.5])
+    (2, 2)
+    >>> [(float(t), q.tolist()) for t, q in keys][1]
+    (1.0, [0.0, 0.0, 0.6, 0.8])
+    >>> ori.Keys([0, 1], [[90, 0, 0], [0, 0, 90]], euler="ZYX", angle_unit="deg").rotations.round(4).tolist()
+    [[0.0, 0.0, 0.7071, 0.7071], [0.7071, 0.0, 0.0, 0.7071]]
     """
 
     __slots__ = ("_clock", "_core", "_scalar_first", "_source")
@@ -72,27 +92,59 @@ class Keys(Writable):
 
     def __init__(self, times: Any, rotations: Any, *, positions: Any = None, angular_velocities: Any = None,
                  angular_accelerations: Any = None, angular_jerks: Any = None, settings: Mapping[str, Any] | None = None,
-                 signs: str = "shortest", scalar_first: bool = False, normalize: bool = False,
-                 time_unit: str | None = None) -> None:
-        if signs not in SIGNS:
-            raise ArgumentError(f"signs: found {signs!r}, wanted 'shortest' or 'as-given'")
+                 signs: Signs = "shortest", scalar_first: bool = False, normalize: bool = False, normalise: bool = False,
+                 euler: str | None = None, angle_unit: AngleUnit | None = None, drop_invalid: bool = False,
+                 drop_duplicates: bool = False, sort: bool = False, time_unit: TimeUnit | None = None) -> None:
+        index_of("signs", signs, SIGNS)
         scalar_first = flag("scalar_first", scalar_first)
+        mending = Mending.of(normalize, normalise, drop_invalid, drop_duplicates, sort)
+        orientations, positions = _orientations(rotations, positions, scalar_first, euler, angle_unit)
+        vectors = {name: None if rows is None else numbers(name, rows, (None, 3)) for name, rows in
+                   (("positions", positions), ("angular_velocities", angular_velocities),
+                    ("angular_accelerations", angular_accelerations), ("angular_jerks", angular_jerks))}
+        times = array_of("times", times)
+        count = _check_lengths(times, {"rotations": orientations, **vectors})
+        kept, repairs = mending.rows(times, [orientations, vectors["positions"]], list(vectors.values())[1:])
+        if kept is not None:
+            times, orientations = times[kept], orientations[kept]
+            vectors = {name: None if rows is None else rows[kept] for name, rows in vectors.items()}
+        if mending.normalize:
+            orientations, norms = scaled(orientations)
+            repairs = {**repairs, **norms}
         seconds, self._clock = times_of_keys(times, time_unit)
-        orientations = quaternions("rotations", rotations, scalar_first=scalar_first)
-        if flag("normalize", normalize):
-            orientations = _normalized(orientations)
-        vectors = {"positions": positions, "angular_velocities": angular_velocities,
-                   "angular_accelerations": angular_accelerations, "angular_jerks": angular_jerks}
-        for name, rows in (("rotations", orientations), *vectors.items()):
-            if rows is not None and len(rows) != len(seconds):
-                raise DataError(f"{name}: found {len(rows)}, wanted one for each of the {len(seconds)} times")
-        self._scalar_first = scalar_first
-        self._core = _core.Keys(
-            seconds, orientations,
-            **{name: None if rows is None else numbers(name, rows, (None, 3)) for name, rows in vectors.items()},
-            settings=_values_per_key({} if settings is None else settings), signs=signs)
+        self._scalar_first, self._source = scalar_first, {"repairs": repairs}
+        self._core = _core.Keys(seconds, orientations, **vectors, settings={} if settings is None else _values_per_key(settings, kept, count),
+                                signs=signs)
         if self._clock.origin:
             self._core = _core.keys_since(self._core, self._clock.epoch)
+
+    @classmethod
+    def from_pandas(cls, frame: Any, *, columns: Mapping[str, str] | None = None, **options: Any) -> Keys:
+        """Of a DataFrame with the columns of `to_pandas()`: t, qw, qx, qy, qz, and where they are there px, py, pz [m], wx, wy, wz,
+        ax, ay, az and jx, jy, jz (rates in the body frame, in rad and s), and parameters of methods. Without t the index has
+        the times.
+
+        `columns` names yours, such as `{"t": "stamp", "qw": "q0"}`; other columns are left alone. The options are those of `Keys`
+        that are not in the frame. Raises ArgumentError for columns that are not there.
+
+        >>> import orispline as ori, pandas
+        >>> frame = pandas.DataFrame({"w": [1, 0.8], "qx": [0, 0], "qy": [0, 0], "qz": [0, 0.6]}, index=[0.0, 2.0])
+        >>> ori.Keys.from_pandas(frame, columns={"qw": "w"})
+        Keys(2 keys, 0 … 2 s)
+        """
+        if not hasattr(frame, "columns") or not hasattr(frame, "index"):
+            raise wrong_type("frame", frame, "a pandas DataFrame")
+        found: dict[str, Any] = {meaning: frame[name] for meaning, name in named(frame.columns, columns).items()}
+        found.setdefault("t", frame.index)
+        return cls._of_columns(found, **options)
+
+    @classmethod
+    def _of_columns(cls, columns: Mapping[str, Any], *, scalar_first: bool = False, **options: Any) -> Keys:
+        """Of columns by the names of a CSV file."""
+        arguments = arguments_of(columns)
+        if not flag("scalar_first", scalar_first):
+            arguments["rotations"] = arguments["rotations"][:, [1, 2, 3, 0]]
+        return cls(**arguments, scalar_first=scalar_first, **options)
 
     @classmethod
     def _of(cls, core: Any, clock: Clock, *, scalar_first: bool) -> Keys:
@@ -103,15 +155,24 @@ class Keys(Writable):
     def __len__(self) -> int:
         return len(self._core)
 
-    def __getitem__(self, part: slice) -> Keys:
-        """The keys of a slice, with all that belongs to them."""
-        if not isinstance(part, slice):
-            raise TypeError(f"keys: found the index {part!r}, wanted a slice such as keys[2:5]")
-        first, last, step = part.indices(len(self))
-        if step < 0:
-            raise ArgumentError(f"keys: found the step {part.step}, wanted one above 0, since times rise")
-        return Keys._of(_core.part_of_keys(self._core, list(range(first, last, step))), self._clock,
-                        scalar_first=self._scalar_first)
+    def __getitem__(self, part: Any) -> Keys:
+        """The keys of a slice, of a mask or of rising indices, with all that belongs to them."""
+        return Keys._of(_core.part_of_keys(self._core, _chosen(part, len(self))), self._clock, scalar_first=self._scalar_first)
+
+    def __iter__(self) -> Iterator[tuple[Any, Array]]:
+        """Each key's time and quaternion."""
+        return zip(self.times, self.rotations)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both have the same times, quaternions and all else that keys carry; NaN is as NaN."""
+        if not isinstance(other, Keys):
+            return NotImplemented
+        return (self._clock, self._scalar_first, self._signs_as_given) == (other._clock, other._scalar_first, other._signs_as_given) \
+            and self.settings == other.settings \
+            and all(same(getattr(self._core, name), getattr(other._core, name)) for name in ("times", "orientations", *VECTORS))
+
+    def __hash__(self) -> int:
+        return hash((len(self), self._clock, self._core.times[-1].item()))
 
     @property
     def times(self) -> np.ndarray[Any, Any]:
@@ -163,8 +224,9 @@ class Keys(Writable):
 
     @property
     def repairs(self) -> dict[str, Any]:
-        """What reading touched. `duplicates_dropped`, `invalid_dropped`, `rows_moved` and `normalised` count rows,
-        `rates_left_free` keys; `largest_norm_error` is that of the quaternions that were scaled to 1. Empty for keys that are not from a file."""
+        """What reading a file, and the options for mending arrays, touched. `duplicates_dropped`, `invalid_dropped`, `rows_moved` and
+        `normalised` count rows, `rates_left_free` keys; `largest_norm_error` is that of the quaternions that were scaled to 1.
+        Empty where nothing was to be mended."""
         return dict(self._read("repairs", {}))
 
     def statistics(self) -> KeyStatistics:
@@ -200,6 +262,30 @@ class Keys(Writable):
         """
         write(self, path, **options)
 
+    def to_arrow(self) -> Any:
+        """A pyarrow Table with the columns of their CSV file: t, qw, qx, qy, qz, and where they have them px, …, wx, …, ax, …, jx, …
+        and settings. The times are those of `times`; the metadata of the schema has what they count from, `epoch`. Needs pyarrow."""
+        return as_arrow(self._columns(), self.epoch)
+
+    def to_pandas(self) -> Any:
+        """A pandas DataFrame with the columns of `to_arrow()`, of which `from_pandas` makes them again; its `attrs` has the epoch.
+        Needs pandas.
+
+        >>> import orispline as ori
+        >>> list(ori.Keys([0, 1], [[0, 0, 0, 1], [0, 0, 0.6, 0.8]]).to_pandas().columns)
+        ['t', 'qw', 'qx', 'qy', 'qz']
+        """
+        return as_pandas(self._columns(), self.epoch)
+
+    def _columns(self) -> Columns:
+        columns = columns_of(self.times, self._core.orientations[:, [3, 0, 1, 2]],
+                             [self.angular_velocities, self.angular_accelerations, self.angular_jerks], [self.positions, None, None], "body")
+        return {**columns, **{name: np.array(values) for name, values in self.settings.items()}}
+
+    @property
+    def _signs_as_given(self) -> bool:
+        return bool(_core.origin_of_keys(self._core)[SIGNS_AS_GIVEN])
+
     def _write_as(self, path: str, options: Options, method: str | None = None) -> None:
         tell(_core.write_keys(self._core, path, options, self._read("format", ""), method))
 
@@ -209,8 +295,7 @@ class Keys(Writable):
         shape = {"ends": ends, "start_rate": start_rate, "end_rate": end_rate, "closed": closed or None, "period": period}
         said = [*settings, *(name for name, value in shape.items() if value is not None)]
         if method is None:
-            rules = ends if ends is None or isinstance(ends, str) else ",".join(ends)
-            named = _core.method_for_keys(self._core, said, "auto", rules)
+            named = _core.method_for_keys(self._core, said, "auto", None if ends is None else ends_text(ends))
             return method_text(named, None, start_rate, end_rate, closed, period, settings)
         text = method_text(method, ends, start_rate, end_rate, closed, period, settings)
         tell(_core.recipe_set_aside(self._core, text))
@@ -232,21 +317,57 @@ class Keys(Writable):
                            _core.origin_of_keys(c), getattr(self, "_source", {}))
 
 
-def _values_per_key(settings: Any) -> dict[str, list[float]]:
+def _orientations(rotations: Any, positions: Any, scalar_first: bool, euler: Any, angle_unit: Any) -> tuple[Array, Any]:
+    """Quaternions x, y, z, w, and positions, which may stand in poses."""
+    if euler is not None:
+        return of_euler("rotations", rotations, euler, "rad" if angle_unit is None else angle_unit), positions
+    if angle_unit is not None:
+        raise ArgumentError("angle_unit: found it without euler, wanted the order of angles with it, such as euler='ZYX'")
+    orientations, found = poses("rotations", rotations, scalar_first=scalar_first)
+    if found is not None and positions is not None:
+        raise ArgumentError("positions: found them beside poses, which have their own, wanted one of them")
+    return orientations, positions if found is None else found
+
+
+def _check_lengths(times: np.ndarray[Any, Any], columns: Mapping[str, Array | None]) -> int:
+    """The number of keys."""
+    if times.ndim != 1:
+        raise ArgumentError(f"times: found the shape {times.shape}, wanted (n,)")
+    for name, rows in columns.items():
+        if rows is not None and len(rows) != len(times):
+            raise DataError(f"{name}: found {len(rows)}, wanted one for each of the {len(times)} times")
+    return len(times)
+
+
+def _chosen(part: Any, count: int) -> list[int]:
+    """Rising indices of some of so many keys."""
+    if isinstance(part, slice):
+        first, last, step = part.indices(count)
+        if step < 0:
+            raise ArgumentError(f"keys: found the step {part.step}, wanted one above 0, since times rise")
+        return list(range(first, last, step))
+    array = array_of("keys", part)
+    if array.ndim != 1 or array.dtype.kind not in "biu":
+        raise wrong_type("keys", part, "a slice such as keys[2:5], a mask, or rising indices")
+    if array.dtype.kind == "b" and len(array) != count:
+        raise ArgumentError(f"keys: found a mask of {len(array)}, wanted one of {count}")
+    indices = np.flatnonzero(array) if array.dtype.kind == "b" else np.where(array < 0, array + count, array)
+    if ((indices < 0) | (indices >= count)).any() or (np.diff(indices) <= 0).any():
+        raise ArgumentError(f"keys: found indices that do not rise within the {count} keys, wanted such as [0, 2, 5]")
+    return [int(i) for i in indices]
+
+
+def _values_per_key(settings: Any, kept: Indices | None, count: int) -> dict[str, list[float]]:
+    """Those of the keys that are kept of so many."""
     wanted = 'a mapping of arrays by names of parameters, such as {"tension": values}'
     if not isinstance(settings, Mapping) or not all(isinstance(name, str) for name in settings):
         raise wrong_type("settings", settings, wanted)
     arrays = {name: np.asarray(values) for name, values in settings.items()}
     if any(array.ndim != 1 or array.dtype.kind not in "fiu" for array in arrays.values()):
         raise wrong_type("settings", settings, wanted)
+    if kept is not None:
+        arrays = {name: array[kept] if len(array) == count else array for name, array in arrays.items()}
     return {name: array.astype(np.float64).tolist() for name, array in arrays.items()}
-
-
-def _normalized(orientations: Array) -> Array:
-    norms = np.linalg.norm(orientations, axis=1, keepdims=True)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        # A quaternion of norm 1 but for rounding keeps its digits.
-        return np.where((np.abs(norms - 1) <= 1e-12) | (norms == 0), orientations, orientations / norms)
 
 
 def _restored(times: Array, orientations: Array, rows: dict[str, Array | None], settings: dict[str, list[float]],

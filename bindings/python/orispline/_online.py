@@ -7,17 +7,18 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from . import _core
-from ._arrays import Array, array_of, numbers, quaternions
-from ._checks import method_text
+from ._arrays import Array, array_of, numbers
+from ._checks import flag, index_of, method_text, real
 from ._clock import Clock, times_of_keys
 from ._errors import ArgumentError
+from ._forms import quaternions
 from ._keys import SIGNS
 from ._samples import Motion
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from ._types import Time, Vector
+    from ._types import Signs, Time, TimeUnit, Vector
 
 
 class OnlineCurve:
@@ -58,14 +59,13 @@ class OnlineCurve:
     [0.0, 0.0, 0.643501]
     """
 
-    __slots__ = ("_clock", "_core", "_lock", "_scalar_first", "_time_unit")
+    __slots__ = ("_clock", "_core", "_last", "_lock", "_method", "_scalar_first", "_time_unit")
 
     def __init__(self, method: str = "timed-c2", capacity: int = 64, *, ends: str | tuple[str, str] | None = None,
-                 start_rate: Any = None, end_rate: Any = None, signs: str = "shortest", scalar_first: bool = False,
-                 time_unit: str | None = None, **settings: Any) -> None:
-        if signs not in SIGNS:
-            raise ArgumentError(f"signs: found {signs!r}, wanted 'shortest' or 'as-given'")
-        if isinstance(capacity, bool) or not isinstance(capacity, (int, np.integer)) or capacity < 0:
+                 start_rate: Any = None, end_rate: Any = None, signs: Signs = "shortest", scalar_first: bool = False,
+                 time_unit: TimeUnit | None = None, **settings: Any) -> None:
+        index_of("signs", signs, SIGNS)
+        if isinstance(capacity, bool) or not isinstance(capacity, (int, np.integer)) or not 0 <= capacity < 2**63:
             raise ArgumentError(f"capacity: found {capacity!r}, wanted a whole number of keys")
         with_keys = [name for name, value in settings.items() if value is None]
         stated = {name: value for name, value in settings.items() if value is not None}
@@ -74,7 +74,8 @@ class OnlineCurve:
         import threading
         self._lock = threading.Lock()
         self._clock: Clock | None = None
-        self._scalar_first, self._time_unit = scalar_first, time_unit
+        self._last = -np.inf  # [s], of the last key
+        self._method, self._scalar_first, self._time_unit = text, flag("scalar_first", scalar_first), time_unit
 
     def append(self, t: Any, q: Any, position: Any = None, *, angular_velocity: Any = None, angular_acceleration: Any = None,
                angular_jerk: Any = None, **settings: float) -> None:
@@ -94,6 +95,7 @@ class OnlineCurve:
         p, w, a, j = [None if vector is None else numbers(name, vector, (3,)) for name, vector in
                       (("position", position), ("angular_velocity", angular_velocity),
                        ("angular_acceleration", angular_acceleration), ("angular_jerk", angular_jerk))]
+        stated = {name: real(name, value) for name, value in settings.items()}
         with self._lock:
             if self._clock is None:
                 seconds, clock = times_of_keys(array_of("t", t)[None], self._time_unit)
@@ -101,8 +103,9 @@ class OnlineCurve:
             else:
                 clock = self._clock
                 time = float(clock.seconds("t", t))
-            self._core.append(time, row, p, w, a, j, {name: float(value) for name, value in settings.items()})
-            self._clock = clock
+                clock.check_after(len(self._core), time, self._last)
+            self._core.append(time, row, p, w, a, j, stated)
+            self._clock, self._last = clock, time
 
     def finish(self) -> None:
         """Says that the last key is the end: by the end rule the last segment becomes final too.
@@ -125,8 +128,7 @@ class OnlineCurve:
             domain, clock = self._core.available(), self._clock
         if domain is None or clock is None:
             return None
-        first, last = clock.back(np.array(domain))
-        return (first, last) if clock.is_calendar else (float(first), float(last))
+        return clock.ends(domain)
 
     @property
     def look_ahead(self) -> int:
@@ -168,6 +170,12 @@ class OnlineCurve:
 
     def _ordered(self, q: Array) -> Array:
         return q[..., [3, 0, 1, 2]] if self._scalar_first else q
+
+    def __repr__(self) -> str:
+        with self._lock:
+            count, domain, clock = len(self._core), self._core.available(), self._clock
+        final = f", final {clock.span(np.array(domain))}" if domain is not None and clock is not None else ""
+        return f"OnlineCurve({self._method!r}, {count} key{'' if count == 1 else 's'}{final})"
 
     def __reduce__(self) -> Any:
         raise TypeError("an OnlineCurve cannot be pickled or copied; append the same keys to another one")

@@ -66,14 +66,18 @@ def _named(curves: Curves) -> dict[str, Curve]:
             raise TypeError(f"curves: found {type(curve).__name__} among them, wanted curves")
     if not named:
         raise ArgumentError("curves: found none, wanted one at least")
-    kinds = {(curve._clock.unit, curve._clock.is_calendar) for curve in named.values()}
+    kinds = {_kind(curve._clock) for curve in named.values()}
     if len(kinds) > 1:
         raise ArgumentError("curves: found times of different kinds, wanted the same for all")
     return named
 
 
+def _kind(clock: Clock) -> tuple[str, str]:
+    return clock.kind, "" if clock.kind else clock.unit
+
+
 def _check_reference(reference: Any, clock: Clock) -> None:
     if not isinstance(reference, (Keys, Curve)):
         raise TypeError(f"reference: found {type(reference).__name__}, wanted a Curve or Keys")
-    if (reference._clock.unit, reference._clock.is_calendar) != (clock.unit, clock.is_calendar):
+    if _kind(reference._clock) != _kind(clock):
         raise ArgumentError("reference: found times of another kind than those of the curves, wanted the same")

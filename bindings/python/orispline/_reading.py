@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import datetime
-from typing import TYPE_CHECKING, Mapping, Union
+from typing import TYPE_CHECKING, Any, Mapping, Sequence, Union
 
 import numpy as np
 
 from . import _core
+from ._checks import flag
 from ._clock import Clock
-from ._errors import tell
+from ._errors import ArgumentError, tell
 from ._files import Path, explained, flags, path_text, stated
 from ._keys import Keys
+from ._mending import one_spelling
+from ._npy import read_npy
 
 if TYPE_CHECKING:
     import fractions
@@ -19,12 +22,12 @@ if TYPE_CHECKING:
     Number = Union[float, str, fractions.Fraction]
 
 
-def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, str] | None = None, order: str | None = None,
+def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, str] | Sequence[str] | None = None, order: str | None = None,
          input_orientation: str | None = None, euler: str | None = None, angle_unit: str | None = None,
          time_scale: Number | None = None, fps: Number | None = None,
          epoch: str | datetime.date | np.datetime64 | None = None, clip: str | None = None, joint: str | None = None,
          space: str | None = None, conjugate: bool = False, signs: str | None = None,
-         ignore_recipe: bool = False, normalise: bool = False, drop_duplicates: bool = False, drop_invalid: bool = False,
+         ignore_recipe: bool = False, normalise: bool = False, normalize: bool = False, drop_duplicates: bool = False, drop_invalid: bool = False,
          sort: bool = False, scalar_first: bool = False) -> Keys:
     """The keyframes of a file: CSV, TUM or EuRoC, told by its name and its content; of a glTF or BVH file one joint.
 
@@ -33,7 +36,9 @@ def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, s
     rates [rad/s], [rad/s²], [rad/s³] and columns named as settings of methods are read where they are there. If the file
     names the method that its keys are for, `Keys.curve()` is the curve of that.
 
-    The options are those of the command; `columns` is a mapping, such as `{"t": "sclk_ticks", "qw": "q0_w"}`.
+    The options are those of the command; `columns` is a mapping, such as `{"t": "sclk_ticks", "qw": "q0_w"}`, and `normalize` another
+    spelling of `normalise`. A NumPy file (.npy) is read as it is written; its columns have no names: 5 are time and quaternion, 17 the
+    position and all rates too, 8 are taken for those with the position, which is warned of, and `columns` names all in their order.
 
     Parameters
     ----------
@@ -69,18 +74,29 @@ def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, s
     >>> len(ori.read(path))
     3
     """
+    name, scalar_first = path_text(path), flag("scalar_first", scalar_first)
+    normalise = one_spelling(normalize, normalise)
     named = {"input_format": input_format, "order": order, "input_orientation": input_orientation, "euler": euler,
              "angle_unit": angle_unit, "time_scale": time_scale, "fps": fps, "epoch": epoch, "clip": clip, "joint": joint, "space": space, "signs": signs}
-    set_or_not = {"conjugate": conjugate, "ignore_recipe": ignore_recipe, "normalise": normalise,
-                  "drop_duplicates": drop_duplicates, "drop_invalid": drop_invalid, "sort": sort}
-    found = _core.read(path_text(path), stated(named) + flags(set_or_not), _names(columns))
+    mending = {"normalise": normalise, "drop_duplicates": drop_duplicates, "drop_invalid": drop_invalid, "sort": sort}
+    set_or_not = {"conjugate": conjugate, "ignore_recipe": ignore_recipe}
+    if name.lower().endswith(".npy") and input_format in (None, "npy"):
+        _check_none({**named, "input_format": None, "signs": None}, set_or_not)
+        return read_npy(name, columns, signs="shortest" if signs is None else signs, scalar_first=scalar_first, **mending)
+    found = _core.read(name, stated(named) + flags({**set_or_not, **mending}), _names(columns))
     tell(found["warnings"])
     keys = Keys._of(found["keys"], Clock(), scalar_first=scalar_first)
     keys._source = {"format": found["format"], "repairs": found["repairs"], "ignored_columns": found["ignored_columns"]}
     return keys
 
 
-def _names(columns: Mapping[str, str] | None) -> dict[str, str]:
+def _check_none(named: Mapping[str, Any], flagged: Mapping[str, Any]) -> None:
+    """Raises an error about an option that says nothing of an array of numbers."""
+    for option in [*(option for option, value in named.items() if value is not None), *(option for option, _ in flags(flagged))]:
+        raise ArgumentError(f"{option}: found it with a NumPy file, wanted it with files of text: make the Keys of the array of numpy.load")
+
+
+def _names(columns: Any) -> dict[str, str]:
     if columns is None:
         return {}
     if not isinstance(columns, Mapping) or not all(isinstance(x, str) for pair in columns.items() for x in pair):

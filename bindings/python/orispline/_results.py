@@ -7,13 +7,14 @@ import dataclasses
 import datetime
 import functools
 import keyword
-import os
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from ._files import Path, path_text
+from ._html import table
 from ._keys import Keys
 from ._options import FIELDS, new_keys, states
 
@@ -75,6 +76,12 @@ class Result:
     def __str__(self) -> str:
         return self._summary.rstrip("\n") or repr(self)
 
+    def _repr_html_(self) -> str:
+        """The table that a notebook shows: what was found, by name with unit, and what it means."""
+        rows = [(field["member"], value, field["sentence"]) for field in FIELDS[self._table]
+                if isinstance(value := self._members.get(field["member"]), (bool, int, float, str))]
+        return table(f"{type(self).__name__} of {len(self._given)} keys: {self.keys!r}, {self.method}", ("", "", "meaning"), rows)
+
     def __repr__(self) -> str:
         shown = ", ".join(f"{f.name}={getattr(self, f.name)!r}" for f in dataclasses.fields(self)
                           if not f.name.startswith("_") and f.name not in ("keys", "method")
@@ -98,9 +105,9 @@ def _as_python(kind: str, value: Any, given: Keys) -> Any:
 class Reported(Result):
     """One that has a page to look at."""
 
-    def report(self, path: str | os.PathLike[str]) -> None:
+    def report(self, path: Path) -> None:
         """Writes a page to look at, which needs nothing but a browser. AccessError: the file cannot be written."""
-        self._task().report(os.fspath(path), now())
+        self._task().report(path_text(path), now())
 
 
 @states("Smoothing")

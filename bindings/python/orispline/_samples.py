@@ -9,10 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import Array
-from ._checks import rate_text
-from ._clock import Clock
+from ._arrays import Array, same
+from ._checks import rate_text, whole
+from ._clock import Clock, clock_of_stamps
+from ._columns import Columns, as_arrow, as_pandas, columns_of
+from ._errors import ArgumentError
 from ._files import Options, Writable, write
+from ._html import few_rows, table
 
 if TYPE_CHECKING:
     import decimal
@@ -20,7 +23,7 @@ if TYPE_CHECKING:
     from ._keys import Keys
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, eq=False)
 class Motion:
     """A curve at one time: an orientation with its rates, and where the keys have positions the position with its own."""
 
@@ -31,6 +34,15 @@ class Motion:
     position: NDArray[np.float64] | None = None
     velocity: NDArray[np.float64] | None = None
     acceleration: NDArray[np.float64] | None = None
+
+    def __eq__(self, other: object) -> bool:
+        """Whether all numbers are the same; NaN is as NaN."""
+        if not isinstance(other, Motion):
+            return NotImplemented
+        return all(same(getattr(self, field.name), getattr(other, field.name)) for field in dataclasses.fields(self))
+
+    def __hash__(self) -> int:
+        return hash(tuple(self.orientation.tolist()))
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -43,11 +55,13 @@ class Origin:
     grid: tuple[Any, ...] | None = None  # rate, count, start, end, include_end; the domain of the curve
     scalar_first: bool = False
     like: str = ""  # the format of the file that the keys were read from
+    clock: Clock = Clock()
 
 
-@dataclasses.dataclass(frozen=True, eq=False)
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Samples(Writable):
-    """Samples of a curve: (k,) times, (k, 4) orientations and (k, 3) of all else; None is what was not asked for.
+    """Samples of a curve: (k,) times, (k, 4) orientations and (k, 3) of all else; None is what was not asked for. Those of a
+    `CurveStack` of m joints have one axis more, (k, m, 4) and (k, m, 3).
 
     Angular rates are in the frame that `frame` names, positions and their rates in the world frame.
     """
@@ -73,7 +87,7 @@ class Samples(Writable):
         return decimal.Decimal(self._from.epoch)
 
     def write(self, path: Any, **options: Any) -> None:
-        """Writes them into a file, complete or not at all: `orispline.write(samples, path, **options)`.
+        """Writes them into a file, complete or not at all: `orispline.write(samples, path, **options)`. A file holds one joint.
 
         Examples
         --------
@@ -85,26 +99,50 @@ class Samples(Writable):
         """
         write(self, path, **options)
 
+    def joint(self, joint: int) -> Samples:
+        """Of the samples of a `CurveStack` those of one joint, by its number.
+
+        >>> import orispline as ori
+        >>> stack = ori.CurveStack([0, 1], [[[0, 0, 0, 1], [0, 0, 0.6, 0.8]], [[0, 0, 0.6, 0.8], [0, 0, 0, 1]]])
+        >>> stack.sample(count=5).joint(1)
+        Samples(5 samples, 0 … 1 s, orientations)
+        """
+        if self._joints is None:
+            raise ArgumentError("joint: found samples of one curve, wanted those of a CurveStack")
+        index = whole("joint", joint, -self._joints, self._joints - 1)
+        each = [self.orientations, *self._vectors()]
+        one = Samples(self.times, *(rows if rows is None else rows[:, index] for rows in each))  # type: ignore[arg-type]
+        return dataclasses.replace(one, frame=self.frame, _origin=self._origin)
+
     def to_arrow(self) -> Any:
         """A pyarrow Table with the columns of a CSV file: t [s] or timestamps, qw, qx, qy, qz, px, …, wx, ….
 
-        The times are those of `times`; the metadata of the schema has what they count from, `epoch`. Needs pyarrow.
+        The times are those of `times`; the metadata of the schema has what they count from, `epoch`. Samples of many joints are
+        joint by joint, with its number in the column `joint`, as `orispline.tables` takes them with `by="joint"`. Needs pyarrow.
         """
-        try:
-            import pyarrow  # type: ignore[import-untyped, unused-ignore]
-        except ImportError:
-            raise ImportError("to_arrow: found no pyarrow, wanted it installed: pip install 'orispline[tables]'") from None
-        return pyarrow.table(self._columns(), metadata={"epoch": f"{self.epoch:f}"})
+        return as_arrow(self._columns(), self.epoch)
 
     def to_pandas(self) -> Any:
         """A pandas DataFrame with the columns of `to_arrow()`; its `attrs` has the epoch. Needs pandas."""
-        try:
-            import pandas  # type: ignore[import-untyped, unused-ignore]
-        except ImportError:
-            raise ImportError("to_pandas: found no pandas, wanted it installed: pip install pandas") from None
-        frame = pandas.DataFrame(self._columns())
-        frame.attrs["epoch"] = self.epoch
-        return frame
+        return as_pandas(self._columns(), self.epoch)
+
+    def __repr__(self) -> str:
+        count, there = len(self), [field.name for field in dataclasses.fields(self)[1:8] if getattr(self, field.name) is not None]
+        joints = "" if self._joints is None else f" of {self._joints} joint{'' if self._joints == 1 else 's'}"
+        origin = self._from
+        span = f", {origin.clock.span(origin.seconds)}" if count else ""
+        world = ", world frame" if self.frame == "world" else ""
+        return f"Samples({count} sample{'' if count == 1 else 's'}{joints}{span}, {', '.join(there)}{world})"
+
+    def _repr_html_(self) -> str:
+        """The table that a notebook shows: the first rows and the last."""
+        columns = self._columns()
+        return table(repr(self), list(columns), few_rows(columns))
+
+    @property
+    def _joints(self) -> int | None:
+        """How many, of a stack."""
+        return self.orientations.shape[1] if np.ndim(self.orientations) == 3 else None
 
     @property
     def _from(self) -> Origin:
@@ -112,12 +150,15 @@ class Samples(Writable):
         if self._origin is not None and self._origin.times is self.times:
             return self._origin
         times = np.asarray(self.times)
-        if times.dtype.kind == "M":
-            clock = Clock("ns", int(times[0].astype("datetime64[ns]").astype(np.int64)) if len(times) else 0, True)
-            return Origin(times, clock.seconds("times", times), clock.epoch)
+        if times.dtype.kind in "Mm":
+            seconds, clock = clock_of_stamps(times)
+            return Origin(times, seconds, clock.epoch, clock=clock)
         return Origin(times, np.ascontiguousarray(times, dtype=np.float64))
 
     def _write_as(self, path: str, options: Options, method: str | None = None) -> None:
+        if self._joints is not None:
+            raise ArgumentError(f"write: found samples of {self._joints} joints, wanted those of one, such as of samples.joint(0): tables of "
+                                "all are written by orispline.tables.write(samples.to_arrow(), path)")
         origin = self._from
         q = np.asarray(self.orientations, dtype=np.float64)
         rows = [None if values is None else np.ascontiguousarray(values, dtype=np.float64) for values in self._vectors()]
@@ -128,14 +169,10 @@ class Samples(Writable):
         return [self.angular_velocities, self.angular_accelerations, self.angular_jerks, self.positions, self.velocities,
                 self.accelerations]
 
-    def _columns(self) -> dict[str, NDArray[Any]]:
-        rates, linear = self._vectors()[:3], self._vectors()[3:]
-        names = _core.column_names(self.frame == "world", sum(rows is not None for rows in rates),
-                                   sum(rows is not None for rows in linear) - 1)
-        q = self.orientations if self._from.scalar_first else self.orientations[:, [3, 0, 1, 2]]
-        rows = [q, *(rows for rows in (linear[0], *rates, *linear[1:]) if rows is not None)]
-        columns = [np.ascontiguousarray(table[:, k]) for table in rows for k in range(table.shape[1])]
-        return dict(zip(names, [self.times, *columns], strict=True))
+    def _columns(self) -> Columns:
+        q = self.orientations if self._from.scalar_first else self.orientations[..., [3, 0, 1, 2]]
+        vectors = self._vectors()
+        return columns_of(self.times, q, vectors[:3], vectors[3:], self.frame, self._joints)
 
 
 def samples_of(keys: Keys, seconds: Array, rows: list[Any], frame: str, grid: tuple[Any, ...] | None) -> Samples:
@@ -144,5 +181,5 @@ def samples_of(keys: Keys, seconds: Array, rows: list[Any], frame: str, grid: tu
     if grid is not None:
         rate, count, *bounds = grid
         grid = (None if rate is None else rate_text(rate), None if count is None else int(count), *bounds)
-    origin = Origin(stamps, seconds, _core.epoch_of_keys(keys._core), grid, keys._scalar_first, keys._read("format", ""))
+    origin = Origin(stamps, seconds, _core.epoch_of_keys(keys._core), grid, keys._scalar_first, keys._read("format", ""), keys._clock)
     return dataclasses.replace(Samples(stamps, *rows), frame=frame, _origin=origin)

@@ -2,19 +2,22 @@
 """Many curves on the same times, such as the joints of a figure."""
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import array_of, output, sample_rows
-from ._checks import in_world, thread_count
+from ._arrays import array_of, numbers, output, sample_rows
+from ._checks import flag, in_world, thread_count, wrong_type
 from ._curve import Curve
 from ._errors import ArgumentError, DataError, Error
 from ._keys import Keys
-from ._samples import Samples
+from ._samples import Samples, samples_of
 from ._types import stacked_quantity, stacked_rate
+
+if TYPE_CHECKING:
+    from ._types import AngleUnit, Extrapolate, Signs, TimeUnit
 
 
 class CurveStack:
@@ -28,7 +31,9 @@ class CurveStack:
     times : (n,) array
         Of all joints, as of `Keys`.
     rotations : (n, m, 4) quaternions or (n, m, 3, 3) matrices
-        Body to world, of m joints. Quaternions are x, y, z, w; with `scalar_first` w, x, y, z.
+        Body to world, of m joints. Quaternions are x, y, z, w; with `scalar_first` w, x, y, z. With `euler` (n, m, 3) angles.
+    angular_velocities, angular_accelerations, angular_jerks : (n, m, 3) arrays, optional
+        Rates at the keys of all joints, as of `Keys`.
     method, extrapolate, **options
         As of `Curve`, the same for all joints.
 
@@ -52,21 +57,29 @@ class CurveStack:
 
     __slots__ = ("_cores", "_curves")
 
-    def __init__(self, times: Any, rotations: Any, method: str = "auto", *, extrapolate: str = "hold",
-                 scalar_first: bool = False, normalize: bool = False, time_unit: str | None = None, signs: str = "shortest",
+    def __init__(self, times: Any, rotations: Any, method: str = "auto", *, extrapolate: Extrapolate = "hold",
+                 angular_velocities: Any = None, angular_accelerations: Any = None, angular_jerks: Any = None,
+                 signs: Signs = "shortest", scalar_first: bool = False, normalize: bool = False, normalise: bool = False,
+                 euler: str | None = None, angle_unit: AngleUnit | None = None, time_unit: TimeUnit | None = None,
                  **options: Any) -> None:
+        for name in ("positions", "settings", "drop_invalid", "drop_duplicates", "sort"):
+            if name in options:
+                raise ArgumentError(f"{name}: found it with a CurveStack, wanted it with a Curve of each joint")
+        if hasattr(rotations, "as_quat"):
+            rotations = rotations.as_quat(scalar_first=flag("scalar_first", scalar_first))
         array = array_of("rotations", rotations)
-        if array.shape[2:] not in ((4,), (3, 3)):
-            raise ArgumentError(f"rotations: found the shape {array.shape}, wanted (n, m, 4) or (n, m, 3, 3)")
-        if array.shape[1] == 0:
-            raise ArgumentError(f"rotations: found the shape {array.shape}, wanted one joint at least")
+        _check_shape(array, euler)
         if np.shape(times)[:1] != array.shape[:1]:
             raise DataError(f"rotations: found {len(array)}, wanted one row for each of the {np.size(times)} times")
+        rates = {name: numbers(name, rows, (*array.shape[:2], 3)) for name, rows in
+                 (("angular_velocities", angular_velocities), ("angular_accelerations", angular_accelerations),
+                  ("angular_jerks", angular_jerks)) if rows is not None}
+        how: dict[str, Any] = {"signs": signs, "scalar_first": scalar_first, "normalize": normalize, "normalise": normalise,
+                               "euler": euler, "angle_unit": angle_unit, "time_unit": time_unit}
         curves = []
         for joint in range(array.shape[1]):
             try:
-                keys = Keys(times, array[:, joint], scalar_first=scalar_first, normalize=normalize, time_unit=time_unit,
-                            signs=signs)
+                keys = Keys(times, array[:, joint], **how, **{name: rows[:, joint] for name, rows in rates.items()})  # type: ignore[arg-type]
                 curves.append(Curve(keys, method=method, extrapolate=extrapolate, **options))
             except Error as error:
                 error.joint = joint
@@ -83,6 +96,10 @@ class CurveStack:
 
     def __getitem__(self, joint: int) -> Curve:
         """The curve of one joint."""
+        if isinstance(joint, (bool, np.bool_)) or not isinstance(joint, (int, np.integer)):
+            raise wrong_type("joint", joint, "the number of a joint")
+        if not -len(self) <= joint < len(self):
+            raise IndexError(f"joint: found {joint}, wanted one of {len(self)} joints")
         return self._curves[joint]
 
     @property
@@ -138,11 +155,12 @@ class CurveStack:
         seconds = np.empty(len(even)) if even is not None else first._given(times)
         if even is not None:
             even.fill(seconds)
-        rows = sample_rows(out, (len(seconds), len(self)), derivatives, 0, dtype, seconds)[:derivatives + 1]
-        self._fill(seconds, rows, frame, threads)
-        if self._curves[0]._scalar_first:
+        rows = sample_rows(out, (len(seconds), len(self)), derivatives, 0, dtype, seconds)
+        self._fill(seconds, rows[:derivatives + 1], frame, threads)
+        if first._scalar_first:
             rows[0][...] = rows[0][..., [3, 0, 1, 2]]
-        return Samples(self._curves[0]._clock.back(seconds), *rows)
+        grid = None if even is None else first._grid_stated(rate, count, start, end, include_end)
+        return samples_of(first.keys, seconds, rows, frame, grid)
 
     def _at(self, order: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> NDArray[Any]:
         """Orientations, or rates of that order."""
@@ -173,3 +191,11 @@ def _restored(curves: list[Curve]) -> CurveStack:
     stack = CurveStack.__new__(CurveStack)
     stack._set(curves)
     return stack
+
+
+def _check_shape(array: NDArray[Any], euler: Any) -> None:
+    rows, wanted = (((3,),), "(n, m, 3)") if euler is not None else (((4,), (3, 3)), "(n, m, 4) or (n, m, 3, 3)")
+    if array.shape[2:] not in rows:
+        raise ArgumentError(f"rotations: found the shape {array.shape}, wanted {wanted}")
+    if array.shape[1] == 0:
+        raise ArgumentError(f"rotations: found the shape {array.shape}, wanted one joint at least")

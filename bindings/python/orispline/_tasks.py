@@ -2,10 +2,12 @@
 """Tasks: recordings and keys in, better keys out."""
 from __future__ import annotations
 
-from typing import Any, Iterable, Sequence
+import math
+from collections.abc import Iterable, Sequence
+from typing import Any
 
 from . import _core
-from ._checks import flag
+from ._checks import flag, real, wrong_type
 from ._errors import ArgumentError, tell
 from ._keys import Keys
 from ._options import checked_keys, checked_threads, method_words, plain, takes, times_beside
@@ -15,7 +17,7 @@ SMOOTHNESS = ("noise", "smoothing_time", "position_noise")  # options of smoothi
 
 
 @takes("SmoothOptions")
-def smooth(keys: Keys, **options: Any) -> Smoothing:
+def smooth(keys: Keys, *, cutoff: float | str | None = None, **options: Any) -> Smoothing:
     """A noisy recording as a smooth motion with rates.
 
     Numbers are in the units that stand here, texts have their unit: `noise=0.01` and `noise="0.57deg"`.
@@ -24,6 +26,8 @@ def smooth(keys: Keys, **options: Any) -> Smoothing:
     ----------
     keys : Keys
         The recording. With `gyro=True` its angular velocities are those of a gyro.
+    cutoff : float or str, optional
+        Cut-off frequency 1/(2πτ) [Hz] in the place of the smoothing time τ: half of a motion at this frequency is left.
     {options}
 
     Returns
@@ -59,21 +63,39 @@ def smooth(keys: Keys, **options: Any) -> Smoothing:
     (3,)
     """
     checked_keys(keys)
-    stated = plain(options)
+    stated = plain(_with_time(cutoff, options))
     core = _core.smooth(keys._core, stated)
     tell(core.warnings)
     return Smoothing._of(core, keys, (stated,))
 
 
-def _smoothing_wanted(smooth: bool, options: dict[str, Any]) -> dict[str, Any] | None:
+def _with_time(cutoff: Any, options: dict[str, Any]) -> dict[str, Any]:
+    """Options with the smoothing time of a cut-off frequency."""
+    if cutoff is None:
+        return options
+    beside = [name for name in ("noise", "smoothing_time") if options.get(name) is not None]
+    if beside:
+        raise ArgumentError(f"cutoff: found it beside {beside[0]}, wanted one of them: each says how smooth")
+    hertz = cutoff
+    if isinstance(cutoff, str):
+        try:
+            hertz = float(cutoff.removesuffix("Hz")) if cutoff.endswith("Hz") else None
+        except ValueError:
+            hertz = None
+    if hertz is None or not 1e-300 < real("cutoff", hertz) < 1e300:
+        raise ArgumentError(f"cutoff: found {cutoff!r}, wanted a number greater than 0, or a text with its unit such as '8Hz'")
+    return {**options, "smoothing_time": 1 / (2 * math.pi * float(hertz))}
+
+
+def _smoothing_wanted(smooth: bool, cutoff: Any, options: dict[str, Any]) -> dict[str, Any] | None:
     """The options of smoothing, taken out of all; None where nothing is to be smoothed."""
-    stated = {name: value for name in SMOOTHNESS if (value := options.pop(name, None)) is not None}
+    stated = _with_time(cutoff, {name: value for name in SMOOTHNESS if (value := options.pop(name, None)) is not None})
     return plain(stated) if flag("smooth", smooth) or stated else None
 
 
-def _reduced(tracks: Sequence[Keys], tolerance: Any, method: Any, smooth: bool, threads: int,
+def _reduced(tracks: Sequence[Keys], tolerance: Any, method: Any, smooth: bool, cutoff: Any, threads: int,
              options: dict[str, Any]) -> list[Reduction]:
-    smoothing = _smoothing_wanted(smooth, options)
+    smoothing = _smoothing_wanted(smooth, cutoff, options)
     methods = None
     if method is not None:
         several = method if isinstance(method, (list, tuple)) else [method]
@@ -89,8 +111,8 @@ def _reduced(tracks: Sequence[Keys], tolerance: Any, method: Any, smooth: bool, 
 
 
 @takes("ReduceOptions", also={"SmoothOptions": SMOOTHNESS})
-def reduce(keys: Keys, tolerance: Any, *, method: Any = None, smooth: bool = False, threads: int = 0,
-           **options: Any) -> Reduction:
+def reduce(keys: Keys, tolerance: Any, *, method: Any = None, smooth: bool = False, cutoff: float | str | None = None,
+           threads: int = 0, **options: Any) -> Reduction:
     """The fewest keys whose curve is within a tolerance of every sample of a recording.
 
     Parameters
@@ -101,8 +123,10 @@ def reduce(keys: Keys, tolerance: Any, *, method: Any = None, smooth: bool = Fal
         The method of the curve, in its text form: a local one through its keys. Of several the one with the fewest
         keys is taken. Without it `auto`, `timed-c2` and `slerp` are tried.
     smooth : bool
-        Smooth the recording first, as `orispline.smooth` does, whose options `noise`, `smoothing_time` and
+        Smooth the recording first, as `orispline.smooth` does, whose options `noise`, `smoothing_time`, `cutoff` and
         `position_noise` imply it. The tolerance is then about the smooth motion.
+    cutoff : float or str, optional
+        As of `orispline.smooth`.
     threads : int
         At most so many at work, 0 means one for each core. The result is the same on any.
     {options}
@@ -135,19 +159,19 @@ def reduce(keys: Keys, tolerance: Any, *, method: Any = None, smooth: bool = Fal
     >>> len(reduction.keys), bool(reduction.error_max < np.radians(0.1))
     (2, True)
     """
-    return _reduced([checked_keys(keys)], tolerance, method, smooth, threads, options)[0]
+    return _reduced([checked_keys(keys)], tolerance, method, smooth, cutoff, threads, options)[0]
 
 
 @takes("ReduceOptions", also={"SmoothOptions": SMOOTHNESS})
-def reduce_tracks(tracks: Iterable[Keys], tolerance: Any, *, method: Any = None, smooth: bool = False, threads: int = 0,
-                  **options: Any) -> list[Reduction]:
+def reduce_tracks(tracks: Iterable[Keys], tolerance: Any, *, method: Any = None, smooth: bool = False,
+                  cutoff: float | str | None = None, threads: int = 0, **options: Any) -> list[Reduction]:
     """`reduce` for many recordings at once, in their order.
 
     Parameters
     ----------
     tracks : iterable of Keys
         The recordings.
-    method, smooth, threads
+    method, smooth, cutoff, threads
         As of `reduce`. The threads share the recordings.
     {options}
 
@@ -163,8 +187,10 @@ def reduce_tracks(tracks: Iterable[Keys], tolerance: Any, *, method: Any = None,
     >>> [len(one.keys) for one in ori.reduce_tracks([keys, keys[:2]], "1deg")]
     [2, 2]
     """
+    if not isinstance(tracks, Iterable):
+        raise wrong_type("tracks", tracks, "Keys, one after the other")
     listed = [checked_keys(keys, f"tracks[{i}]") for i, keys in enumerate(tracks)]
-    return _reduced(listed, tolerance, method, smooth, threads, options) if listed else []
+    return _reduced(listed, tolerance, method, smooth, cutoff, threads, options) if listed else []
 
 
 @takes("RetimeOptions")
@@ -211,7 +237,7 @@ def retime(keys: Keys, *, method: Any = None, per_interval: bool = False, **opti
     (True, True)
     """
     checked_keys(keys)
-    if per_interval:
+    if flag("per_interval", per_interval):
         if options.get("slowing", "per-interval") != "per-interval":
             raise ArgumentError(f"slowing: found {options['slowing']!r} with per_interval=True, wanted one of them")
         options["slowing"] = "per-interval"

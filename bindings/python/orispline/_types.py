@@ -11,8 +11,12 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-    Time = Union[float, np.floating[Any], np.integer[Any], np.datetime64, datetime.datetime]  # one
+    Time = Union[float, np.floating[Any], np.integer[Any], np.datetime64, np.timedelta64, datetime.date, datetime.timedelta]  # one
     Frame = Literal["body", "world"]
+    Signs = Literal["shortest", "as-given"]
+    TimeUnit = Literal["s", "ms", "us", "ns"]
+    AngleUnit = Literal["rad", "deg", "mrad", "arcsec"]
+    Extrapolate = Literal["hold", "error", "nan", "rate", "segment"]
     Side = Literal["right", "left"]
     Vector = np.ndarray[tuple[int], np.dtype[np.float64]]  # (3,) or (4,)
     Vectors = np.ndarray[tuple[int, int], np.dtype[np.float64]]  # one for each joint

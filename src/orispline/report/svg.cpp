@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,60 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 namespace {
 
 bool is_finite(Point p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+
+constexpr std::size_t few_points = 100;  // which stay as they are
+constexpr double unseen = 0.1;           // [px] as coarse as places are written
+
+Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
+double length_of(Point p) { return std::sqrt(p.x * p.x + p.y * p.y); }
+
+/// The directions from a point in which a straight line passes others, nearer ones, at no more than `unseen`.
+class Cone {
+ public:
+  explicit Cone(Point apex) : apex_(apex) {}
+
+  /// Whether a line to this point passes all that were seen before.
+  [[nodiscard]] bool reaches(Point p) const {
+    const Point d = p - apex_;
+    const double length = length_of(d);
+    return length >= farthest_ - unseen && (is_open_ || (cross(right_, d) >= 0.0 && cross(d, left_) >= 0.0));
+  }
+
+  void see(Point p) {
+    const Point d = p - apex_;
+    const double length = length_of(d);
+    farthest_ = std::max(farthest_, length);
+    if (length <= unseen) return;
+    const double sine = unseen / length, cosine = std::sqrt(1.0 - sine * sine);
+    const Point right{cosine * d.x + sine * d.y, cosine * d.y - sine * d.x};
+    const Point left{cosine * d.x - sine * d.y, cosine * d.y + sine * d.x};
+    if (is_open_ || cross(right_, right) > 0.0) right_ = right;
+    if (is_open_ || cross(left, left_) > 0.0) left_ = left;
+    is_open_ = false;
+  }
+
+ private:
+  Point apex_, right_{}, left_{};
+  double farthest_ = 0.0;
+  bool is_open_ = true;
+};
+
+/// Of many points those without which the line would be seen to be another one.
+std::vector<Point> seen(std::span<const Point> points) {
+  if (points.size() <= few_points) return {points.begin(), points.end()};
+  std::vector<Point> kept{points.front()};
+  Cone cone(points.front());
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (!cone.reaches(points[i])) {
+      kept.push_back(points[i - 1]);
+      cone = Cone(points[i - 1]);
+    }
+    cone.see(points[i]);
+  }
+  kept.push_back(points.back());
+  return kept;
+}
 
 std::string listed(std::span<const Point> points) {
   std::string list;
@@ -65,7 +120,8 @@ void Drawing::line(std::span<const Point> points, const Stroke& stroke) {
     begin = std::find_if(begin, points.end(), is_finite);
     const auto end = std::find_if_not(begin, points.end(), is_finite);
     if (end - begin > 1)
-      parts_ += formatted("<polyline points=\"{}\" fill=\"none\"{}/>\n", listed({begin, end}), attributes(stroke));
+      parts_ +=
+          formatted("<polyline points=\"{}\" fill=\"none\"{}/>\n", listed(seen({begin, end})), attributes(stroke));
     begin = end;
   }
 }

@@ -50,6 +50,8 @@ struct Lettering {
 /// A picture in the making, on white: what is drawn later lies on top.
 ///
 /// Places that are not finite are not drawn: a line breaks there.
+///
+/// Of a line of many points those are left out without which it looks the same: it passes them at 0.1 px at most.
 class ORISPLINE_EXPORT Drawing {
  public:
   Drawing(double width, double height) : width_(width), height_(height) {}

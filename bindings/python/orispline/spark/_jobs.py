@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pyspark.sql import functions
 
@@ -11,6 +11,9 @@ from ..tables import _jobs as jobs
 from ..tables._layout import UNIT_QUATERNION, Layout, layout
 from ..tables._works import SIDE
 from ._frames import arrow_schema, mapped, spark_schema, types_of
+
+if TYPE_CHECKING:
+    from .._types import Extrapolate
 
 ONE_THREAD = 1  # a task of Spark has a core
 
@@ -30,7 +33,7 @@ def resample(df: Any, *, by: str | Sequence[str] = "track", time: str = "t", qua
 
 def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION,
              position: Sequence[str] | None = None, method: str = "auto", derivatives: int = 0, frame: str = "body",
-             extrapolate: str = "nan", errors: str = "row", **settings: Any) -> Any:
+             extrapolate: Extrapolate = "nan", errors: str = "row", **settings: Any) -> Any:
     """The orientation of each track at the rows of another data frame: `orispline.tables.evaluate`."""
     columns = layout(by, time, quaternion, position)
     schema, job = jobs.evaluation(columns, arrow_schema(keys), arrow_schema(at), method, derivatives, frame, extrapolate, errors,

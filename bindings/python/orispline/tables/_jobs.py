@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pyarrow as pa
@@ -17,6 +17,9 @@ from ._per_track import PerTrack
 from ._resampling import Resampling, sampled_schema
 from ._source import Source, ordered, selected, source_of
 from ._works import SIDE, Comparison, Evaluation, Reduction, Smoothing, united
+
+if TYPE_CHECKING:
+    from .._types import Extrapolate
 
 Progress = Callable[[float], None]
 ALIGNMENTS = ("start", "epoch")
@@ -103,7 +106,7 @@ def resample(source: Any, *, by: str | Sequence[str] = "track", time: str = "t",
 
 def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str = "t",
              quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, method: str = "auto",
-             derivatives: int = 0, frame: str = "body", extrapolate: str = "nan", errors: str = "row", threads: int = 0,
+             derivatives: int = 0, frame: str = "body", extrapolate: Extrapolate = "nan", errors: str = "row", threads: int = 0,
              memory_limit: str = "1GB", progress: Progress | None = None, **settings: Any) -> Any:
     """The orientation of each track at the rows of another table, such as a camera's at the times of a sensor.
 
@@ -209,7 +212,7 @@ def comparison(columns: Layout, methods: Any, keep_every: Any, errors: str, thre
     return PerTrack(columns, work, _errors(errors), thread_count(threads))
 
 
-def evaluation(columns: Layout, keys: Any, at: Any, method: str, derivatives: int, frame: str, extrapolate: str, errors: str,
+def evaluation(columns: Layout, keys: Any, at: Any, method: str, derivatives: int, frame: str, extrapolate: Extrapolate, errors: str,
                threads: int, settings: dict[str, Any]) -> tuple[Any, PerTrack]:
     """The schema of the rows of both tables together, of tables with these schemas, and the job for them."""
     columns.check(keys, "keys")

@@ -148,8 +148,10 @@ class Times:
         missing = column.is_null().to_numpy(zero_copy_only=False) if column.null_count else None
         stamps = pc.fill_null(column.cast(pa.int64()), 0).to_numpy(zero_copy_only=False)
         origins = self.origins(stamps[starts]) if origins is None else origins
-        since = stamps - np.repeat(origins, np.diff(np.append(starts, len(stamps))))
-        seconds = self.seconds_of(since)
+        begun = np.repeat(origins, np.diff(np.append(starts, len(stamps))))
+        seconds, far = self.seconds_of(stamps - begun), stamps.astype(np.float64) - begun
+        has_room = np.abs(far) < 2.0**63  # for the difference; nanoseconds of centuries have none
+        seconds[~has_room] = far[~has_room] * (NANOSECONDS[self.kind.unit] / 1e9)
         if missing is not None:
             seconds[missing] = np.nan
         return seconds, origins

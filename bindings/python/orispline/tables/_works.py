@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pyarrow as pa
@@ -18,6 +18,9 @@ from .._tasks import reduce, smooth
 from ._layout import Layout, Times, Whole
 from ._per_track import START, Result, columns_of, track_of
 from ._resampling import sampled_schema
+
+if TYPE_CHECKING:
+    from .._types import Extrapolate
 
 SIDE = "side"  # of rows of two tables: 0 of keys, 1 of those that orientations are wanted for
 OF_THIS_MACHINE = ("build_seconds", "seconds")  # measures that another run does not repeat
@@ -157,7 +160,7 @@ class Evaluation:
     method: str
     derivatives: int
     frame: str
-    extrapolate: str
+    extrapolate: Extrapolate
     kind: Any  # of the times of that table
     beside: tuple[str, ...]  # its other columns
 

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Keys and samples as columns by name, those of a CSV file: t, qw, qx, qy, qz, px, …, wx, …; and as tables of them."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._arrays import Array, numbers
+from ._checks import wrong_type
+from ._errors import ArgumentError
+
+if TYPE_CHECKING:
+    import decimal
+
+Columns = dict[str, NDArray[Any]]
+QUATERNION = ("qw", "qx", "qy", "qz")
+VECTORS = {"positions": ("px", "py", "pz"), "angular_velocities": ("wx", "wy", "wz"), "angular_accelerations": ("ax", "ay", "az"),
+           "angular_jerks": ("jx", "jy", "jz")}  # of keys, by the names of their arguments
+
+
+def names_in_order(width: int) -> list[str] | None:
+    """What columns without names are: time and quaternion, with 8 the position, with 17 all rates too; None of other numbers."""
+    named = (list(_core.column_names(False, rates, path)) for rates, path in ((0, -1), (0, 0), (3, 0)))
+    return next((names for names in named if len(names) == width), None)
+
+
+def columns_of(times: NDArray[Any], quaternions: NDArray[Any], rates: Sequence[NDArray[Any] | None],
+               path: Sequence[NDArray[Any] | None], frame: str, joints: int | None = None) -> Columns:
+    """Quaternions w, x, y, z, three angular rates and three rows of the path, where None is what is not there. Those of many joints
+    are joint by joint, behind a column `joint`."""
+    there = [rows for rows in (path[0], *rates, *path[1:]) if rows is not None]
+    names = _core.column_names(frame == "world", sum(rows is not None for rows in rates), sum(rows is not None for rows in path) - 1)
+    tables = [quaternions, *there]
+    columns = [times, *(np.ascontiguousarray(table[..., k].T).reshape(-1) for table in tables for k in range(table.shape[-1]))]
+    if joints is None:
+        return dict(zip(names, columns, strict=True))
+    columns[0] = np.tile(times, joints)
+    return {"joint": np.repeat(np.arange(joints), len(times)), **dict(zip(names, columns, strict=True))}
+
+
+def as_arrow(columns: Columns, epoch: decimal.Decimal) -> Any:
+    """A pyarrow Table; the metadata of its schema has the epoch."""
+    try:
+        import pyarrow  # type: ignore[import-untyped, unused-ignore]
+    except ImportError:
+        raise ImportError("to_arrow: found no pyarrow, wanted it installed: pip install 'orispline[tables]'") from None
+    return pyarrow.table(columns, metadata={"epoch": f"{epoch:f}"})
+
+
+def as_pandas(columns: Columns, epoch: decimal.Decimal) -> Any:
+    """A pandas DataFrame; its `attrs` has the epoch."""
+    try:
+        import pandas  # type: ignore[import-untyped, unused-ignore]
+    except ImportError:
+        raise ImportError("to_pandas: found no pandas, wanted it installed: pip install pandas") from None
+    frame = pandas.DataFrame(columns)
+    frame.attrs["epoch"] = epoch
+    return frame
+
+
+def arguments_of(columns: Mapping[str, Any]) -> dict[str, Any]:
+    """Arguments of `Keys` out of columns by name: times, rotations w, x, y, z, and what else keys may have. Others are left alone."""
+    missing = [name for name in ("t", *QUATERNION) if name not in columns]
+    if missing:
+        raise ArgumentError(f"columns: found no {', '.join(missing)}, wanted t, qw, qx, qy and qz: name yours by columns=, such as "
+                            "{'t': 'stamp'}")
+    stacked: dict[str, Array] = {}
+    for argument, names in VECTORS.items():
+        found = [name for name in names if name in columns]
+        if found and len(found) < len(names):
+            raise ArgumentError(f"columns: found {', '.join(found)} alone, wanted {', '.join(names)}")
+        if found:
+            stacked[argument] = np.column_stack([_numbers(name, columns[name]) for name in names])
+    parameters = {parameter["name"] for method in _core.methods() for parameter in method["parameters"]}
+    settings = {name: _numbers(name, columns[name]) for name in columns if name in parameters}
+    return {"times": columns["t"], "rotations": np.column_stack([_numbers(name, columns[name]) for name in QUATERNION]), **stacked,
+            "settings": settings}
+
+
+def _numbers(name: str, values: Any) -> Array:
+    return numbers(name, values, (None,))
+
+
+def named(names: Iterable[str], columns: Any) -> dict[str, str]:
+    """Columns by their meanings: those that a mapping names otherwise, and all others by their own names."""
+    own = {name: name for name in names}
+    if columns is None:
+        return own
+    if not isinstance(columns, Mapping) or not all(isinstance(word, str) for pair in columns.items() for word in pair):
+        raise wrong_type("columns", columns, "names of columns by their meanings, such as {'t': 'time'}")
+    absent = [column for column in columns.values() if column not in own]
+    if absent:
+        raise ArgumentError(f"columns: found no {absent[0]!r}, wanted one of {', '.join(map(repr, own)) or 'none'}")
+    return {**own, **columns}
