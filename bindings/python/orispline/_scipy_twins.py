@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from ._arrays import Array, numbers
-from ._curve import ACCELERATION, JERK, ORIENTATION, VELOCITY, Curve
+from ._curve import ACCELERATION, ALONE, JERK, ORIENTATION, VELOCITY, Curve
 from ._errors import ArgumentError, DataError
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ ORDERS = (ORIENTATION, VELOCITY, ACCELERATION, JERK)
 class _Twin:
     """A curve with the face that SciPy gives its own."""
 
-    __slots__ = ("_curve", "_rotations", "_times")
+    __slots__ = ("_curve", "_rotation_of", "_rotations", "_times")
 
     def __init__(self, times: Any, rotations: Any, method: str, extrapolate: Extrapolate, **options: Any) -> None:
         from scipy.spatial.transform import Rotation
@@ -38,6 +38,7 @@ class _Twin:
             raise DataError(f"rotations: found {len(quaternions)}, wanted one for each of the {len(self._times)} times")
         self._times.flags.writeable = False
         self._rotations = rotations
+        self._rotation_of = Rotation
         self._curve = Curve(self._times, quaternions, method, extrapolate=extrapolate, **options)
 
     @property
@@ -65,14 +66,13 @@ class _Twin:
         acceleration [rad/s²] and jerk [rad/s³] in the body frame, (3,) or (k, 3). A NaN time gives NaN."""
         if isinstance(order, (bool, np.ndarray)) or order not in (0, 1, 2, 3):
             raise ArgumentError(f"order: found {order!r}, wanted 0, 1, 2 or 3")
-        t = self._curve._clock.seconds("times", times)
-        if t.ndim > 1:
-            raise ArgumentError(f"times: found the shape {t.shape}, wanted a time or (k,)")
-        rows = self._curve._at(ORDERS[order], t, "body", None, np.float64, 1)
-        if order > 0:
-            return rows
-        from scipy.spatial.transform import Rotation
-        return Rotation(rows, normalize=False, copy=False)
+        t = times
+        if not isinstance(t, float):  # which needs no look
+            t = self._curve._clock.seconds("times", times)
+            if t.ndim > 1:
+                raise ArgumentError(f"times: found the shape {t.shape}, wanted a time or (k,)")
+        rows = self._curve._at(ORDERS[order], t, "body", None, np.float64, ALONE)
+        return self._rotation_of(rows, normalize=False, copy=False) if order == 0 else rows
 
 
 class RotationSpline(_Twin):
