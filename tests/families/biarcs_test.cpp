@@ -34,7 +34,7 @@ TEST(Biarcs, MeetOnTheSphereWithOneTangentForAnyTangentsThatLeadOn) {
     const Vector4d t = tangent_at(p, dice), u = tangent_at(q, dice);
     if ((q - p).dot(t) < 0.0 || (q - p).dot(u) < 0.0) continue;
     ++seen;
-    const auto biarc = Biarc<Vector4d>::between(p, t, q, u);
+    const auto biarc = Biarc<Vector4d>::between(p, t, q, u, q - p);
     const double a = (t - u).squaredNorm(), b = 2.0 * (q - p).dot(t + u), c = -(q - p).squaredNorm();
     const double reach = (-b + std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
     const Vector4d joint = 0.5 * ((p + reach * t) + (q - reach * u));
@@ -56,7 +56,7 @@ TEST(Biarcs, MeetOnTheSphereWithOneTangentForAnyTangentsThatLeadOn) {
 
 TEST(Biarcs, GoStraightWhereTheQuadraticIsLinear) {
   const Vector3d p(1.0, 2.0, 3.0), along = Vector3d(2.0, -1.0, 2.0) / 3.0;
-  const auto biarc = Biarc<Vector3d>::between(p, along, p + 6.0 * along, along);
+  const auto biarc = Biarc<Vector3d>::between(p, along, p + 6.0 * along, along, 6.0 * along);
   EXPECT_NEAR(biarc.first.length, 3.0, tolerance::algebra);
   EXPECT_NEAR(biarc.last.length, 3.0, tolerance::algebra);
   for (const double way : {0.0, 1.0, 2.5})

@@ -30,10 +30,11 @@ class SquadCurve {
       const Handles next = handles(i + 1);
       const Eigen::Quaterniond leaving = q[i] * exp<double>(here.leaving);
       const Eigen::Quaterniond arriving = q[i + 1] * exp<double>(next.arriving);
+      const Eigen::Vector3d step = increment<double>(q[i], q[i + 1]);
       pieces_.push_back({.key = q[i],
                          .inner = leaving,
-                         .key_increment = increment<double>(q[i], q[i + 1]),
-                         .inner_increment = increment<double>(leaving, arriving)});
+                         .key_increment = step,
+                         .inner_increment = inner_increment(q[i], leaving, step, q[i + 1], arriving)});
       here = next;
     }
   }
@@ -50,6 +51,11 @@ class SquadCurve {
   }
 
  private:
+  /// From one inner quaternion to the other, about one axis as far round as keeps them within a turn of the outer arc.
+  [[nodiscard]] static Eigen::Vector3d inner_increment(const Eigen::Quaterniond& key, const Eigen::Quaterniond& leaving,
+                                                       const Eigen::Vector3d& step, const Eigen::Quaterniond& next,
+                                                       const Eigen::Quaterniond& arriving) noexcept;
+
   struct Piece {  // the two great arcs of a segment, their increments formed once
     Eigen::Quaterniond key, inner;
     Eigen::Vector3d key_increment, inner_increment;
