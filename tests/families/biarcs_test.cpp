@@ -175,4 +175,16 @@ TEST(Biarcs, MovePositionsOnCirclesAndStraightLines) {
   }
 }
 
+TEST(Biarcs, RestBetweenKeysThatDifferInTheirLastBits) {
+  KeyframeData data{.times = {0.0, 1.0, 2.0, 3.0}, .orientations = {Quaterniond::Identity()}};
+  data.orientations.emplace_back(0.95505481964979899, 0.090795329299302174, 0.24544143289892026, -0.13923003504145903);
+  data.orientations.emplace_back(0.9550548196497991, 0.090795329299302188, 0.24544143289892029, -0.13923003504145906);
+  data.orientations.push_back(Quaterniond::Identity());
+  const AnyCurve curve = make_curve("biarcs", keyframes(data)).value();
+  for (const double t : {1.0, 1.25, 1.5, 1.75, 2.0}) {
+    EXPECT_TRUE(near(curve(t), data.orientations[1], tolerance::algebra)) << t;
+    EXPECT_LE(curve.motion(t).angular_velocity.norm(), tolerance::algebra) << t;
+  }
+}
+
 }}  // namespace orispline
