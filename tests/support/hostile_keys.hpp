@@ -2,14 +2,11 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 #include <rapidcheck.h>
 
-#include <support/properties.hpp>
+#include <support/resting_keys.hpp>
 
 namespace orispline::testing_support {
 
@@ -27,19 +24,10 @@ struct HostileStep {
 
 [[nodiscard]] inline double duration_of(const HostileStep& step) { return 1e-3 * std::pow(6e4, 0.01 * step.duration); }
 
-/// A neighbour in the last bits.
-[[nodiscard]] inline Eigen::Quaterniond nudged(Eigen::Quaterniond q, const HostileStep& step) {
-  const auto nudge = [](double& value, int way) { value += (way % 2) * std::numeric_limits<double>::epsilon() / 4.0; };
-  nudge(q.x(), step.x);
-  nudge(q.y(), step.y);
-  nudge(q.z(), step.z);
-  return q;
-}
-
 [[nodiscard]] inline Eigen::Quaterniond next_key(const Eigen::Quaterniond& q, const HostileStep& step,
                                                  const Eigen::Vector3d& common_axis) {
   if (step.kind == 4) return q;
-  if (step.kind == 5) return nudged(q, step);
+  if (step.kind == 5) return nudged(q, step.x, step.y, step.z);
   const Eigen::Vector3d own = Eigen::Vector3d(step.x, step.y, step.z + 0.5).normalized();
   return q * exp<double>(step.turn * pi / 180.0 * (step.kind == 3 ? own : common_axis));
 }

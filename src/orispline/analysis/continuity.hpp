@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include <orispline/analysis/orientation_jump.hpp>
 #include <orispline/curve/curve.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -14,6 +13,13 @@ struct RateJump {
   std::size_t key = 0;     ///< where
   double magnitude = 0.0;  ///< largest ‖rate‖ on the curve, found at the keys and at three points of each segment
   double relative = 0.0;   ///< largest / magnitude; 0 where every jump is within the rounding of the rate itself
+};
+
+/// Where the orientation itself jumps, from one time to the next one that a double can tell from it.
+struct OrientationJump {
+  double angle = 0.0;   ///< [rad]; 0: nowhere
+  double time = 0.0;    ///< [s]
+  std::size_t key = 0;  ///< the one before it
 };
 
 /// The continuity in time that a curve really has on its keys.

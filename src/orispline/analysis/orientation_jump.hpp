@@ -5,16 +5,9 @@
 #include <cstddef>
 #include <span>
 
-#include <orispline/curve/curve.hpp>
+#include <orispline/analysis/continuity.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
-
-/// Where the orientation itself jumps, from one time to the next one that a double can tell from it.
-struct OrientationJump {
-  double angle = 0.0;   ///< [rad]; 0: nowhere
-  double time = 0.0;    ///< [s]
-  std::size_t key = 0;  ///< the one before it
-};
 
 /// How a curve moves at a time.
 struct TimedMotion {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <orispline/curve/one_axis.hpp>
+#include <orispline/math/eigen.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

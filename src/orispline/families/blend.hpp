@@ -94,16 +94,23 @@ struct CircleOrParabola {
   template <class Kind>
   CircleOrParabola(const Kind& one) : key(one.key), kind(one) {}  // NOLINT: it is either
 
+  /// What `ask` says of it. `std::visit` might throw.
+  template <class Ask>
+  [[nodiscard]] auto of_kind(Ask ask) const noexcept {
+    const auto* arc = std::get_if<CircularArc>(&kind);
+    return arc != nullptr ? ask(*arc) : ask(*std::get_if<Parabola<Eigen::Quaterniond>>(&kind));
+  }
+
   template <Number T>
   [[nodiscard]] Vector3<T> way(const T& t) const noexcept {
-    return std::visit([&t](const auto& arc) -> Vector3<T> { return arc.way(t); }, kind);
+    return of_kind([&t](const auto& primitive) { return primitive.way(t); });
   }
   [[nodiscard]] std::array<Eigen::Vector3d, 3> ways(double step) const noexcept {
-    return std::visit([step](const auto& arc) { return arc.ways(step); }, kind);
+    return of_kind([step](const auto& primitive) { return primitive.ways(step); });
   }
   template <Number T>
   [[nodiscard]] Quaternion<T> operator()(const T& t) const noexcept {
-    return std::visit([&t](const auto& arc) { return arc(t); }, kind);
+    return of_kind([&t](const auto& primitive) { return primitive(t); });
   }
 };
 

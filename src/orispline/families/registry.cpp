@@ -5,6 +5,7 @@
 
 #include <orispline/base/suggestion.hpp>
 #include <orispline/curve/key_check.hpp>
+#include <orispline/curve/one_axis.hpp>
 #include <orispline/families/build.hpp>
 #include <orispline/families/families.hpp>
 #include <orispline/families/handles.hpp>
