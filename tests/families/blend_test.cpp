@@ -147,8 +147,8 @@ TEST(Circular, RunsOnItsCircleAtAConstantRateWhateverTheRadius) {
 TEST(Circular, IsAccurateOnShortArcs) {
   // Steps of 1e-5 rad: a centre found from such keys would have lost half its digits.
   const KeysOnACircle circle{0.3};
-  std::vector<double> times;
-  for (const double t : uneven_times) times.push_back(1e-4 * t);
+  std::vector<double> times = uneven_times;
+  for (double& t : times) t *= 1e-4;
   const AnyCurve curve = make_curve("circular", keyframes(circle.keys(times))).value();
   const double speed = 2.0 * 0.7 * std::sqrt(1.0 - 0.3 * 0.3);
   for (double t = times[1]; t < times[5]; t += 5e-6)
