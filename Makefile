@@ -83,7 +83,7 @@ fuzz:
 	tests/fuzz/run.py build/fuzz/tests/fuzz $(SECONDS) --jobs $(JOBS)
 
 # What is too long for every change; docs/testing.md tells what each part finds. Ten minutes a target are an hour of fuzzing.
-nightly: check test-more random sweep
+nightly: check test-more tidy random sweep
 	$(MAKE) fuzz SECONDS=600
 	$(MAKE) mutants
 

@@ -82,4 +82,40 @@ TEST(Continuity, OfOneKeyIsComplete) {
   EXPECT_EQ(continuity_at_keys(make_curve("timed-c2", key).value()).order(), 3);
 }
 
+/// Turns about x at 1 rad/s, but from one time on so much farther.
+class BrokenCurve {
+ public:
+  BrokenCurve(std::vector<double> times, double time, double jump)
+      : knots_(std::move(times)), time_(time), jump_(jump) {}
+
+  [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
+  template <Number T>
+  [[nodiscard]] Quaternion<T> point(const T& t, std::size_t) const noexcept {
+    return exp<T>(Vector3<T>(t + T(value_of(t) < time_ ? 0.0 : jump_), T(0.0), T(0.0)));
+  }
+
+ private:
+  Knots knots_;
+  double time_, jump_;
+};
+
+TEST(Continuity, FindsWhereTheOrientationItselfJumpsBetweenKeys) {
+  for (const double jump : {3.0, 0.8, -0.4}) {
+    const AnyCurve curve = BrokenCurve({0.0, 1.0, 3.0, 5.0}, 1.7182818, jump);
+    const Continuity c = continuity_at_keys(curve);
+    EXPECT_EQ(c.order(), -1);
+    EXPECT_NEAR(c.orientation.angle, std::abs(jump), 1e-12);
+    EXPECT_NEAR(c.orientation.time, 1.7182818, 1e-12);
+    EXPECT_EQ(c.orientation.key, 1u);
+    EXPECT_EQ(c.angular_velocity.largest, 0.0);
+    EXPECT_FALSE(shape_continuity_at_keys(curve).order());
+    EXPECT_FALSE(shape_continuity_at_keys(curve).order_in_motion());
+  }
+}
+
+TEST(Continuity, FindsNoJumpWhereACurveIsOnlyQuick) {
+  const AnyCurve curve = make_curve("log-parabola", tumbling_keys({1.0, 1e-3, 60.0, 1e-3, 1.0})).value();
+  EXPECT_EQ(continuity_at_keys(curve).orientation.angle, 0.0);
+}
+
 }}  // namespace orispline

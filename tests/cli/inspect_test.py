@@ -127,6 +127,18 @@ class Continuity(CommandTest):
         self.assertIn("\nauto rests at key 2 (line 4, 2 s) and 1 more: its shape is undefined there; at the other keys it is G2\n",
                       self.output_of("inspect - --method auto --set hold=1", input=given))
 
+    def test_a_curve_that_winds_beside_a_rest_jumps_nowhere(self):
+        keys = "t,qw,qx,qy,qz\n0,1,0,0,0\n60,1,0,0,0\n61,0.8,0,0,0.6\n"
+        for method in self.methods_of("--method log-parabola,circular,barry-goldman,squad-timed", keys):
+            with self.subTest(method["method"]):
+                self.assertEqual(method["orientation_jump_max_deg"], 0)
+                self.assertNotIn("orientation_jump_max_after_key", method)
+                self.assertEqual(method["continuity_order"], {"squad-timed": 0}.get(method["method"], 2))  # its handle winds
+                samples = self.output_of(f"sample - -o - --rate 100 --method {method['method']}", input=keys)
+                rows = [[float(cell) for cell in row.split(",")[1:5]] for row in samples.splitlines()[1:]]
+                farthest = max(math.dist(before, after) for before, after in zip(rows, rows[1:]))
+                self.assertLess(farthest, 0.01)  # of the quaternion, at up to 1.3 rad/s
+
     def test_quintic_and_sextic_are_smooth_at_even_keys(self):
         keys = turning_keys([0.5] * 8)
         self.assertEqual([m["continuity_order"] for m in self.methods_of("--method quintic,sextic", keys)], [2, 3])

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contract: no frame, no sign and no unit of time is special.
+// Contract: no frame, no sign, no unit of time and no direction of it is special, at rests neither.
 #include <contract/family_contract.hpp>
-#include <support/properties.hpp>
+#include <support/resting_keys.hpp>
 
 namespace orispline::contract { namespace {
 
@@ -9,73 +9,137 @@ using namespace testing_support;
 
 const Eigen::Quaterniond turn = exp<double>(Eigen::Vector3d(1.3, -2.1, 0.4));
 
-class SymmetryContract : public FamilyContract {};
+/// Beside a rest a curve may turn back within a segment, by which rounding grows.
+constexpr MotionTolerance same_motion_at_rests{1e-11, 1e-7, 1e-7, 1e-7};
+
+class SymmetryContract : public FamilyContract {
+ protected:
+  /// A curve and what a change of its keys makes of it.
+  struct Changed {
+    AnyCurve curve, changed;
+    MotionTolerance allowed;
+  };
+
+  /// A property of random keys and a change of them, and of such keys as rest. Those a method that solves equations may
+  /// refuse.
+  template <class... More, class Change, class Property>
+  static void expect_of_all_keys(const std::string& name, const Change& change, const Property& property,
+                                 Signs signs = Signs::as_given) {
+    EXPECT_TRUE(holds(name, [&](const RandomKeys& random, More... more) {
+      const KeyframeData data = fitting(GetParam(), random);
+      property(Changed{curve(keyframes(data, signs)), curve(keyframes(change(data, more...), signs)), same_motion},
+               more...);
+    }));
+    EXPECT_TRUE(holds(name + " at rests", [&](const RestingKeys& random, More... more) {
+      const KeyframeData data = fitting(GetParam(), random);
+      const auto first = make_curve(GetParam().name, keyframes(data, signs)),
+                 second = make_curve(GetParam().name, keyframes(change(data, more...), signs));
+      if (first && second) property(Changed{*first, *second, same_motion_at_rests}, more...);
+      else RC_ASSERT(GetParam().is_global());
+    }));
+  }
+};
+
+KeyframeData with_orientations(KeyframeData data, const auto& changed) {
+  for (Eigen::Quaterniond& q : data.orientations) q = changed(q);
+  return data;
+}
 
 TEST_P(SymmetryContract, TurningTheWorldTurnsTheCurveAndLeavesBodyRates) {
-  EXPECT_TRUE(holds("left equivariance", [](const RandomKeys& random) {
-    const KeyframeData data = fitting(GetParam(), random);
-    KeyframeData turned = data;
-    for (auto& q : turned.orientations) q = turn * q;
-    const AnyCurve c = curve(keyframes(data)), d = curve(keyframes(turned));
-    for (const double t : times_on(c)) {
-      Motion wanted = c.motion(t);
+  const auto change = [](const KeyframeData& data) {
+    return with_orientations(data, [](const Eigen::Quaterniond& q) { return turn * q; });
+  };
+  expect_of_all_keys("left equivariance", change, [](const Changed& c) {
+    for (const double t : times_on(c.curve)) {
+      Motion wanted = c.curve.motion(t);
       wanted.orientation = turn * wanted.orientation;
-      require(near(d.motion(t), wanted, same_motion));
+      require(near(c.changed.motion(t), wanted, c.allowed));
     }
-  }));
+  });
 }
 
 TEST_P(SymmetryContract, TurningTheBodyTurnsTheBodyRates) {
-  EXPECT_TRUE(holds("right equivariance", [](const RandomKeys& random) {
-    const KeyframeData data = fitting(GetParam(), random);
-    KeyframeData turned = data;
-    for (auto& q : turned.orientations) q = q * turn;
-    const AnyCurve c = curve(keyframes(data)), d = curve(keyframes(turned));
-    for (const double t : times_on(c)) {
-      const Motion m = c.motion(t);
-      require(near(d.motion(t),
+  const auto change = [](const KeyframeData& data) {
+    return with_orientations(data, [](const Eigen::Quaterniond& q) { return q * turn; });
+  };
+  expect_of_all_keys("right equivariance", change, [](const Changed& c) {
+    for (const double t : times_on(c.curve)) {
+      const Motion m = c.curve.motion(t);
+      require(near(c.changed.motion(t),
                    {.orientation = m.orientation * turn,
                     .angular_velocity = to_body<double>(turn, m.angular_velocity),
                     .angular_acceleration = to_body<double>(turn, m.angular_acceleration),
                     .angular_jerk = to_body<double>(turn, m.angular_jerk)},
-                   same_motion));
+                   c.allowed));
     }
-  }));
+  });
 }
 
 TEST_P(SymmetryContract, SignsOfTheKeysDoNotMatterOnTheShortestWay) {
-  EXPECT_TRUE(holds("q and -q", [](const RandomKeys& random, std::uint8_t flips) {
-    const KeyframeData data = fitting(GetParam(), random);
-    KeyframeData flipped = data;
-    for (std::size_t i = 0; i < flipped.orientations.size(); ++i)
-      if ((flips >> i) & 1) flipped.orientations[i].coeffs() *= -1.0;
-    const AnyCurve c = curve(keyframes(data, Signs::shortest)), d = curve(keyframes(flipped, Signs::shortest));
+  const auto flipped = [](KeyframeData data, std::uint8_t flips) {
+    for (std::size_t i = 0; i < data.orientations.size(); ++i)
+      if ((flips >> i) & 1) data.orientations[i].coeffs() *= -1.0;
+    return data;
+  };
+  const auto property = [](const Changed& c, std::uint8_t flips) {
     const double sign = flips & 1 ? -1.0 : 1.0;  // the first key gives the sign to all
-    for (const double t : times_on(c)) {
-      Motion wanted = c.motion(t);
+    for (const double t : times_on(c.curve)) {
+      Motion wanted = c.curve.motion(t);
       wanted.orientation.coeffs() *= sign;
-      require(near(d.motion(t), wanted, same_motion));
+      require(near(c.changed.motion(t), wanted, c.allowed));
     }
-  }));
+  };
+  expect_of_all_keys<std::uint8_t>("q and -q", flipped, property, Signs::shortest);
 }
 
 TEST_P(SymmetryContract, AnotherClockGivesTheSameCurveAtScaledRates) {
-  EXPECT_TRUE(holds("affine change of time", [](const RandomKeys& random, bool faster) {
-    const double scale = faster ? 0.25 : 3.0, shift = -7.5;
-    const KeyframeData data = fitting(GetParam(), random);
-    KeyframeData rescaled = data;
-    for (double& t : rescaled.times) t = scale * t + shift;
-    const AnyCurve c = curve(keyframes(data)), d = curve(keyframes(rescaled));
-    for (const double t : times_on(c, 4)) {
-      const Motion m = c.motion(t), found = d.motion(scale * t + shift);
+  const auto scale_of = [](bool faster) { return faster ? 0.25 : 3.0; };
+  constexpr double shift = -7.5;
+  const auto rescaled = [&](KeyframeData data, bool faster) {
+    for (double& t : data.times) t = scale_of(faster) * t + shift;
+    return data;
+  };
+  expect_of_all_keys<bool>("affine change of time", rescaled, [&](const Changed& c, bool faster) {
+    const double scale = scale_of(faster);
+    for (const double t : times_on(c.curve, 4)) {
+      const Motion m = c.curve.motion(t), found = c.changed.motion(scale * t + shift);
       require(near(found,
                    {.orientation = m.orientation,
                     .angular_velocity = m.angular_velocity / scale,
                     .angular_acceleration = m.angular_acceleration / (scale * scale),
                     .angular_jerk = m.angular_jerk / (scale * scale * scale)},
-                   same_motion));
+                   c.allowed));
     }
-  }));
+  });
+}
+
+/// The keys in the other order, at the times with the other sign.
+KeyframeData reversed(const KeyframeData& data) {
+  KeyframeData back;
+  for (std::size_t i = data.times.size(); i-- > 0;) {
+    back.times.push_back(-data.times[i]);
+    back.orientations.push_back(data.orientations[i]);
+  }
+  return back;
+}
+
+/// How far the curve of the keys is from the one that runs through them backwards.
+double distance_to_reverse(const AnyCurve& curve, const AnyCurve& back, std::span<const double> times) {
+  double farthest = 0.0;
+  for (const double t : times) farthest = std::max(farthest, relative_error(back(-t), curve(t)));
+  return farthest;
+}
+
+/// A product of turns about the axes of one key after another has a direction. A method that has none has none on any
+/// keys.
+TEST_P(SymmetryContract, AMethodWithoutADirectionOfTimeHasNoneOnAnyKeys) {
+  const KeyframeData plain = walk(22, 6, Spacing::uneven, 0.8);
+  const AnyCurve forth = curve(keyframes(plain)), back = curve(keyframes(reversed(plain)));
+  if (distance_to_reverse(forth, back, times_on(forth)) > tolerance::visible_jump) return;
+  expect_of_all_keys("reversal", reversed, [](const Changed& c) {
+    const double distance = distance_to_reverse(c.curve, c.changed, times_on(c.curve, 4));
+    require(within(distance, 10.0 * c.allowed.orientation, "the way back"));
+  });
 }
 
 TEST_P(SymmetryContract, EpochOfUnixTimeChangesNothing) {

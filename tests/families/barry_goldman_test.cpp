@@ -2,9 +2,11 @@
 // Barry and Goldman's pyramid: Catmull–Rom in every plane, its rates at the keys, its symmetry.
 #include <gtest/gtest.h>
 
+#include <families/winding_keys.hpp>
 #include <orispline/curve/catmull_rom_path.hpp>
 #include <orispline/families/registry.hpp>
 #include <support/near.hpp>
+#include <support/relative_jumps.hpp>
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
@@ -51,6 +53,18 @@ TEST(BarryGoldman, AboutOneAxisTurnsByTheAngleOfItsOwnPath) {
     EXPECT_TRUE(near(motion.orientation, exp<double>(linear_motion.position), tolerance::algebra));
     EXPECT_TRUE(near(motion.angular_velocity, linear_motion.velocity, tolerance::series));
     EXPECT_TRUE(near(motion.angular_acceleration, linear_motion.acceleration, tolerance::rates));
+  }
+}
+
+TEST(BarryGoldman, TurnsByTheAngleOfItsOwnPathHoweverFarItWinds) {
+  expect_the_turn_of_its_path("barry-goldman", winding_keys_about_one_axis());
+}
+
+TEST(BarryGoldman, IsAsSmoothWhereItWinds) {
+  for (const double aside : {0.0, 1e-12, 1e-8}) {
+    const AnyCurve curve = make_curve("barry-goldman", winding_keys_about_one_axis(aside)).value();
+    const auto jumps = relative_jumps(curve);
+    for (std::size_t k = 0; k <= 1; ++k) EXPECT_LE(jumps[k], tolerance::continuity) << "order " << k;
   }
 }
 

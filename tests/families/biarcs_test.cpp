@@ -34,7 +34,7 @@ TEST(Biarcs, MeetOnTheSphereWithOneTangentForAnyTangentsThatLeadOn) {
     const Vector4d t = tangent_at(p, dice), u = tangent_at(q, dice);
     if ((q - p).dot(t) < 0.0 || (q - p).dot(u) < 0.0) continue;
     ++seen;
-    const auto biarc = Biarc<Vector4d>::between(p, t, q, u);
+    const auto biarc = Biarc<Vector4d>::between(p, t, q, u, q - p);
     const double a = (t - u).squaredNorm(), b = 2.0 * (q - p).dot(t + u), c = -(q - p).squaredNorm();
     const double reach = (-b + std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
     const Vector4d joint = 0.5 * ((p + reach * t) + (q - reach * u));
@@ -56,7 +56,7 @@ TEST(Biarcs, MeetOnTheSphereWithOneTangentForAnyTangentsThatLeadOn) {
 
 TEST(Biarcs, GoStraightWhereTheQuadraticIsLinear) {
   const Vector3d p(1.0, 2.0, 3.0), along = Vector3d(2.0, -1.0, 2.0) / 3.0;
-  const auto biarc = Biarc<Vector3d>::between(p, along, p + 6.0 * along, along);
+  const auto biarc = Biarc<Vector3d>::between(p, along, p + 6.0 * along, along, 6.0 * along);
   EXPECT_NEAR(biarc.first.length, 3.0, tolerance::algebra);
   EXPECT_NEAR(biarc.last.length, 3.0, tolerance::algebra);
   for (const double way : {0.0, 1.0, 2.5})
@@ -172,6 +172,18 @@ TEST(Biarcs, MovePositionsOnCirclesAndStraightLines) {
   for (const double t : sample_times(data.times, 8)) {
     EXPECT_TRUE(near(straight.position->linear_motion(t).position, Vector3d(t * velocity), tolerance::series));
     EXPECT_TRUE(near(straight.position->linear_motion(t).velocity, velocity, tolerance::series));
+  }
+}
+
+TEST(Biarcs, RestBetweenKeysThatDifferInTheirLastBits) {
+  KeyframeData data{.times = {0.0, 1.0, 2.0, 3.0}, .orientations = {Quaterniond::Identity()}};
+  data.orientations.emplace_back(0.95505481964979899, 0.090795329299302174, 0.24544143289892026, -0.13923003504145903);
+  data.orientations.emplace_back(0.9550548196497991, 0.090795329299302188, 0.24544143289892029, -0.13923003504145906);
+  data.orientations.push_back(Quaterniond::Identity());
+  const AnyCurve curve = make_curve("biarcs", keyframes(data)).value();
+  for (const double t : {1.0, 1.25, 1.5, 1.75, 2.0}) {
+    EXPECT_TRUE(near(curve(t), data.orientations[1], tolerance::algebra)) << t;
+    EXPECT_LE(curve.motion(t).angular_velocity.norm(), tolerance::algebra) << t;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <families/same_curve.hpp>
+#include <families/winding_keys.hpp>
 #include <orispline/families/registry.hpp>
 #include <support/near.hpp>
 #include <support/relative_jumps.hpp>
@@ -110,6 +111,20 @@ TYPED_TEST(Blend, IsTheSameCurveWhenKeysAndTimeAreReversed) {
   for (const double t : sample_times(data.times)) EXPECT_TRUE(near(back(-t), forth(t), tolerance::series)) << t;
 }
 
+TYPED_TEST(Blend, TurnsByTheAnglesOfItsOwnPathAboutOneAxisHoweverFarItWinds) {
+  for (const double order : {1.0, 2.0, 3.0})
+    expect_the_turn_of_its_path({TypeParam::info.name, of_order(order)}, winding_keys_about_one_axis());
+}
+
+TYPED_TEST(Blend, IsAsSmoothWhereItWinds) {
+  for (const double aside : {0.0, 1e-12, 1e-8})
+    for (const std::size_t order : {1u, 2u, 3u}) {
+      const Keyframes keys = winding_keys_about_one_axis(aside);
+      const auto jumps = relative_jumps(typed_curve<TypeParam>(keys, of_order(static_cast<double>(order))));
+      for (std::size_t k = 0; k <= order; ++k) EXPECT_LE(jumps[k], tolerance::continuity) << "order " << k;
+    }
+}
+
 TEST(Circular, StaysOnACircleOfS3ThatItsKeysLieOn) {
   for (const double centre : {0.0, 1e-12, 1e-6, 1e-3, 0.3, 0.8, 0.99}) {
     const KeysOnACircle circle{centre};
@@ -132,8 +147,8 @@ TEST(Circular, RunsOnItsCircleAtAConstantRateWhateverTheRadius) {
 TEST(Circular, IsAccurateOnShortArcs) {
   // Steps of 1e-5 rad: a centre found from such keys would have lost half its digits.
   const KeysOnACircle circle{0.3};
-  std::vector<double> times;
-  for (const double t : uneven_times) times.push_back(1e-4 * t);
+  std::vector<double> times = uneven_times;
+  for (double& t : times) t *= 1e-4;
   const AnyCurve curve = make_curve("circular", keyframes(circle.keys(times))).value();
   const double speed = 2.0 * 0.7 * std::sqrt(1.0 - 0.3 * 0.3);
   for (double t = times[1]; t < times[5]; t += 5e-6)
@@ -145,6 +160,16 @@ TEST(Circular, IsLogParabolaAboutOneAxis) {
   for (const double angle : {0.0, 0.9, 1.0, 1.3, 1.9, 2.0, 2.8})  // onwards: on the way back a circle goes all round
     data.orientations.push_back(exp<double>(Eigen::Vector3d(0.3, 0.2, -0.7)) *
                                 exp<double>(angle * Eigen::Vector3d(0.48, -0.6, 0.64)));
+  const Keyframes keys = keyframes(data);
+  const AnyCurve circular = make_curve("circular", keys).value(), parabola = make_curve("log-parabola", keys).value();
+  for (const double t : sample_times(keys.times(), 9))
+    EXPECT_TRUE(near(circular.motion(t), parabola.motion(t), same_curve)) << t;
+}
+
+TEST(Circular, IsLogParabolaAboutOneAxisAlsoWhereItTurnsBack) {
+  KeyframeData data{.times = uneven_times};
+  for (const double angle : {0.0, 0.9, 0.2, 1.3, 1.2, 2.0, 0.8})
+    data.orientations.push_back(exp<double>(angle * Eigen::Vector3d(0.48, -0.6, 0.64)));
   const Keyframes keys = keyframes(data);
   const AnyCurve circular = make_curve("circular", keys).value(), parabola = make_curve("log-parabola", keys).value();
   for (const double t : sample_times(keys.times(), 9))

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <orispline/analysis/continuity.hpp>
+#include <orispline/curve/one_axis.hpp>
 #include <orispline/families/registry.hpp>
 #include <support/near.hpp>
 #include <support/specimens.hpp>

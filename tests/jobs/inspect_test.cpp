@@ -37,6 +37,22 @@ TEST(InspectJob, CountsKeysOfAWrongNormAmongThoseThatAreNotUnit) {
   EXPECT_EQ(std::get<std::string>(member(document_of(*outcome), "defect").value()), "key 2: no");
 }
 
+TEST(InspectJob, SaysWhereACurveJumpsBetweenItsKeys) {
+  auto outcome = inspect({.keys = turns(wide_swing(5)), .methods = {Method("timed-c2")}}).value();
+  EXPECT_EQ(summary_of(outcome).find(" jumps by "), std::string::npos);
+  outcome.methods[0].continuity.orientation = {.angle = 0.5, .time = 2.25, .key = 2};
+  EXPECT_NE(summary_of(outcome).find("\ntimed-c2              C-1  "), std::string::npos) << summary_of(outcome);
+  EXPECT_NE(
+      summary_of(outcome).find("\ntimed-c2 jumps by 28.65° between two keys, after key 2 (2 s); put a key in between, "
+                               "or take timed-c2\n"),
+      std::string::npos)
+      << summary_of(outcome);
+  const Json method = std::get<Json::Array>(member(document_of(outcome), "methods").value())[0];
+  EXPECT_EQ(std::get<std::int64_t>(member(method, "continuity_order").value()), -1);
+  EXPECT_EQ(std::get<std::uint64_t>(member(method, "orientation_jump_max_after_key").value()), 2u);
+  EXPECT_NEAR(number(method, "orientation_jump_max_deg"), 28.647889756541161, 1e-12);
+}
+
 TEST(InspectJob, TellsWhatTheKeysSayToTheMethodMeasured) {
   const auto outcome = inspect({.keys = turns(wide_swing(40)), .methods = {Method("measured"), Method("auto")}});
   ASSERT_TRUE(outcome);

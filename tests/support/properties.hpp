@@ -48,9 +48,8 @@ inline KeyframeData with_turns_within(double widest, const KeyframeData& data) {
   return within;
 }
 
-/// Random keys as many as the family takes and turning no wider than it takes: cut, or continued by some more turns
-/// where there are too few.
-inline KeyframeData fitting(const FamilyInfo& family, const RandomKeys& random) {
+/// Random keys as many as the family takes: cut, or continued by some more turns where there are too few.
+inline KeyframeData as_many_as_taken(const FamilyInfo& family, const RandomKeys& random) {
   KeyframeData data = random.data;
   while (data.times.size() < static_cast<std::size_t>(family.min_keys)) {
     data.times.push_back(data.times.back() + 0.5);
@@ -60,6 +59,12 @@ inline KeyframeData fitting(const FamilyInfo& family, const RandomKeys& random) 
   const std::size_t count = family.key_use.cut(data.times.size());
   data.times.resize(count);
   data.orientations.resize(count);
+  return data;
+}
+
+/// Random keys as many as the family takes and turning no wider than it takes.
+inline KeyframeData fitting(const FamilyInfo& family, const RandomKeys& random) {
+  const KeyframeData data = as_many_as_taken(family, random);
   const double widest = family.key_use.widest_turn;
   return widest < 2.0 * pi ? with_turns_within(widest, data) : data;
 }

@@ -151,8 +151,8 @@ class Curve(Looks, Orienting):
         return dict(self._core.settings)
 
     def continuity(self) -> int:
-        """The order to which it is continuous in time at its keys, measured: 2 is C², 3 the most that is looked for. A loop
-        is measured where it closes too.
+        """The order to which it is continuous in time at its keys, measured: 2 is C², 3 the most that is looked for, and -1
+        says that the orientation itself jumps between them. A loop is measured where it closes too.
 
         >>> import orispline as ori
         >>> ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]], "slerp").continuity()
@@ -448,7 +448,7 @@ class Curve(Looks, Orienting):
         return baked(self._core, self._clock, self._scalar_first, tolerance, dtype)
 
     def __repr__(self) -> str:
-        order = "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(digit)] for digit in str(self.continuity()))
+        order = str(self.continuity()).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
         count = len(self._keys)
         return (f"Curve({self.method!r}, {count} key{'' if count == 1 else 's'}, "
                 f"{self._clock.span(np.array(self._core.domain))}, C{order})")

@@ -71,6 +71,7 @@ bool rests(const Joint& joint, double fastest) {
 }  // namespace
 
 int Continuity::order() const noexcept {
+  if (orientation.angle > 0.0) return -1;
   if (angular_velocity.relative > continuity_tolerance) return 0;
   if (angular_acceleration.relative > continuity_tolerance) return 1;
   return angular_jerk.relative > continuity_tolerance ? 2 : 3;
@@ -78,11 +79,12 @@ int Continuity::order() const noexcept {
 
 Continuity continuity_at_keys(const AnyCurve& curve, Seam seam) {
   Jumps jumps{};
-  for_each_probe(curve, [&](const Motion& motion) { widen_magnitudes(jumps, motion); });
+  const auto widen = [&](const Motion& motion) { widen_magnitudes(jumps, motion); };
+  const OrientationJump between_keys = look_between_keys(curve, widen);
   for_each_joint(curve, seam, [&](const Joint& joint) { compare_sides(jumps, joint); });
   for (RateJump& jump : jumps)
     if (jump.relative > 0.0) jump.relative /= jump.magnitude;
-  return {jumps[0], jumps[1], jumps[2]};
+  return {jumps[0], jumps[1], jumps[2], between_keys};
 }
 
 PathShape path_shape(const Motion& motion) noexcept {
@@ -95,7 +97,7 @@ PathShape path_shape(const Motion& motion) noexcept {
 }
 
 std::optional<int> ShapeContinuity::order_in_motion() const noexcept {
-  if (joints > 0 && rests == joints) return std::nullopt;
+  if (broken || (joints > 0 && rests == joints)) return std::nullopt;
   if (direction.relative > continuity_tolerance) return 0;
   if (curvature.relative > continuity_tolerance) return 1;
   return curvature_rate.relative > continuity_tolerance ? 2 : 3;
@@ -106,8 +108,8 @@ std::optional<int> ShapeContinuity::order() const noexcept { return rests > 0 ? 
 ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam) {
   double fastest = 0.0;
   const auto widen = [&](const Motion& motion) { fastest = std::max(fastest, motion.angular_velocity.norm()); };
-  for_each_probe(curve, widen);
   ShapeContinuity found;
+  found.broken = look_between_keys(curve, widen).angle > 0.0;
   for_each_joint(curve, seam, [&](const Joint& joint) {
     ++found.joints;
     if (rests(joint, fastest)) {

@@ -15,13 +15,22 @@ struct RateJump {
   double relative = 0.0;   ///< largest / magnitude; 0 where every jump is within the rounding of the rate itself
 };
 
+/// Where the orientation itself jumps, from one time to the next one that a double can tell from it.
+struct OrientationJump {
+  double angle = 0.0;   ///< [rad]; 0: nowhere
+  double time = 0.0;    ///< [s]
+  std::size_t key = 0;  ///< the one before it
+};
+
 /// The continuity in time that a curve really has on its keys.
 struct ORISPLINE_EXPORT Continuity {
   RateJump angular_velocity{};      ///< [rad/s]
   RateJump angular_acceleration{};  ///< [rad/s²]
   RateJump angular_jerk{};          ///< [rad/s³]
+  OrientationJump orientation{};    ///< the largest one between keys
 
-  /// The largest k up to 3 for which no rate of order k or lower jumps by more than `continuity_tolerance`.
+  /// The largest k up to 3 for which no rate of order k or lower jumps by more than `continuity_tolerance`; -1 where
+  /// the orientation itself jumps.
   [[nodiscard]] int order() const noexcept;
 };
 
@@ -32,7 +41,8 @@ inline constexpr double continuity_tolerance = 1e-9;
 enum class Seam { open, closed };
 
 /// One-sided rates compared at every interior key and, of a loop, where its end meets its beginning (key 0). A jump of
-/// a rate of order k within 256 ε/h^k, h [s] being the smaller spacing beside the key, is rounding.
+/// a rate of order k within 256 ε/h^k, h [s] being the smaller spacing beside the key, is rounding. Between the keys
+/// the orientation is looked at: no rate tells that it jumps.
 [[nodiscard]] ORISPLINE_EXPORT Continuity continuity_at_keys(const AnyCurve& curve, Seam seam = Seam::open);
 
 /// Where a path goes at a moment, and how it bends by the angle travelled, whatever its speed.
@@ -63,11 +73,12 @@ struct ORISPLINE_EXPORT ShapeContinuity {
   std::size_t joints = 0;      ///< keys that were looked at
   std::size_t rests = 0;       ///< of them those at which the body rests
   std::size_t first_rest = 0;  ///< the first of these, if there is one
+  bool broken = false;         ///< the orientation jumps between keys, so that there is no path
 
   /// The largest k up to 3 for which nothing of order k or lower jumps by more than `continuity_tolerance` at the keys
-  /// at which the body moves; absent where it rests at all of them.
+  /// at which the body moves; absent where it rests at all of them, or the orientation jumps.
   [[nodiscard]] std::optional<int> order_in_motion() const noexcept;
-  /// The largest such k of all keys; absent where the body rests at one of them, since it is undefined there.
+  /// The largest such k of all keys; absent also where the body rests at one of them, since it is undefined there.
   [[nodiscard]] std::optional<int> order() const noexcept;
 };
 

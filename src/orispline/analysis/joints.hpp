@@ -2,11 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include <orispline/analysis/continuity.hpp>
+#include <orispline/analysis/orientation_jump.hpp>
 
-// The places where segments of a curve meet, with the rates on both sides.
+// The places where segments of a curve meet, with the rates on both sides, and what lies between them.
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -29,14 +29,18 @@ void for_each_joint(const AnyCurve& curve, Seam seam, Look&& look) {
   look(Joint{0, std::min(t[1] - t[0], t[last] - t[last - 1]), curve.motion(t[last]), curve.motion(t[0])});
 }
 
-/// Calls `look` with motions that show how fast the curve is: at its ends and at three points of each segment.
+/// Calls `look` with motions that show how fast the curve is: at the ends and at three points of each segment. Gives
+/// the largest jump of the orientation between its keys.
 template <class Look>
-void for_each_probe(const AnyCurve& curve, Look&& look) {
-  const auto t = curve.knots().times();
-  look(curve.motion(t.front()));
-  look(curve.motion(t.back()));
-  for (std::size_t i = 0; i + 1 < t.size(); ++i)
-    for (const double u : {0.25, 0.5, 0.75}) look(curve.motion(std::lerp(t[i], t[i + 1], u)));
+[[nodiscard]] OrientationJump look_between_keys(const AnyCurve& curve, Look&& look) {
+  OrientationJump largest;
+  for (std::size_t i = 0; i < curve.knots().segments(); ++i) {
+    const auto probes = probes_of(curve, i);
+    for (const TimedMotion& probe : probes) look(probe.motion);
+    const OrientationJump found = jump_between(probes, curve, i);
+    if (found.angle > largest.angle) largest = found;
+  }
+  return largest;
 }
 
 }}  // namespace orispline

@@ -41,7 +41,7 @@ class AverageCurve {
     const Weights<T> w = weights(t, segment);
     Weights<double> values{};
     for (std::size_t k = 0; k < active; ++k) values[k] = static_cast<double>(value_of(w[k]));
-    const Eigen::Quaterniond average = averaged(values, segment);
+    Eigen::Quaterniond average = averaged(values, segment);
     if constexpr (std::is_same_v<T, double>) {
       return average;
     } else {

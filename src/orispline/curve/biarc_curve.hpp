@@ -53,9 +53,11 @@ template <class V>
 struct Biarc {
   Arc<V> first, last;
 
-  /// The tangents lead on, both of them or by halves: (to - from)·(leaving + arriving) is not negative.
-  [[nodiscard]] static Biarc between(const V& from, const V& leaving, const V& to, const V& arriving) noexcept {
-    const V chord = to - from, bend = leaving - arriving;
+  /// `chord` leads from one end to the other, and is told apart since their difference may be all rounding. The
+  /// tangents lead on, both of them or by halves: chord·(leaving + arriving) is not negative.
+  [[nodiscard]] static Biarc between(const V& from, const V& leaving, const V& to, const V& arriving,
+                                     const V& chord) noexcept {
+    const V bend = leaving - arriving;
     const double a = bend.squaredNorm(), b = chord.dot(leaving + arriving), square = chord.squaredNorm();
     const double reach = square / (b + std::sqrt(b * b + a * square));
     const V joint = 0.5 * (chord + reach * bend);  // seen from the start

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <numbers>
 #include <span>
 #include <vector>
 
@@ -14,15 +13,11 @@ struct HandleRates {
   std::vector<Eigen::Vector3d> leaving, arriving;
 };
 
-/// How far a handle turns away from its key.
+/// How far a handle turns away from its key: the rates there are those of the handle up to a full turn.
 struct HandleTurn {
   std::size_t key = 0;
   double turn = 0.0;  ///< [rad]
 };
-
-/// A handle as far from its key as this [rad] is where one that turns the other way round would be: its logarithm
-/// wraps.
-inline constexpr double full_turn = 2.0 * std::numbers::pi;
 
 [[nodiscard]] inline HandleTurn wider_of(const HandleTurn& a, const HandleTurn& b) { return b.turn > a.turn ? b : a; }
 

@@ -91,7 +91,7 @@ template <Number T>
 /// `inertia`: J [kg m²] about the centre of mass, body frame, symmetric and positive definite.
 template <Number T>
 [[nodiscard]] Vector3<T> torque(const MotionOver<T>& m, const Eigen::Matrix3d& inertia) noexcept {
-  const Matrix3<T> J = inertia.cast<T>();
+  const Matrix3<T>& J = inertia.cast<T>();
   const Vector3<T> momentum = J * m.angular_velocity;
   return J * m.angular_acceleration + m.angular_velocity.cross(momentum);
 }

@@ -3,11 +3,13 @@
 
 #include <array>
 #include <concepts>
+#include <numeric>
 #include <vector>
 
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/knots.hpp>
+#include <orispline/curve/one_axis.hpp>
 #include <orispline/math/geodesic.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
@@ -23,10 +25,34 @@ class Pyramid {
     std::array<Point, 4> points;
     std::array<double, 4> times;
     std::array<Displacement<Point>, 3> steps;
+
+    /// From one point's time to another's.
+    template <Number T>
+    [[nodiscard]] T fraction(const T& t, std::size_t from, std::size_t to) const noexcept {
+      return (t - T(times[from])) / (times[to] - times[from]);
+    }
+    /// The same seen from the other one: 0 there, -1 at the first.
+    template <Number T>
+    [[nodiscard]] T fraction_after(const T& t, std::size_t from, std::size_t to) const noexcept {
+      return (t - T(times[to])) / (times[to] - times[from]);
+    }
+    /// The left side of the pyramid where its base is about one axis: a rotation vector from the second point [rad].
+    template <Number T>
+    [[nodiscard]] Vector3<T> left(const T& t) const noexcept {
+      return mixed<T>(constant<T>(steps[0]) * fraction_after(t, 0, 1), constant<T>(steps[1]) * fraction(t, 1, 2),
+                      fraction(t, 0, 2));
+    }
+    /// The right side likewise, from the third point.
+    template <Number T>
+    [[nodiscard]] Vector3<T> right(const T& t) const noexcept {
+      return mixed<T>(constant<T>(steps[1]) * fraction_after(t, 1, 2), constant<T>(steps[2]) * fraction(t, 2, 3),
+                      fraction(t, 1, 3));
+    }
   };
 
   Pyramid(Knots knots, std::vector<Segment> segments) : knots_(std::move(knots)), segments_(std::move(segments)) {
     ORISPLINE_EXPECT(segments_.size() == knots_.segments());
+    for (const Segment& segment : segments_) winding_.push_back(winding_of(segment));
   }
 
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
@@ -34,20 +60,44 @@ class Pyramid {
   template <Number T>
   [[nodiscard]] PointOver<Point, T> point(const T& t, std::size_t segment) const noexcept {
     const Segment& s = segments_[segment];
-    const auto fraction = [&](std::size_t from, std::size_t to) -> T {
-      return (t - T(s.times[from])) / (s.times[to] - s.times[from]);
-    };
+    const Winding winds = winding_[segment];
+    const T u = s.fraction(t, 1, 2);
+    if (winds.whole)
+      return displaced_about_one_axis<T>(s.points[1], s.points[2], s.steps[1],
+                                         mixed<T>(s.left(t), Vector3<T>(constant<T>(s.steps[1]) + s.right(t)), u), u);
     const auto base = [&](std::size_t k) {
-      return displaced<T>(constant<T>(s.points[k]), constant<T>(s.steps[k]) * fraction(k, k + 1));
+      return displaced<T>(constant<T>(s.points[k]), constant<T>(s.steps[k]) * s.fraction(t, k, k + 1));
     };
     const auto before = base(0), here = base(1), after = base(2);
-    return on_geodesic<T>(on_geodesic<T>(before, here, fraction(0, 2)), on_geodesic<T>(here, after, fraction(1, 3)),
-                          fraction(1, 2));
+    return on_geodesic<T>(winds.left ? displaced<T>(constant<T>(s.points[1]), s.left(t))
+                                     : on_geodesic<T>(before, here, s.fraction(t, 0, 2)),
+                          winds.right ? displaced<T>(constant<T>(s.points[2]), s.right(t))
+                                      : on_geodesic<T>(here, after, s.fraction(t, 1, 3)),
+                          u);
   }
 
  private:
+  /// What comes a full turn apart while it is blended, about one axis: the base of a side, or all.
+  struct Winding {
+    bool left = false, right = false, whole = false;
+  };
+
+  /// Each pair of the base is farthest apart where the segment ends or begins, the two sides in its middle.
+  [[nodiscard]] static Winding winding_of(const Segment& s) noexcept {
+    if constexpr (std::same_as<Point, Eigen::Vector3d>) return {};
+    const double start = s.times[1], end = s.times[2], middle = std::midpoint(start, end);
+    const Eigen::Vector3d before = s.steps[0] * s.fraction_after(end, 0, 1), here = s.steps[1],
+                          after = s.steps[2] * s.fraction(start, 2, 3);
+    Winding winding{.left = wraps(here - before) && have_one_axis(std::array{before, here}),
+                    .right = wraps(here + after) && have_one_axis(std::array{here, after})};
+    const bool winds = winding.left || winding.right || wraps(here + s.right(middle) - s.left(middle));
+    winding.whole = winds && have_one_axis(std::array{before, here, after});
+    return winding;
+  }
+
   Knots knots_;
   std::vector<Segment> segments_;
+  std::vector<Winding> winding_;  ///< by segment; in space nothing winds
 };
 
 /// Catmull–Rom with slerps: C1 in time on any knots.

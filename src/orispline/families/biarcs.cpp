@@ -79,24 +79,36 @@ Eigen::Vector4d tangent_at(const Eigen::Quaterniond& q, const Eigen::Vector3d& d
 }
 Eigen::Vector3d tangent_at(const Eigen::Vector3d&, const Eigen::Vector3d& direction) { return direction; }
 
+/// From a point to the one that a displacement leads to: the difference of the two, as exact as the displacement is.
+Eigen::Vector4d chord_along(const Eigen::Quaterniond& from, const Eigen::Vector3d& displacement) {
+  const double size = displacement.norm();
+  double sine, cosine, half_sine, half_cosine;
+  sin_cos(0.5 * size, sine, cosine);
+  sin_cos(0.25 * size, half_sine, half_cosine);
+  const Eigen::Vector3d across = sine * (displacement / size);
+  return (from * Eigen::Quaterniond(-2.0 * half_sine * half_sine, across.x(), across.y(), across.z())).coeffs();
+}
+Eigen::Vector3d chord_along(const Eigen::Vector3d&, const Eigen::Vector3d& displacement) { return displacement; }
+
 /// The path between two points with the tangents that their keys ask for; one that is not asked for makes it one arc.
 template <CurvePoint P>
 Biarc<Ambient<P>> path_between(const P& from, const std::optional<Eigen::Vector3d>& leaving, const P& to,
                                const std::optional<Eigen::Vector3d>& arriving, const Eigen::Vector3d& displacement) {
   using V = Ambient<P>;
-  const V &start = ambient(from), &end = ambient(to), chord = end - start;
+  const V &start = ambient(from), &end = ambient(to);
   const double size = displacement.norm();
   if (size < least_step) return {{.start = start}, {.start = end}};
+  const V chord = chord_along(from, displacement);
   const auto mirrored_at_chord = [unit = V(chord.normalized())](const V& t) -> V {
     return 2.0 * unit.dot(t) * unit - t;
   };
   if (!leaving && !arriving) {
     const Eigen::Vector3d straight = displacement / size;
-    return Biarc<V>::between(start, tangent_at(from, straight), end, tangent_at(to, straight));
+    return Biarc<V>::between(start, tangent_at(from, straight), end, tangent_at(to, straight), chord);
   }
   const V first = leaving ? tangent_at(from, *leaving) : mirrored_at_chord(tangent_at(to, *arriving));
   const V last = arriving ? tangent_at(to, *arriving) : mirrored_at_chord(tangent_at(from, *leaving));
-  return Biarc<V>::between(start, first, end, last);
+  return Biarc<V>::between(start, first, end, last, chord);
 }
 
 /// The speed at a key, by the mean speeds on either side: their weighted harmonic mean, at most three times either.

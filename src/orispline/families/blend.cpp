@@ -53,15 +53,17 @@ CircleOrParabola circle(const Triple<Eigen::Quaterniond>& p) {
     return (a.coeffs() - b.coeffs()).norm();
   };
   if (std::min({chord(p.previous, p.key), chord(p.key, p.next), chord(p.previous, p.next)}) < nearest_keys_of_a_circle)
-    return {chart_parabola(p)};
+    return chart_parabola(p);
   const Eigen::Vector3d previous = stereographic(p.key, p.previous), next = stereographic(p.key, p.next);
   const Eigen::Vector3d tangent = (next - previous).normalized();
   const Eigen::Vector3d bend = tangent.cross(previous.cross(next)) / (next - previous).norm();  // the line's foot
+  const bool back = previous.dot(next) > 0.0;
+  if (back && bend.norm() <= one_axis_tolerance) return chart_parabola(p);
   const double radius = 1.0 / std::sqrt(1.0 + bend.squaredNorm());
   // On the line the distance from the foot is cot(φ/2)/ρ.
   const auto angle_to = [&](const Eigen::Vector3d& y) { return 2.0 * atan2_of(1.0, radius * tangent.dot(y)); };
   const double ahead = angle_to(next), behind = angle_to(previous) - 2.0 * std::numbers::pi;
-  return {CircularArc{p.key, p.time, tangent, bend, radius, p.parabola(behind, ahead)}};
+  return CircularArc{p.key, p.time, tangent, bend, radius, p.parabola(behind, ahead)};
 }
 
 /// The primitive of every key, a reflected ghost beside either end.

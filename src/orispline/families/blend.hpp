@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <concepts>
+#include <numeric>
 #include <variant>
 #include <vector>
 
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/knots.hpp>
+#include <orispline/curve/one_axis.hpp>
 #include <orispline/math/geodesic.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
@@ -25,11 +28,20 @@ struct Parabola {
   double time;
   ParabolaThroughZero<Displacement<Point>> displacement;
 
+  /// Where it is at that time, from its key.
+  template <Number T>
+  [[nodiscard]] Displacement<Point, T> way(const T& t) const noexcept {
+    const T tau = t - T(time);
+    return (constant<T>(displacement.linear) + constant<T>(displacement.quadratic) * tau) * tau;
+  }
+  /// What that is made of.
+  [[nodiscard]] std::array<Displacement<Point>, 3> ways(double step) const noexcept {
+    return {displacement.linear * step, displacement.quadratic * step * step, Displacement<Point>::Zero()};
+  }
+
   template <Number T>
   [[nodiscard]] PointOver<Point, T> operator()(const T& t) const noexcept {
-    const T tau = t - T(time);
-    return displaced<T>(constant<T>(key),
-                        (constant<T>(displacement.linear) + constant<T>(displacement.quadratic) * tau) * tau);
+    return displaced<T>(constant<T>(key), way(t));
   }
 };
 
@@ -45,11 +57,26 @@ struct CircularArc {
   double radius;            ///< in R⁴: ρ
   ParabolaThroughZero<double> angle;
 
+  /// Of R⁴ [rad].
+  template <Number T>
+  [[nodiscard]] T angle_at(const T& t) const noexcept {
+    const T tau = t - T(time);
+    return (T(angle.linear) + T(angle.quadratic) * tau) * tau;
+  }
+  /// Where it is at that time, from its key, on a great circle.
+  template <Number T>
+  [[nodiscard]] Vector3<T> way(const T& t) const noexcept {
+    return constant<T>(tangent) * T(angle_at(t) * Plain<T>(2.0));
+  }
+  /// What that is made of, with what keeps it from being a great circle.
+  [[nodiscard]] std::array<Eigen::Vector3d, 3> ways(double step) const noexcept {
+    return {2.0 * angle.linear * step * tangent, 2.0 * angle.quadratic * step * step * tangent, bend};
+  }
+
   template <Number T>
   [[nodiscard]] Quaternion<T> operator()(const T& t) const noexcept {
-    const T tau = t - T(time);
     T sine, cosine, half_sine, half_cosine;
-    const T phi = (T(angle.linear) + T(angle.quadratic) * tau) * tau;
+    const T phi = angle_at(t);
     sin_cos(phi, sine, cosine);
     sin_cos(T(phi * 0.5), half_sine, half_cosine);
     const T across = half_sine * half_sine * (2.0 * radius * radius);  // ρ²(1 - cos φ) without cancellation
@@ -58,13 +85,32 @@ struct CircularArc {
   }
 };
 
-/// A circle, or the parabola in its place where two of the keys are too close to tell the circle.
+/// A circle, or the parabola in its place where two of the keys are too close to tell the circle, or where it would go
+/// all round about one axis.
 struct CircleOrParabola {
+  Eigen::Quaterniond key;
   std::variant<CircularArc, Parabola<Eigen::Quaterniond>> kind;
 
+  template <class Kind>
+  CircleOrParabola(const Kind& one) : key(one.key), kind(one) {}  // NOLINT: it is either
+
+  /// What `ask` says of it. `std::visit` might throw.
+  template <class Ask>
+  [[nodiscard]] auto of_kind(Ask ask) const noexcept {
+    const auto* arc = std::get_if<CircularArc>(&kind);
+    return arc != nullptr ? ask(*arc) : ask(*std::get_if<Parabola<Eigen::Quaterniond>>(&kind));
+  }
+
+  template <Number T>
+  [[nodiscard]] Vector3<T> way(const T& t) const noexcept {
+    return of_kind([&t](const auto& primitive) { return primitive.way(t); });
+  }
+  [[nodiscard]] std::array<Eigen::Vector3d, 3> ways(double step) const noexcept {
+    return of_kind([step](const auto& primitive) { return primitive.ways(step); });
+  }
   template <Number T>
   [[nodiscard]] Quaternion<T> operator()(const T& t) const noexcept {
-    return std::visit([&t](const auto& arc) { return arc(t); }, kind);
+    return of_kind([&t](const auto& primitive) { return primitive(t); });
   }
 };
 
@@ -86,20 +132,39 @@ class BlendedCurve {
   BlendedCurve(Knots knots, std::vector<Primitive> primitives, int order)
       : knots_(std::move(knots)), primitives_(std::move(primitives)), order_(order) {
     ORISPLINE_EXPECT(primitives_.size() == knots_.segments() + 1);
+    for (std::size_t i = 0; i < knots_.segments(); ++i) winding_.push_back(winds_about_one_axis(i));
   }
 
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
 
   template <Number T>
   [[nodiscard]] PointOver<Point, T> point(const T& t, std::size_t segment) const noexcept {
-    const T u = knots_.span(segment).normalised(t);
-    return on_geodesic<T>(primitives_[segment](t), primitives_[segment + 1](t), smooth_step(order_, u));
+    const T share = smooth_step(order_, knots_.span(segment).normalised(t));
+    const Primitive &from = primitives_[segment], &to = primitives_[segment + 1];
+    if (!winding_[segment]) return on_geodesic<T>(from(t), to(t), share);
+    const Eigen::Vector3d step = displacement<double>(from.key, to.key);
+    const Vector3<T> way = mixed<T>(from.way(t), Vector3<T>(constant<T>(step) + to.way(t)), share);
+    return displaced_about_one_axis<T>(from.key, to.key, step, way, share);
   }
 
  private:
+  /// Whether the two primitives of a segment come a full turn apart. About one axis they differ by a parabola that is 0
+  /// at either end.
+  [[nodiscard]] bool winds_about_one_axis(std::size_t segment) const noexcept {
+    if constexpr (std::same_as<Point, Eigen::Vector3d>) return false;
+    const KnotSpan span = knots_.span(segment);
+    const Primitive &from = primitives_[segment], &to = primitives_[segment + 1];
+    const double middle = std::midpoint(span.start(), span.end());
+    const Eigen::Vector3d step = displacement<double>(from.key, to.key);
+    if (!wraps(step + to.way(middle) - from.way(middle))) return false;
+    const auto ahead = from.ways(span.step()), behind = to.ways(-span.step());
+    return have_one_axis(std::array{step, ahead[0], ahead[1], ahead[2], behind[0], behind[1], behind[2]});
+  }
+
   Knots knots_;
   std::vector<Primitive> primitives_;
   int order_;
+  std::vector<bool> winding_;  ///< by segment; in space nothing winds
 };
 
 template <CurvePoint Point>

@@ -9,6 +9,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/increments.hpp>
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/one_axis.hpp>
 #include <orispline/curve/rate_comparison.hpp>
 #include <orispline/curve/three_key_rates.hpp>
 #include <orispline/families/registry.hpp>

@@ -5,6 +5,7 @@
 
 #include <orispline/base/suggestion.hpp>
 #include <orispline/curve/key_check.hpp>
+#include <orispline/curve/one_axis.hpp>
 #include <orispline/families/build.hpp>
 #include <orispline/families/families.hpp>
 #include <orispline/families/handles.hpp>
@@ -84,10 +85,10 @@ Expected<Settled> choose(const Method& method, const Keyframes& keys) {
   // Keys that were left out of others may be more uneven than these.
   if (auto error = check_times(keys.times())) return tl::unexpected(std::move(*error));
   if (!method.options.loop) return Settled{*index, keys, std::move(*settings)};
-  return closed_keys(keys, *method.options.loop).map([&](ClosedKeys closed) {
+  return closed_keys(keys, *method.options.loop).map([&](const ClosedKeys& closed) {
     settings->closure = closed.closure;
     wrap_around(*settings, closed.keys.size());
-    return Settled{*index, std::move(closed.keys), std::move(*settings)};
+    return Settled{*index, closed.keys, std::move(*settings)};
   });
 }
 

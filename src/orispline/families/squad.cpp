@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/squad.hpp>
 
+#include <array>
+
+#include <orispline/curve/one_axis.hpp>
+
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
+Eigen::Vector3d SquadCurve::inner_increment(const Eigen::Quaterniond& key, const Eigen::Quaterniond& leaving,
+                                            const Eigen::Vector3d& step, const Eigen::Quaterniond& next,
+                                            const Eigen::Quaterniond& arriving) noexcept {
+  const Eigen::Vector3d first = increment<double>(key, leaving), last = increment<double>(next, arriving);
+  const Eigen::Vector3d along = step + last - first;
+  const bool round = wraps(along) && have_one_axis(std::array{first, step, last});
+  return round ? increment_near(along, leaving, arriving) : increment<double>(leaving, arriving);
+}
 
 namespace {
 

@@ -30,10 +30,11 @@ class SquadCurve {
       const Handles next = handles(i + 1);
       const Eigen::Quaterniond leaving = q[i] * exp<double>(here.leaving);
       const Eigen::Quaterniond arriving = q[i + 1] * exp<double>(next.arriving);
+      const Eigen::Vector3d step = increment<double>(q[i], q[i + 1]);
       pieces_.push_back({.outer = q[i],
                          .inner = leaving,
-                         .outer_increment = increment<double>(q[i], q[i + 1]),
-                         .inner_increment = increment<double>(leaving, arriving)});
+                         .outer_increment = step,
+                         .inner_increment = inner_increment(q[i], leaving, step, q[i + 1], arriving)});
       here = next;
     }
   }
@@ -52,6 +53,11 @@ class SquadCurve {
   [[nodiscard]] SegmentForm form(std::size_t segment) const noexcept { return pieces_[segment]; }
 
  private:
+  /// From one inner quaternion to the other, about one axis as far round as keeps them within a turn of the outer arc.
+  [[nodiscard]] static Eigen::Vector3d inner_increment(const Eigen::Quaterniond& key, const Eigen::Quaterniond& leaving,
+                                                       const Eigen::Vector3d& step, const Eigen::Quaterniond& next,
+                                                       const Eigen::Quaterniond& arriving) noexcept;
+
   Knots knots_;
   std::vector<SquadForm> pieces_;  // with the increments of their arcs, formed once
 };

@@ -66,6 +66,9 @@ Json methods_json(const InspectOutcome& outcome) {
   Json methods = Json::array();
   for (const auto& [name, continuity, shape, findings] : outcome.methods) {
     Json method{{"method", name}, {"continuity_order", continuity.order()}};
+    method["orientation_jump_max_deg"] = continuity.orientation.angle * degrees;
+    if (continuity.orientation.angle > 0.0)
+      add_place(method, "orientation_jump_max_after", outcome, continuity.orientation.key);
     add_jump(method, "angular_velocity", "rad_s", continuity.angular_velocity);
     add_jump(method, "angular_acceleration", "rad_s2", continuity.angular_acceleration);
     add_jump(method, "angular_jerk", "rad_s3", continuity.angular_jerk);
@@ -133,6 +136,14 @@ std::string jump_cell(const Jump& jump) {
   return formatted("{:>10.3g}  {:>8.1e}", jump.largest, jump.relative);
 }
 
+/// Where a curve is none, or nothing.
+std::string break_line(const InspectOutcome& outcome, const InspectedMethod& method) {
+  const OrientationJump& jump = method.continuity.orientation;
+  if (!(jump.angle > 0.0)) return "";
+  return formatted("{} jumps by {:.4g}° between two keys, after {}; put a key in between, or take timed-c2\n",
+                   method.name, jump.angle * degrees, place(outcome, jump.key));
+}
+
 std::string methods_table(const InspectOutcome& outcome) {
   if (outcome.methods.empty()) return "";
   std::string table = formatted(
@@ -142,6 +153,7 @@ std::string methods_table(const InspectOutcome& outcome) {
   for (const auto& [method, c, shape, findings] : outcome.methods)
     table += formatted("{:20}{:>5}  {}  {}  {}\n", method, formatted("C{}", c.order()), jump_cell(c.angular_velocity),
                        jump_cell(c.angular_acceleration), jump_cell(c.angular_jerk));
+  for (const InspectedMethod& method : outcome.methods) table += break_line(outcome, method);
   return table;
 }
 
