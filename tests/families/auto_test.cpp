@@ -78,6 +78,25 @@ TEST(Auto, IsExactForAFixedAxisWithACubicAngle) {
   }
 }
 
+TEST(Auto, TheLastDigitsOfARestMoveNothing) {
+  const KeyframeData noisy{
+      .times = {0.0, 1.1376953125, 1.41015625, 4.20703125, 5.49609375, 6.0009765625},
+      .orientations = {
+          quaternion_wxyz(0.93884864055851014, -0.30747458919780912, 0.13632226441816925, -0.0737485412939025),
+          quaternion_wxyz(0.93884864055851014, -0.30747458919780907, 0.13632226441816928, -0.073748541293902514),
+          quaternion_wxyz(0.93884864055851025, -0.30747458919780918, 0.13632226441816922, -0.0737485412939025),
+          quaternion_wxyz(0.93884864055851025, -0.30747458919780907, 0.13632226441816925, -0.073748541293902514),
+          quaternion_wxyz(0.93884864055851003, -0.30747458919780912, 0.13632226441816925, -0.0737485412939025),
+          quaternion_wxyz(0.86026997682736162, -0.34186287063363624, 0.19754186936931374959, -0.32255628116595408)}};
+  KeyframeData resting = noisy;
+  std::fill_n(resting.orientations.begin(), 5, noisy.orientations[0]);
+  for (const char* family : {"auto", "auto5", "measured"}) {
+    const AnyCurve rough = auto_curve(noisy, family), still = auto_curve(resting, family);
+    for (const double t : sample_times(noisy.times, 9))
+      EXPECT_LE(angular_distance(rough(t), still(t)), tolerance::algebra) << family << " at " << t;
+  }
+}
+
 TEST(Auto, MovingOneKeyMovesTheStatedSegmentsOnly) {
   const KeyframeData data = random_walk(402, 16, Spacing::uneven);
   constexpr std::size_t moved_key = 8;

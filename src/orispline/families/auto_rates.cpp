@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <orispline/curve/key_knots.hpp>
@@ -48,22 +49,7 @@ Rates geodesic_rates(const Beside& beside) noexcept {
 
 namespace {
 
-/// (1) How far five keys are from a cubic: 0 for one, 1 for a kick or alternating noise.
-double roughness_of(const Window& w) {
-  std::array<Eigen::Vector3d, 3> bend;  // second divided differences
-  std::array<double, 3> at;
-  Eigen::Vector3d before = w.secant(0);
-  for (std::size_t m = 0; m < 3; ++m) {
-    const Eigen::Vector3d after = w.secant(m + 1);
-    bend[m] = (2.0 / (w.times[m + 2] - w.times[m])) * (after - before);
-    at[m] = (w.times[m] + w.times[m + 1] + w.times[m + 2]) / 3.0;
-    before = after;
-  }
-  const double share = (at[2] - at[1]) / (at[2] - at[0]);
-  const double size = bend[1].norm() + share * bend[0].norm() + (1.0 - share) * bend[2].norm();
-  if (!(size > 0.0)) return 0.0;
-  return (bend[1] - share * bend[0] - (1.0 - share) * bend[2]).norm() / size;
-}
+constexpr double seen_share = 1e-3;  // of the largest bend: one that is not smaller is as rough as it is
 
 /// 1 up to `low` times the spline's error, 0 from `high` times on.
 struct Belief {
@@ -92,6 +78,25 @@ double polynomial_trust(const Window& window) {
 
 }  // namespace
 
+/// (1)
+AutoRates::Bends AutoRates::bends_of(const Window& w) {
+  std::array<Eigen::Vector3d, 3> bend;  // second divided differences
+  std::array<double, 3> at;
+  double least = std::numeric_limits<double>::infinity();
+  Eigen::Vector3d before = w.secant(0);
+  for (std::size_t m = 0; m < 3; ++m) {
+    const Eigen::Vector3d after = w.secant(m + 1);
+    bend[m] = (2.0 / (w.times[m + 2] - w.times[m])) * (after - before);
+    at[m] = (w.times[m] + w.times[m + 1] + w.times[m + 2]) / 3.0;
+    least = std::min(least, w.step(m) * w.step(m + 1));
+    before = after;
+  }
+  const double share = (at[2] - at[1]) / (at[2] - at[0]);
+  const double size = bend[1].norm() + share * bend[0].norm() + (1.0 - share) * bend[2].norm();
+  if (!(size > 0.0)) return {0.0, 0.0};
+  return {(bend[1] - share * bend[0] - (1.0 - share) * bend[2]).norm() / size, size * least};
+}
+
 AutoRates::AutoRates(const Keyframes& keys, Through through, std::size_t reach, std::size_t kept)
     : times_(keys.times()), reach_(reach), kept_(kept) {
   if (through == Through::orientations) orientations_ = keys.orientations();
@@ -108,7 +113,8 @@ Rates AutoRates::rates(std::size_t i, double belief) const {
   const Rates rates = windowed_rates(i, belief);
   if (i == 0 || i + 1 == size()) return rates;
   const double before = step(i - 1), after = step(i);
-  const double gap = switched(roughness(i), 0.8, 1.0) * gap_of(std::max(after / before, before / after));
+  const double gap =
+      switched(roughness({i, i}, stretch_of(i)), 0.8, 1.0) * gap_of(std::max(after / before, before / after));
   return gap > 0.0 ? blended(rates, geodesic_rates({before, after, secant(i - 1), secant(i)}), gap) : rates;
 }
 
@@ -125,7 +131,7 @@ void AutoRates::find(std::size_t i) {
   Key& key = keys_[i % places];
   for (std::size_t k = 1; k <= std::min(kept_, size() - 1 - i); ++k) key.to[k - 1] = found(i, i + k);
   key.turn = i + 1 < size() && positions_.empty() ? key.to[0].norm() : 0.0;
-  key.roughness = i >= 4 ? roughness_of(window(i - 2, i - 4, 5)) : 1.0;
+  key.bends = i >= 4 ? bends_of(window(i - 2, i - 4, 5)) : Bends{1.0, 0.0};
 }
 
 Eigen::Vector3d AutoRates::increment(std::size_t i, std::size_t j) const {
@@ -145,15 +151,26 @@ Window AutoRates::cut_window(std::size_t centre, std::size_t reach) const {
   return window(centre, first, std::min(size() - 1, centre + reach) - first + 1);
 }
 
-double AutoRates::roughness(std::size_t i) const {
-  return size() < 5 ? 1.0 : known(std::clamp<std::size_t>(i, 2, size() - 3) + 2).roughness;
+const AutoRates::Bends& AutoRates::bends(std::size_t i) const {
+  return known(std::clamp<std::size_t>(i, 2, size() - 3) + 2).bends;
 }
 
-/// The largest whose five keys lie in the shifted window of key i.
-double AutoRates::widest_roughness(std::size_t i) const {
-  if (reach_ == 2 || size() < 5) return roughness(i);
+AutoRates::Stretch AutoRates::stretch_of(std::size_t i) const {
+  if (reach_ == 2 || size() < 5) return {i, i};
   const std::size_t centre = std::clamp<std::size_t>(i, 3, std::max<std::size_t>(3, size() - 4));
-  return std::max({roughness(centre - 1), roughness(centre), roughness(centre + 1)});
+  return {centre - 1, centre + 1};
+}
+
+double AutoRates::roughness(const Stretch& of, const Stretch& beside) const {
+  if (size() < 5) return 1.0;
+  double largest_bend = 0.0, roughest = 0.0;
+  for (std::size_t k = beside.first; k <= beside.last; ++k) largest_bend = std::max(largest_bend, bends(k).size);
+  const double seen = seen_share * largest_bend;
+  for (std::size_t k = of.first; k <= of.last; ++k) {
+    const auto& [roughness, size] = bends(k);
+    roughest = std::max(roughest, size < seen ? roughness * switched(size, 0.0, seen) : roughness);
+  }
+  return roughest;
 }
 
 /// (2) Natural spline and polynomial over the window of that reach, mixed by `smooth`.
@@ -180,7 +197,8 @@ double AutoRates::turn_beside(std::size_t i, std::size_t reach) const {
 
 /// (3) Narrower windows where the keys turn far.
 Rates AutoRates::windowed_rates(std::size_t i, double belief) const {
-  const double smooth = belief * smoothness(i);
+  const Stretch stretch = stretch_of(i);
+  const double smooth = belief * smooth_share(roughness(stretch, stretch));
   const double wide = reach_ == 3 ? window_share(turn_beside(i, 3)) : 0.0;
   const double middle = (1.0 - wide) * window_share(turn_beside(i, 2));
   const double narrow = 1.0 - wide - middle;

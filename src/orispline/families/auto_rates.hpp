@@ -62,10 +62,15 @@ class AutoRates {
   [[nodiscard]] const Eigen::Vector3d& step_from(std::size_t i) const { return known(i).to[0]; }
   /// From key i to key j; the increment back is the opposite one.
   [[nodiscard]] Eigen::Vector3d increment(std::size_t i, std::size_t j) const;
-  /// At the ends that of the nearest key with two on either side; 1 for fewer than five keys.
-  [[nodiscard]] double roughness(std::size_t i) const;
-  /// How far the polynomial through the keys around key i is to be believed.
-  [[nodiscard]] double smoothness(std::size_t i) const { return smooth_share(widest_roughness(i)); }
+  /// Keys that have two on either side; beyond the ends of the track the nearest such key is meant.
+  struct Stretch {
+    std::size_t first, last;
+  };
+  /// Those whose five nearest keys lie in the shifted window of key i.
+  [[nodiscard]] Stretch stretch_of(std::size_t i) const;
+  /// The largest roughness in a stretch; 1 for fewer than five keys. Keys that hardly bend beside those of the other
+  /// stretch count as smooth: of such small bends the least noise decides how rough they are.
+  [[nodiscard]] double roughness(const Stretch& of, const Stretch& beside) const;
   /// The larger turn on one side of key i within the shifted window of that reach [rad].
   [[nodiscard]] double turn_beside(std::size_t i, std::size_t reach) const;
 
@@ -73,10 +78,15 @@ class AutoRates {
   static constexpr std::size_t ahead = 9;    ///< the keys of a window may be those that follow
   static constexpr std::size_t places = 32;  ///< at least twice as many
 
+  /// How five keys bend.
+  struct Bends {
+    double roughness;  ///< how far they are from a cubic: 0 for one, 1 for a kick or alternating noise
+    double size;       ///< how far keys must move to bend so [rad], or [m]
+  };
   struct Key {
     std::array<Eigen::Vector3d, 4> to;  ///< increments to the next keys
     double turn;                        ///< to the next one [rad]
-    double roughness;                   ///< of the five keys whose last is this one
+    Bends bends;                        ///< of the five keys whose last is this one
   };
 
   [[nodiscard]] std::size_t size() const { return times_.size(); }
@@ -88,7 +98,8 @@ class AutoRates {
   void find(std::size_t i);
   [[nodiscard]] Window window(std::size_t centre, std::size_t first, std::size_t count) const;
   [[nodiscard]] Window cut_window(std::size_t centre, std::size_t reach) const;
-  [[nodiscard]] double widest_roughness(std::size_t i) const;
+  [[nodiscard]] static Bends bends_of(const Window& window);
+  [[nodiscard]] const Bends& bends(std::size_t i) const;
   [[nodiscard]] WindowRates mixed_rates(std::size_t i, std::size_t reach, double smooth) const;
   [[nodiscard]] WindowRates windowed_rates(std::size_t i, double belief) const;
 

@@ -71,8 +71,9 @@ void KeyWindows::go_to(std::size_t i) {
   key_ = i;
   first_ = first_of_window(i, window_keys, times_.size());
   trust_ = trust_of_window();
-  smooth_ = along_.smoothness(i);
-  smooth9_ = trust_ > 0.0 && smooth_ > 0.0 ? trust_ * smoothness9() : 0.0;
+  const AutoRates::Stretch nine{first_ + 2, first_ + 6};
+  smooth_ = smooth_share(along_.roughness(along_.stretch_of(i), nine));
+  smooth9_ = trust_ > 0.0 && smooth_ > 0.0 ? trust_ * smooth_share(along_.roughness(nine, nine)) : 0.0;
   has_maps_ = false;
   if (!(trust_ > 0.0)) return;
   for (std::size_t j = 0; j < window_keys; ++j) increments_[j] = along_.increment(i, first_ + j);
@@ -82,13 +83,6 @@ double KeyWindows::trust_of_window() const {
   double widest = 0.0;
   for (std::size_t k = first_; k + 1 < first_ + window_keys; ++k) widest = std::max(widest, times_[k + 1] - times_[k]);
   return window_share(along_.turn_beside(key_, window_reach)) * (1.0 - gap_of(widest / interval_));
-}
-
-/// By the five roughnesses whose keys lie in the window.
-double KeyWindows::smoothness9() const {
-  double largest = 0.0;
-  for (std::size_t k = first_ + 2; k <= first_ + 6; ++k) largest = std::max(largest, along_.roughness(k));
-  return smooth_share(largest);
 }
 
 const WindowMaps& KeyWindows::maps() {

@@ -47,7 +47,6 @@ class KeyWindows {
 
  private:
   [[nodiscard]] double trust_of_window() const;
-  [[nodiscard]] double smoothness9() const;
 
   std::span<const double> times_;
   AutoRates along_;
