@@ -144,6 +144,7 @@ nb::dict attributes_of_reduction(const jobs::ReduceSceneOutcome& outcome) {
   attributes["translation_keys"] = totals.translation_keys;
   attributes["translation_keys_before"] = totals.translation_keys_before;
   attributes["angle"] = worst_of(outcome, totals.angle, &ClipReduction::angle);
+  attributes["translation"] = worst_of(outcome, totals.translation, &ClipReduction::translation, outcome.metres());
   attributes["distance"] = worst_of(outcome, totals.distance, &ClipReduction::distance, outcome.metres());
   attributes["from_smooth"] = worst_of(outcome, totals.from_smooth, &ClipReduction::from_smooth);
   attributes["from_stored"] = worst_of(outcome, totals.from_stored, &ClipReduction::from_stored);

@@ -12,8 +12,9 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 struct ClipTotals {
   std::size_t rotation_keys = 0, rotation_keys_before = 0, rotation_tracks = 0, open_tracks = 0;
   std::size_t translation_keys = 0, translation_keys_before = 0;
-  /// The clips where these are largest, of equals the first; null where there is no clip.
-  const ClipReduction *angle = nullptr, *distance = nullptr, *from_smooth = nullptr, *from_stored = nullptr;
+  /// The clips where these are largest, of equals the first; null where no clip has one.
+  const ClipReduction *angle = nullptr, *translation = nullptr, *distance = nullptr;
+  const ClipReduction *from_smooth = nullptr, *from_stored = nullptr;
 };
 
 /// The totals point to the reductions, which outlive them.
