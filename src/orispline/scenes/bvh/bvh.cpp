@@ -325,7 +325,7 @@ std::vector<Eigen::Quaterniond> rotations_of(std::span<const Column> columns, co
 
 Clip clip_of(const Source& source, std::string name) {
   Clip clip{.name = std::move(name)};
-  const std::vector<double> times = times_of(source.frame_time, source.frames);
+  const SharedList<double> times = times_of(source.frame_time, source.frames);
   const std::size_t stride = columns_of(source.joints);
   const double* numbers = source.numbers.data();
   for (std::size_t j = 0; j < source.joints.size(); ++j) {
