@@ -97,7 +97,7 @@ class Clip:
     name
         As the file has it.
     start, end
-        Times of its first and its last key [s].
+        Times of its first and its last key [s], of what else the file moves in it, such as weights, too.
     """
 
     name: str
