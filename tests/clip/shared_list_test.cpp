@@ -21,7 +21,7 @@ TEST(SharedList, IsAVector) {
   list.back() += 1;
   list[1] = 8;
   EXPECT_EQ(list, (SharedList<int>{7, 8, 2, 3, 5}));
-  list.assign(2, 6);
+  list.assign(std::size_t{2}, 6);
   list.resize(3);
   const std::vector<int> vector = list;
   EXPECT_EQ(vector, (std::vector{6, 6, 0}));

@@ -20,15 +20,11 @@ template <class T>
 class SharedList {
  public:
   using value_type = T;
-  using size_type = std::size_t;
-  using difference_type = std::ptrdiff_t;
-  using reference = T&;
-  using const_reference = const T&;
   using iterator = typename std::vector<T>::iterator;
   using const_iterator = typename std::vector<T>::const_iterator;
 
   SharedList() noexcept = default;
-  // NOLINTNEXTLINE(google-explicit-constructor): it is a vector in all but what copies cost.
+  // Not explicit, nor is the way back: it is a vector in all but what copies cost.
   SharedList(std::vector<T> entries) : block_(entries.empty() ? nullptr : new Block{{1}, std::move(entries)}) {}
   SharedList(std::initializer_list<T> entries) : SharedList(std::vector<T>(entries)) {}
   template <std::input_iterator It>
@@ -44,7 +40,6 @@ class SharedList {
   }
   ~SharedList() { leave(block_); }
 
-  // NOLINTNEXTLINE(google-explicit-constructor): as above.
   operator const std::vector<T>&() const noexcept { return entries(); }
 
   [[nodiscard]] std::size_t size() const noexcept { return entries().size(); }
