@@ -60,8 +60,8 @@ int main() {
   const auto read = orispline::scenes::read_scene("arm.glb");
   if (!read) return std::fprintf(stderr, "%s\n", describe(read.error()).c_str()), 1;
   const orispline::ClipMotion before(scene.skeleton, scene.clips[0]), after(read->skeleton, read->clips[0]);
-  const auto joints = counterparts_of(scene.skeleton, read->skeleton);
-  const auto found = differences(before, after, joints, key_times(scene.clips[0]));
+  const auto same = counterparts_of(scene.skeleton, read->skeleton);
+  const auto found = differences(before, after, same.joints, key_times(scene.clips[0]));
   for (std::size_t i = 0; i < found.size(); ++i)
     std::printf("%-8s within %.0f mm\n", scene.skeleton[i].name.c_str(), std::ceil(1e3 * found[i].distance.value));
 

@@ -11,14 +11,22 @@
 
 namespace orispline::cli {
 
-Expected<void> write_scene(const std::string& path, const scenes::Scene& scene, const scenes::SceneWriting& writing) {
+Expected<scenes::WrittenKeys> write_counted_scene(const std::string& path, const scenes::Scene& scene,
+                                                  const scenes::SceneWriting& writing) {
   auto written = scenes::written_scene(scene, path, writing);
   if (!written) return tl::unexpected(std::move(written.error()));
   return open_output(path)
       .and_then([&](Noted<io::OutputFile> output) {
         return output.file.write(written->bytes).and_then([&] { return put_in_place(std::move(output)); });
       })
-      .map([&] { warn(written->warnings); });
+      .map([&] {
+        warn(written->warnings);
+        return written->keys;
+      });
+}
+
+Expected<void> write_scene(const std::string& path, const scenes::Scene& scene, const scenes::SceneWriting& writing) {
+  return write_counted_scene(path, scene, writing).map([](const scenes::WrittenKeys&) {});
 }
 
 }  // namespace orispline::cli

@@ -8,7 +8,9 @@
 namespace orispline::cli {
 
 /// Writes a scene into a file that appears complete or not at all, also when the command is interrupted, and says what
-/// the format had no room for.
+/// the format had no room for. Returns how many keys are in it.
+[[nodiscard]] Expected<scenes::WrittenKeys> write_counted_scene(const std::string& path, const scenes::Scene& scene,
+                                                                const scenes::SceneWriting& writing);
 [[nodiscard]] Expected<void> write_scene(const std::string& path, const scenes::Scene& scene,
                                          const scenes::SceneWriting& writing);
 

@@ -140,7 +140,7 @@ class Equal(SceneTest):
         self.write("more.gltf", json.dumps(document))
         self.assertEqual(self.output_of("difference more.gltf two.gltf"),
                          "more.gltf and two.gltf: 2 clips compared\nonly in more.gltf: 1 clip, such as 'third'\n"
-                         "only in more.gltf: 1 joint\nno difference in 2 joints at 8 times\n")
+                         "only in more.gltf: 1 joint, such as 'more'\nno difference in 2 joints at 8 times\n")
 
 
 class SinglePrecision(SceneTest):

@@ -43,12 +43,6 @@ TEST(Differences, SayWhenTheyAreLargest) {
   EXPECT_EQ(found[1].distance.time, 1.0);
 }
 
-TEST(Counterparts, GoByNamesAndByTheirOrderWhereNamesAreEqual) {
-  const Skeleton a = Skeleton::make({{.name = "x"}, {.name = "y"}, {.name = "x"}, {.name = "only here"}}).value();
-  const Skeleton b = Skeleton::make({{.name = "y"}, {.name = "x"}, {.name = "x"}}).value();
-  EXPECT_EQ(counterparts_of(a, b), (std::vector<std::size_t>{1, 0, 2, no_parent}));
-}
-
 TEST(KeyTimes, AreThoseOfAllChannelsEachOnce) {
   const Clip clip{.name = "c",
                   .rotations = {{.joint = 0, .times = {0.0, 2.0}, .values = {about_z(0), about_z(1)}}},

@@ -52,6 +52,43 @@ TEST(DifferenceJob, ComparesBetweenTheKeysToo) {
   EXPECT_EQ(difference(request).error().option, "rate");
 }
 
+TEST(DifferenceJob, SaysWhatIsGuessedAndWhatIsMissing) {
+  MotionFile first = motion("a.glb", {turned("nod", 0.1), turned("nod", 0.2)}),
+             second = motion("b.glb", {turned("nod", 0.1), turned("nod", 0.2), turned("nod", 0.4)});
+  first.skeleton = Skeleton::make({{.name = "head"},
+                                   {.name = "ear", .parent = 0},
+                                   {.name = "ear", .parent = 0},
+                                   {.name = "hat", .parent = 0},
+                                   {.name = "jaw", .parent = 0}})
+                       .value();
+  second.skeleton = Skeleton::make({{.name = "head"},
+                                    {.name = "ear", .parent = 0},
+                                    {.name = "ear", .parent = 0},
+                                    {.name = "mouth", .parent = 0},
+                                    {.name = "jaw", .parent = 3}})
+                        .value();
+  const auto outcome = difference({.first = first, .second = second}).value();
+  ASSERT_EQ(outcome.warnings.size(), 2u);
+  EXPECT_EQ(describe(outcome.warnings[0]),
+            "a.glb: found 2 clips whose name others have too, such as 'nod'; by their order it was guessed which they "
+            "are in the second file");
+  EXPECT_EQ(describe(outcome.warnings[1]),
+            "a.glb: found 2 joints whose name others have too, such as 'head/ear'; by their order it was guessed which "
+            "they are in the second file");
+  const std::string summary = summary_of(outcome);
+  EXPECT_NE(summary.find("only in a.glb: 1 joint, such as 'hat'\nonly in b.glb: 1 joint, such as 'mouth'\n"
+                         "by name alone, below other joints: 1 joint, such as 'jaw'\n"),
+            std::string::npos)
+      << summary;
+  const Json document = document_of(outcome);
+  EXPECT_EQ(std::get<std::uint64_t>(member(document, "joints_only_in_first").value()), 1u);
+  EXPECT_EQ(std::get<std::uint64_t>(member(document, "joints_only_in_second").value()), 1u);
+  EXPECT_TRUE(difference({.first = first, .second = first}).value().warnings.size() == 2u);
+  first.clips.pop_back();
+  second.clips.resize(1);
+  EXPECT_EQ(difference({.first = first, .second = second}).value().warnings.size(), 1u);
+}
+
 TEST(DifferenceJob, SaysTheSameInItsDocumentAndItsSummary) {
   const auto outcome =
       difference({.first = motion("a.glb", {turned("nod", 0.1)}), .second = motion("b.glb", {turned("nod", 0.3)})})

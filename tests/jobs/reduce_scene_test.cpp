@@ -68,6 +68,46 @@ TEST(ReduceSceneJob, AddsUpNoClips) {
   EXPECT_TRUE(summary_of(outcome).starts_with("0 clips from arm.glb, tolerance 0.572958°")) << summary_of(outcome);
 }
 
+TEST(ReduceSceneJob, SaysNothingOfErrorsWhereNoJointMoves) {
+  for (Skeleton skeleton : {Skeleton(), arm()}) {
+    ReduceSceneRequest request = request_of(glb);
+    request.skeleton = std::move(skeleton);
+    request.clips = {{.name = "weights alone"}};
+    request.options.world_tolerance = 0.01;
+    const ReduceSceneOutcome outcome = reduced(std::move(request));
+    EXPECT_EQ(outcome.totals().distance, nullptr);
+    const Json document = document_of(outcome);
+    for (const char* name : {"angle_deg", "translation_m", "shell_distance_m", "from_smooth_deg", "from_stored_deg"})
+      EXPECT_TRUE(std::holds_alternative<std::nullptr_t>(member(document, name).value())) << name;
+    EXPECT_EQ(summary_of(outcome),
+              "1 clip from arm.glb, tolerance 0.572958°, 0.01 m in the world, method cubicspline\n");
+    EXPECT_EQ(line_of(outcome), "0 of 0 keys, 0° and 0 m in the world off at most");
+    EXPECT_TRUE(outcome.warnings.empty());
+  }
+}
+
+TEST(ReduceSceneJob, SaysHowFarTranslationsAreOffWhereTheyAreBounded) {
+  ReduceSceneRequest request = request_of(bvh);
+  VectorChannel shift{.joint = 0};
+  for (int i = 0; i < 90; ++i) {
+    shift.times.push_back(i / 30.0);
+    shift.values.emplace_back(std::sin(0.1 * i), 0.0, 0.0);
+  }
+  request.clips[0].translations.push_back(shift);
+  request.position_scale = 0.01;
+  EXPECT_EQ(summary_of(reduced(request)).find("largest shift"), std::string::npos);
+  request.options.position_tolerance = 1e-4;
+  const ReduceSceneOutcome outcome = reduced(request);
+  const double largest = number(member(document_of(outcome), "translation_m"), "largest");
+  EXPECT_GT(largest, 0.0);
+  EXPECT_LE(largest, 1e-4);
+  EXPECT_NE(summary_of(outcome).find("largest shift   "), std::string::npos) << summary_of(outcome);
+  request.options.position_tolerance = 1e-12;
+  const auto warnings = reduced(request).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].option, "position_tolerance");
+}
+
 TEST(ReduceSceneJob, WarnsOfSinglePrecision) {
   ReduceSceneRequest request = request_of({.name = "arm.csv"});
   request.options.tolerance = 1e-9;

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Skeletons with their clips: read, reduced, compared and written."""
+import base64
+import json
 import math
 
 import numpy as np
@@ -151,6 +153,60 @@ def test_bvh_has_the_order_of_angles_that_is_asked_for(arm, tmp_path):
     with pytest.raises(ori.ArgumentError, match="wanted three different axes"):
         arm.write(tmp_path / "no.bvh", output_euler="ZZZ")
     assert not (tmp_path / "no.bvh").exists()
+
+
+def gltf(path, nodes=(), animations=(), **more):
+    """A file of glTF with these parts, and keys of scalars at 0.5, 1 and 2 s as accessor 0."""
+    data = np.array([0.5, 1, 2, 0, 1, 0], "<f4").tobytes()
+    document = {"asset": {"version": "2.0"}, "buffers": [{"byteLength": len(data), "uri": "data:;base64," + base64.b64encode(data).decode()}],
+                "bufferViews": [{"buffer": 0, "byteLength": 12}, {"buffer": 0, "byteOffset": 12, "byteLength": 12}],
+                "accessors": [{"bufferView": k, "componentType": 5126, "count": 3, "type": "SCALAR"} for k in (0, 1)],
+                "nodes": list(nodes), "animations": list(animations), **more}
+    path.write_text(json.dumps({name: part for name, part in document.items() if part}), "utf-8")
+    return path
+
+
+def animation(*targets):
+    return {"name": "act", "channels": [{"sampler": 0, "target": target} for target in targets],
+            "samplers": [{"input": 0, "output": 1}]}
+
+
+@pytest.mark.parametrize(("nodes", "animations", "end"), [
+    ([], [], None), ([{"name": "a"}], [], None), ([], [animation()], 0), ([{"name": "a"}], [animation()], 0),
+    ([], [animation({"path": "pointer"})], 2), ([{"name": "a"}], [animation({"path": "weights", "node": 0})], 2)])
+def test_scenes_in_which_nothing_moves_have_their_answers(tmp_path, nodes, animations, end):
+    scene = ori.read_scene(gltf(tmp_path / "a.gltf", nodes, animations))
+    assert len(scene.skeleton) == len(nodes) and scene.skeleton.translations.shape == (len(nodes), 3)
+    assert [(clip.name, clip.end, clip.channels) for clip in scene.clips] == ([] if end is None else [("act", end, ())])
+    for options in ({"tolerance": "1deg"}, {"world_tolerance": "1mm", "closed": True}, {"position_tolerance": "1mm"}):
+        small, report = ori.reduce_scene(scene, **options)
+        assert report.rotation_keys == 0 and report.angle == report.distance == report.translation == type(report.angle)(0, "", "", 0)
+        assert not {"angle_deg", "translation_m", "shell_distance_m"} & set(report.as_dict()) and str(report).startswith(str(len(scene.clips)))
+        small.write(tmp_path / "b.glb")
+        assert len(ori.read_scene(tmp_path / "b.glb").clips) == len(scene.clips)
+    assert ori.shell_distance(scene, scene) == ({} if end is None else {"act": {"a": 0.0} if nodes else {}})
+    with pytest.raises(ori.DataError, match="found no clip, wanted one" if end is None else "found no rotation, wanted one"):
+        ori.read(tmp_path / "a.gltf")
+
+
+def test_joints_of_one_name_are_found_by_their_place(tmp_path):
+    def file(name, order):
+        nodes = [{"name": "left", "children": [order.index(2)]}, {"name": "right", "children": [order.index(3)]},
+                 {"name": "bone", "translation": [1, 0, 0]}, {"name": "bone", "translation": [2, 0, 0]}]
+        return ori.read_scene(gltf(tmp_path / name, [nodes[k] for k in order], [animation()]))
+
+    first, other = file("a.gltf", (0, 1, 2, 3)), file("b.gltf", (3, 1, 0, 2))
+    assert max(ori.shell_distance(first, other)["act"].values()) == 0
+    twins = ori.read_scene(gltf(tmp_path / "twins.gltf", [{"name": "bone"}, {"name": "bone"}], [animation()]))
+    with pytest.warns(ori.ShapeWarning, match="found 2 joints whose name others have too, such as 'bone'") as caught:
+        ori.shell_distance(twins, twins)
+    assert caught[0].message.code == "joints_guessed" and caught[0].filename == __file__
+
+
+def test_a_bound_that_is_given_holds_for_what_nearly_rests(tmp_path):
+    scene = ori.read_scene(bvh(tmp_path / "still.bvh", 2e-4 * np.sin(np.linspace(0, 6, 121))))
+    _, report = ori.reduce_scene(scene, "1e-5deg", method="slerp")
+    assert 0 < report.angle.value <= math.radians(1e-5)
 
 
 def test_what_is_wrong_is_named(arm, tmp_path):

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include <orispline/clip/clip_motion.hpp>
+#include <orispline/curve/keyframe.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
 
 namespace orispline { namespace {
@@ -56,6 +57,87 @@ TEST(ReduceClips, StandsStillBetweenEqualKeysAndIsJudgedAtTheKeysOfEachJoint) {
     const ChannelCurve<Eigen::Quaterniond> curve(reduction.clip.rotations[0]);
     for (const double t : {0.6, 0.75, 1.0, 1.25, 1.4}) EXPECT_LE(curve.at(t).vec().norm(), 0.5 * 0.01) << method << t;
   }
+}
+
+/// Two joints, the second in a frame that a scale makes longer, which move by less than the rounding of files.
+Skeleton stretched(double scale) {
+  JointPose grown;
+  grown.scale = Eigen::Vector3d::Constant(scale);
+  return Skeleton::make({{.name = "grown", .rest = grown}, {.name = "tip", .parent = 0}}).value();
+}
+
+/// Every property of the tip moves to and fro by a part of what counts as rest.
+Clip trembling(double part) {
+  RotationChannel turn{.joint = 1};
+  VectorChannel shift{.joint = 1}, growth{.joint = 1};
+  for (int i = 0; i <= 60; ++i) {
+    const double wave = part * std::sin(0.3 * i);
+    for (auto* const times : {&turn.times, &shift.times, &growth.times}) times->push_back(i / 30.0);
+    turn.values.push_back(exp<double>(Eigen::Vector3d(0.0, 0.0, rest_angle * wave)));
+    shift.values.emplace_back(0.0, rest_length * wave, 0.0);
+    growth.values.emplace_back(Eigen::Vector3d::Constant(1.0 + rest_length * wave));
+  }
+  return {.name = "tremble", .rotations = {turn}, .translations = {shift}, .scales = {growth}};
+}
+
+ClipReduction reduced_tremble(const ClipReduceOptions& options, double scale = 1.0) {
+  return reduce_clips(stretched(scale), std::array{trembling(0.5)}, options).value().front();
+}
+
+TEST(ReduceClips, ABoundHoldsForWhatNearlyRestsToo) {
+  for (const KeyPrecision precision : {KeyPrecision::float64, KeyPrecision::float32}) {
+    const ClipReduction loose =
+        reduced_tremble({.tolerance = 1e-3, .position_tolerance = 1e-3, .precision = precision});
+    EXPECT_EQ(loose.clip.rotations[0].size() + loose.clip.translations[0].size() + loose.clip.scales[0].size(), 4u)
+        << "one of them keeps the end of the clip";
+    for (const double part : {0.3, 0.03}) {
+      const double angle = part * rest_angle, length = part * rest_length;
+      const ClipReduction tight =
+          reduced_tremble({.tolerance = angle, .position_tolerance = length, .precision = precision});
+      EXPECT_LE(tight.angle.largest.value, angle);
+      EXPECT_LE(tight.translation.largest.value, length);
+      EXPECT_GT(tight.clip.rotations[0].size(), 2u);
+      EXPECT_GT(tight.clip.translations[0].size(), 2u);
+    }
+  }
+}
+
+TEST(ReduceClips, ABoundInTheWorldHoldsForWhatNearlyRestsToo) {
+  for (const double scale : {1.0, 1000.0}) {
+    for (const double length : {1e-5 * scale, 1e-7 * scale, 1e-8 * scale}) {
+      const ClipReduction found = reduced_tremble({.world_tolerance = length}, scale);
+      EXPECT_LE(found.distance.largest.value, length) << scale;
+    }
+  }
+}
+
+TEST(ReduceClips, WhatNearlyRestsIsJudgedInTheWorldWhereNothingBoundsIt) {
+  EXPECT_EQ(reduced_tremble({.tolerance = 1e-3}).clip.translations[0].size(), 1u);
+  const ClipReduction found = reduced_tremble({.tolerance = 1e-3}, 1000.0);
+  EXPECT_EQ(found.clip.translations[0].size(), 61u);
+  EXPECT_EQ(found.translation.largest.value, 0.0);
+}
+
+TEST(ReduceClips, AScaleThatIsSmallRestsByItsOwnSize) {
+  VectorChannel growth{.joint = 0, .times = {0.0, 1.0, 2.0}};
+  for (const double scale : {1.0, 1.5, 1.0}) growth.values.emplace_back(Eigen::Vector3d::Constant(1e-7 * scale));
+  const Clip clip{.name = "speck", .scales = {growth}};
+  const auto found = reduce_clips(stretched(1e-7), std::array{clip}, {.tolerance = 1e-3});
+  EXPECT_EQ(found.value().front().clip.scales[0].size(), 3u);
+}
+
+TEST(ReduceClips, HasNoLargestErrorWhereNothingMoves) {
+  const Clip empty{.name = "nothing"};
+  for (const Skeleton& skeleton : {Skeleton(), stretched(1.0)})
+    for (const ClipReduceOptions& options : {ClipReduceOptions{.tolerance = 1e-3}, {.world_tolerance = 1e-3}}) {
+      const auto found = reduce_clips(skeleton, std::array{empty, empty}, options);
+      ASSERT_TRUE(found);
+      ASSERT_EQ(found->size(), 2u);
+      for (const ClipReduction& reduction : *found)
+        for (const auto* const worst : {&reduction.angle, &reduction.translation, &reduction.distance,
+                                        &reduction.from_smooth, &reduction.from_stored})
+          EXPECT_FALSE(worst->is_known());
+    }
 }
 
 }}  // namespace orispline

@@ -38,8 +38,7 @@ constexpr std::string_view small_file =
     "FRAMES:\t2\r\n"
     "frame time:\t.0083333\r\n"
     "90 11 0 10 0 12 -90 7 180\r\n"
-    "90 1 90\r\n"
-    "2 0 3 0 8 0\r\n";
+    "90 1 90 2 0 3 0 8 0\r\n";
 
 TEST(Bvh, ReadsJointsInTheOrderOfTheFileWithEndSites) {
   const Scene scene = scene_of(small_file);
@@ -109,6 +108,21 @@ TEST(Bvh, ReadsTheStatedFramesOfMoreAndSaysSo) {
   EXPECT_EQ(scene.warnings[0].code, "frames_left_out");
 }
 
+TEST(Bvh, ReadsFramesByLinesWhereAllLinesHaveMoreNumbersThanChannels) {
+  for (const std::string_view end : {"\n", "\r\n", "\r", " \t\n\n"}) {
+    std::string frames;
+    for (const std::string_view frame : {"1 2 0", "3 4 0", "5 6 0"}) frames.append(frame).append(end);
+    const Scene scene = scene_of(one_joint("CHANNELS 2 Xposition Zposition", frames, "Frames: 2\n"));
+    EXPECT_EQ(scene.clips[0].translations[0].values[1], Eigen::Vector3d(3, 2, 4)) << end;
+    ASSERT_EQ(scene.warnings.size(), 2u);
+    EXPECT_EQ(describe(scene.warnings[0]),
+              "folder/walk.bvh:10: found 3 numbers in every frame, read the first 2, one for each channel");
+    EXPECT_EQ(scene.warnings[0].code, "numbers_left_out");
+    EXPECT_EQ(scene.warnings[1].code, "frames_left_out");
+    EXPECT_EQ(scene.warnings[1].numbers[0].second, 3.0);
+  }
+}
+
 TEST(Bvh, SeveralRootsAreReadAndRepeatedNamesAreNoted) {
   const Scene scene = scene_of(
       "HIERARCHY ROOT a\n{ OFFSET 0 0 0 CHANNELS 1 Xrotation }\nROOT a\n{ OFFSET 0 0 0 CHANNELS 1 Yrotation }\n"
@@ -176,6 +190,15 @@ TEST(Bvh, FilesOfStrangersAreRefusedWithTheLine) {
       {one_joint(three, "0 0 0\n1 2\n", "Frames: 1000000000000\n"),
        "12: found 1 whole frame, wanted 1000000000000, the number in line 8"},
       {one_joint(three, "0 0 0", ""), "8: found 'Frame', wanted Frames:"},
+      {one_joint(three, "0 0 0\n1\n2 3\n4 5 6\n", "Frames: 3\n"),
+       "11: found 1 number in the line, wanted a frame of 3, one for each channel"},
+      {one_joint(three, "0 0 0\n1 2 3 4\n5 6 7\n", "Frames: 3\n"),
+       "11: found 4 numbers in the line, wanted a frame of 3, one for each channel"},
+      {one_joint(three, "0 0 0 0\n1 2 3 4\n5 6 7\n", "Frames: 3\n"),
+       "12: found 3 numbers in the line, wanted a frame of 3, one for each channel, or 4 as in line 10"},
+      {one_joint(three, "0 0 0 1 2 3\n4 5 6 7 8 9\n", "Frames: 2\n"),
+       "10: found 6 numbers in the line, wanted a frame of 3, one for each channel"},
+      {one_joint(three, "0 0 0 x\n"), "10: found 'x', wanted a number such as -1.5e-3"},
       {one_joint(three, "0 inf 0"), "10: found 'inf', wanted a finite number"},
       {one_joint(three, "0 1e999 0"), "10: found '1e999', wanted a number below 1.8e308 in size"},
       {one_joint(three, "0 1e10 0"), "10: found '1e10', wanted a number of at most 1e+09 in size"},

@@ -68,7 +68,7 @@ TEST(BvhWriter, AJointThatChangedFollowsWithoutJumpsAndTheOthersStay) {
 
 TEST(BvhWriter, OneOrTwoTurnsStayWhereTheyAreEnoughElseThereAreThree) {
   Scene scene = scene_of(one_joint("CHANNELS 2 Xrotation Zrotation", "0 0\n10 20\n", "Frames: 2\n"));
-  std::vector<Eigen::Quaterniond>& values = scene.clips[0].rotations[0].values;
+  SharedList<Eigen::Quaterniond>& values = scene.clips[0].rotations[0].values;
   values[1] = turn_about(-1.0, Eigen::Vector3d::UnitX()) * turn_about(3.0, Eigen::Vector3d::UnitZ());
   std::string text = text_of(scene);
   EXPECT_EQ(line_of(text, "CHANNELS"), "CHANNELS 2 Xrotation Zrotation");

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <fstream>
+
+#include <sys/stat.h>
+
 #include "scenes/gltf_file.hpp"
 
 namespace orispline::scenes { namespace {
@@ -191,6 +196,43 @@ TEST(GltfHostile, Buffers) {
   EXPECT_EQ(said_of(with_uri("missing.bin")), "missing.bin: cannot read: No such file or directory");
 }
 
+TEST(GltfHostile, BuffersThatAreNoFilesOrAreElsewhere) {
+  namespace fs = std::filesystem;
+  const orispline::test::ScratchDirectory folder;
+  const auto name = [&](std::string_view in_folder) { return folder.file(in_folder); };
+  const GltfFile file = test::turning();
+  for (const char* made : {"inside", "inside/below", "outside"}) fs::create_directory(name(made));
+  for (const char* copy : {"outside/keys.bin", "inside/below/keys.bin"})
+    std::ofstream(name(copy), std::ios::binary) << file.binary;
+  fs::create_symlink("../outside/keys.bin", name("inside/away.bin"));
+  fs::create_directory_symlink("../outside", name("inside/way"));
+  fs::create_symlink("below/keys.bin", name("inside/down.bin"));
+  fs::create_symlink("nowhere.bin", name("inside/dangling.bin"));
+  fs::create_symlink("/dev/zero", name("inside/zero.bin"));
+  ASSERT_EQ(::mkfifo(name("inside/pipe.bin").c_str(), 0600), 0);
+  const auto said = [&](std::string_view uri) {
+    const std::string path = name("inside/scene.gltf");
+    std::ofstream(path, std::ios::binary)
+        << file.json(fmt::format(R"({{"byteLength":{},"uri":"{}"}})", file.binary.size(), uri));
+    const auto scene = read_scene(path);
+    return scene ? fmt::format("{} bytes", scene->bytes - fs::file_size(path)) : scene.error().message;
+  };
+  const std::string read = fmt::format("{} bytes", file.binary.size());
+  EXPECT_EQ(said("below/keys.bin"), read);
+  EXPECT_EQ(said("down.bin"), read);
+  for (const char* away : {"away.bin", "way/keys.bin"})
+    EXPECT_EQ(said(away), fmt::format("buffer 0: found uri '{}', a link to another folder, wanted a file beside the "
+                                      "glTF file; copy it there",
+                                      away));
+  for (const char* other : {"pipe.bin", "below", "zero.bin"})
+    EXPECT_EQ(said(other),
+              fmt::format("buffer 0: found uri '{}', which is a folder, a pipe or a device, wanted a file", other));
+  EXPECT_EQ(said("dangling.bin"), "cannot read: No such file or directory");
+  fs::create_directory_symlink("inside", name("linked"));
+  EXPECT_TRUE(read_scene(name("linked/scene.gltf")).error().message.starts_with("cannot read"))
+      << "a folder that is a link itself is the folder";
+}
+
 TEST(GltfHostile, Animations) {
   const std::string place = "clip 'walk', joint 'arm': ";
   const std::string key = "clip 'walk', joint 'arm', key ";
@@ -227,6 +269,21 @@ TEST(GltfHostile, FewBytesThatStandForManyKeys) {
   const auto scene = test::read(file.text(), {.drop_duplicates = true});
   ASSERT_TRUE(scene) << describe(scene.error());  // the zeros are one key each
   EXPECT_EQ(scene->clips[0].scales[0].size(), 1u);
+}
+
+TEST(GltfHostile, ManyAccessorsWithoutDataThatStandForManyKeys) {
+  GltfFile file;
+  static_cast<void>(file.floats("SCALAR", std::vector<float>{0}));
+  for (std::size_t i = 0; i < 80; ++i) {
+    for (const char* type : {"SCALAR", "VEC3"})
+      file.accessors.push_back(fmt::format(R"({{"componentType":5126,"count":{},"type":"{}"}})", 65536 - i, type));
+    file.animate(2 * i + 1, 2 * i + 2, "LINEAR", "scale");
+  }
+  const auto scene = test::read(file.text(), {.drop_duplicates = true});
+  ASSERT_FALSE(scene);
+  EXPECT_EQ(scene.error().message,
+            "clip 'walk', joint 'arm': found more than 4194308 keys in accessors that overlap or have no data, wanted "
+            "channels that share accessors");
 }
 
 }}  // namespace orispline::scenes

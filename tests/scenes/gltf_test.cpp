@@ -145,6 +145,41 @@ TEST(Gltf, ScalesTangentsAsTheirQuaternion) {
   EXPECT_EQ(scene->clips[0].domain().end, 0.5);
 }
 
+TEST(Gltf, ChannelsWithTheSameKeysShareThem) {
+  GltfFile file;
+  const std::size_t times = file.floats("SCALAR", {0, 1, 2}), turns = file.floats("VEC4", test::quarter_turns);
+  for (const std::size_t from : {times, turns}) file.accessors.push_back(file.accessors[from]);
+  const std::size_t others = file.floats("VEC4", {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
+  file.animate(times, turns);
+  file.animate(times + 2, turns + 2);
+  file.animate(times, others);
+  file.animate(times, turns, "STEP");
+  const auto scene = read(file.text());
+  ASSERT_TRUE(scene) << describe(scene.error());
+  const auto channel = [&](std::size_t clip) -> const RotationChannel& { return scene->clips[clip].rotations[0]; };
+  EXPECT_TRUE(channel(1).values.shares_with(channel(0).values)) << "accessors of the same bytes";
+  for (const std::size_t clip : {1u, 2u, 3u}) EXPECT_TRUE(channel(clip).times.shares_with(channel(0).times));
+  EXPECT_FALSE(channel(2).values.shares_with(channel(0).values));
+  EXPECT_EQ(channel(3).interpolation, ChannelInterpolation::step);
+  EXPECT_EQ(channel(3).values, channel(0).values);
+}
+
+TEST(Gltf, KnowsHowLongWhatIsPassedOnLasts) {
+  GltfFile file = test::turning();
+  const std::size_t times = file.floats("SCALAR", {0.5, 1, 4}), weights = file.floats("SCALAR", {0, 1, 0});
+  file.animate(times, weights, "LINEAR", "weights");
+  const auto scene = read(file.text());
+  ASSERT_TRUE(scene) << describe(scene.error());
+  EXPECT_FALSE(scene->clips[0].passed_on);
+  EXPECT_EQ(scene->clips[1].whole_domain().start, 0.5);
+  EXPECT_EQ(scene->clips[1].whole_domain().end, 4.0);
+  file.animate(99, weights, "LINEAR", "weights");
+  file.animate(weights, weights, "LINEAR", "weights");
+  const auto broken = read(file.text());
+  ASSERT_TRUE(broken) << "what is passed on is not read";
+  EXPECT_FALSE(broken->clips[2].passed_on);
+}
+
 TEST(Gltf, PassesOverWhatIsNoChannelOfOurs) {
   GltfFile file = test::turning();
   file.animations.clear();

@@ -121,7 +121,7 @@ nb::list channels_of(const SharedScene& shared, std::size_t clip) {
 nb::list clips_of(const SharedScene& shared) {
   nb::list all;
   for (const Clip& clip : shared.scene->clips)
-    all.append(nb::make_tuple(text(clip.name), clip.domain().start, clip.domain().end));
+    all.append(nb::make_tuple(text(clip.name), clip.whole_domain().start, clip.whole_domain().end));
   return all;
 }
 
@@ -144,6 +144,7 @@ nb::dict attributes_of_reduction(const jobs::ReduceSceneOutcome& outcome) {
   attributes["translation_keys"] = totals.translation_keys;
   attributes["translation_keys_before"] = totals.translation_keys_before;
   attributes["angle"] = worst_of(outcome, totals.angle, &ClipReduction::angle);
+  attributes["translation"] = worst_of(outcome, totals.translation, &ClipReduction::translation, outcome.metres());
   attributes["distance"] = worst_of(outcome, totals.distance, &ClipReduction::distance, outcome.metres());
   attributes["from_smooth"] = worst_of(outcome, totals.from_smooth, &ClipReduction::from_smooth);
   attributes["from_stored"] = worst_of(outcome, totals.from_stored, &ClipReduction::from_stored);
@@ -179,9 +180,10 @@ jobs::MotionFile motion_of(const SharedScene& shared) {
 }
 
 /// By the names of clips and joints of the first scene, all of whose clips are compared; of equal names the largest.
-nb::dict shell_distances(const SharedScene& first, const SharedScene& second, double shell) {
+/// Beside it the warnings.
+nb::tuple shell_distances(const SharedScene& first, const SharedScene& second, double shell) {
   nb::dict distances;
-  if (first.scene->clips.empty()) return distances;
+  if (first.scene->clips.empty()) return nb::make_tuple(distances, nb::list());
   const auto outcome = value_of(interruptible([&](const Progress&) {
     return jobs::difference({.first = motion_of(first), .second = motion_of(second), .shell = shell});
   }));
@@ -193,12 +195,12 @@ nb::dict shell_distances(const SharedScene& first, const SharedScene& second, do
     if (!distances.contains(name)) distances[name] = nb::dict();
     nb::dict joints = nb::borrow<nb::dict>(distances[name]);
     for (std::size_t i = 0; i < clip.joints.size(); ++i) {
-      const nb::str joint = text(outcome.name_of_joint(clip.joints[i]));
+      const nb::str joint = text(first.scene->skeleton[clip.joints[i]].name);
       const double before = joints.contains(joint) ? nb::cast<double>(joints[joint]) : 0.0;
       joints[joint] = std::max(before, clip.worst[i].distance.value);
     }
   }
-  return distances;
+  return nb::make_tuple(distances, told(outcome.warnings));
 }
 
 }  // namespace

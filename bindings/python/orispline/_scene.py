@@ -97,7 +97,7 @@ class Clip:
     name
         As the file has it.
     start, end
-        Times of its first and its last key [s].
+        Times of its first and its last key [s], of what else the file moves in it, such as weights, too.
     """
 
     name: str
@@ -228,6 +228,8 @@ class SceneReduction:
         Keys of translations.
     angle
         The largest angle between a joint and its key before, in the frame of its parent [rad].
+    translation
+        The largest distance between a joint and its key before there; its unit is that of `distance`.
     distance
         The largest shell distance in the world, at the same times [m]; in the unit of the file where nobody says what it is.
     from_smooth, from_stored
@@ -241,6 +243,7 @@ class SceneReduction:
     translation_keys: int
     translation_keys_before: int
     angle: Worst
+    translation: Worst
     distance: Worst
     from_smooth: Worst
     from_stored: Worst

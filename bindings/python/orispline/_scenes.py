@@ -120,8 +120,8 @@ def shell_distance(a: Scene, b: Scene, shell: float = 0.03) -> dict[str, dict[st
     Parameters
     ----------
     a, b : Scene
-        Clips and joints that have the same names are the same, and so is the only clip of both. All of `a` are compared, at
-        the times of its keys.
+        Clips that have the same name are the same, and so is the only clip of both; all of `a` are compared, at the times of
+        its keys. Joints are the same at the same place in the tree, else by their names.
     shell : float
         In the unit of the file: 3 cm where that is the metre.
 
@@ -134,10 +134,17 @@ def shell_distance(a: Scene, b: Scene, shell: float = 0.03) -> dict[str, dict[st
     ------
     DataError
         A clip that `b` has not.
+
+    Warns
+    -----
+    ShapeWarning
+        Clips or joints of one name that only their order tells apart.
     """
     first, second = _checked(a, "a"), _checked(b, "b")
     length = positive("shell", shell)
-    found: dict[str, dict[str, float]] = first._core.shell_distances(second._core, length)
+    found: dict[str, dict[str, float]]
+    found, warnings = first._core.shell_distances(second._core, length)
+    tell(warnings)
     return found
 
 

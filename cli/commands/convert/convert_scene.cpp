@@ -24,13 +24,14 @@ struct ConvertedScene {
   std::string_view input_id{}, output_id{};          ///< words
   std::size_t joints = 0, clips = 0;
   SceneCounts counts{};
+  scenes::WrittenKeys written{};
 };
 
 std::string text_of(const ConvertedScene& report) {
   return formatted("{} and {} from {} ({}) written to {} ({}): {} of rotations, {} of translations\n",
                    counted(report.joints, "joint"), counted(report.clips, "clip"), printable(report.input),
                    report.input_format, destination(report.output), report.output_format,
-                   counted(report.counts.rotation_keys, "key"), counted(report.counts.translation_keys, "key"));
+                   counted(report.written.rotations, "key"), counted(report.written.translations, "key"));
 }
 
 Json json_of(const ConvertedScene& report) {
@@ -38,6 +39,8 @@ Json json_of(const ConvertedScene& report) {
             {"output", report.output}, {"output_format", report.output_id},
             {"joints", report.joints}, {"clips", report.clips}};
   json.update(json_of(report.counts));
+  json["rotation_keys_written"] = report.written.rotations;
+  json["translation_keys_written"] = report.written.translations;
   return json;
 }
 
@@ -64,21 +67,24 @@ Expected<void> convert_scene(const ConvertArguments& options, const InputRequest
   const auto scene = open_scene(input);
   if (!scene) return tl::unexpected(scene.error());
   warn(scene->warnings);
-  const ConvertedScene report{.input = input.path,
-                              .output = options.output.path,
-                              .input_format = scene->format ? scene->format->title : "keys",
-                              .output_format = scenes::scene_format_of(options.output.path)->title,
-                              .input_id = scene->format ? scene->format->id : id_of_table(input),
-                              .output_id = scenes::scene_format_of(options.output.path)->id,
-                              .joints = scene->skeleton.size(),
-                              .clips = scene->clips.size(),
-                              .counts = counts_of(*scene)};
-  return write_scene(options.output.path, *scene, *understood)
+  ConvertedScene report{.input = input.path,
+                        .output = options.output.path,
+                        .input_format = scene->format ? scene->format->title : "keys",
+                        .output_format = scenes::scene_format_of(options.output.path)->title,
+                        .input_id = scene->format ? scene->format->id : id_of_table(input),
+                        .output_id = scenes::scene_format_of(options.output.path)->id,
+                        .joints = scene->skeleton.size(),
+                        .clips = scene->clips.size(),
+                        .counts = counts_of(*scene)};
+  return write_counted_scene(options.output.path, *scene, *understood)
       .map_error([&](Error error) {
         if (error.where.file.empty()) error.where.file = input.path;
         return error;
       })
-      .and_then([&] { return summarise(options.summary, report); });
+      .and_then([&](const scenes::WrittenKeys& written) {
+        report.written = written;
+        return summarise(options.summary, report);
+      });
 }
 
 }  // namespace orispline::cli

@@ -61,6 +61,7 @@ Expected<void> difference(const DifferenceArguments& options) {
   auto outcome = request_in(options).and_then(
       [](jobs::DifferenceRequest request) { return jobs::difference(std::move(request)); });
   if (!outcome) return tl::unexpected(std::move(outcome.error()));
+  warn(outcome->warnings);
   return page->write([&](const auto& head) { return page_of(*outcome, head); })
       .and_then([&] { return print_document(options.json ? document(document_of(*outcome)) : summary_of(*outcome)); })
       .and_then([&] { return page->finish(); });

@@ -15,7 +15,8 @@ constexpr auto difference_footer = R"(Examples:
   orispline difference mage.glb small.glb --clip Walking_A --shell 10cm
   orispline difference mage.glb small.glb --report difference.html
 
-The joints of both files go by their names, and so do the clips, unless each file has one clip only. The shell distance
+The joints of both files go by their place in the tree, then by their names; the clips go by their names, unless each
+file has one only. The shell distance
 is the largest distance in the world between the same points in both motions: the joint itself, and three points that
 are --shell off it along its axes. docs/skeletons.md says more.)";
 

@@ -34,7 +34,7 @@ std::string step_text(const SceneCounts& counts) {
 
 std::string line_of(const Skeleton& skeleton, const Clip& clip, std::size_t width) {
   const SceneCounts counts = counts_of(skeleton, clip);
-  const Domain domain = clip.domain();
+  const Domain domain = clip.whole_domain();
   return formatted("  {:<{}}{:>9.4g} s{:>8}{:>9}{:>7}{:>9.4g}°\n", printable(clip.name), width,
                    domain.end - domain.start, counts.rotation_tracks, counts.rotation_keys, counts.sign_flips,
                    counts.widest_step * degrees);
@@ -61,7 +61,7 @@ Json json_of(const scenes::Scene& scene) {
   Json clips = Json::array(), joints = Json::array();
   for (const Joint& joint : scene.skeleton.joints()) joints.push_back(joint.name);
   for (const Clip& clip : scene.clips) {
-    const Domain domain = clip.domain();
+    const Domain domain = clip.whole_domain();
     Json json{{"name", clip.name}, {"start_s", domain.start}, {"end_s", domain.end}};
     json.update(json_of(counts_of(scene.skeleton, clip)));
     clips.push_back(std::move(json));

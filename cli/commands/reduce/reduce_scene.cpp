@@ -110,7 +110,7 @@ std::string size_text(std::size_t bytes) {
 
 /// The clips with fewer keys, and the sizes of the files that they were read from and written to.
 struct ReducedScene : Written<jobs::ReduceSceneOutcome> {
-  std::size_t bytes_before = 0, bytes_after = 0;  ///< 0 where that is not known
+  std::size_t bytes_before = 0, bytes_after = 0;  ///< of a glTF file with its buffers; 0 where that is not known
 };
 
 std::string text_of(const ReducedScene& written) {
@@ -145,7 +145,8 @@ Expected<void> reduce_scene(const ReduceArguments& options) {
   request->job.file = file_of(options, scene->format);
   request->job.skeleton = scene->skeleton;
   request->job.clips = std::exchange(scene->clips, {});
-  ReducedScene report{{options.input.path, options.output.path, "keys", {}}, bytes_of(options.input.path)};
+  ReducedScene report{{options.input.path, options.output.path, "keys", {}},
+                      scene->bytes > 0 ? scene->bytes : bytes_of(options.input.path)};
   auto outcome = jobs::reduce_scene(std::move(request->job));
   if (!outcome) return tl::unexpected(std::move(outcome.error()));
   warn(outcome->warnings);

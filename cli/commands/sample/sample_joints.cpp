@@ -2,6 +2,7 @@
 #include "commands/sample/sample_joints.hpp"
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -27,8 +28,12 @@ class FileNames {
       if (letter == '/' || static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f) letter = '_';
     if (safe.empty() || safe.starts_with('.')) safe.insert(0, "_");
     safe.resize(length_within(safe, longest));
-    std::string free = safe;
-    for (std::size_t number = 2; !used_.insert(free).second; ++number) free = formatted("{}_{}", safe, number);
+    std::size_t& number = next_.try_emplace(safe, 1).first->second;
+    std::string free;
+    do {
+      free = number == 1 ? safe : formatted("{}_{}", safe, number);
+      ++number;
+    } while (!used_.insert(free).second);
     return free;
   }
 
@@ -44,6 +49,7 @@ class FileNames {
   }
 
   std::set<std::string> used_;
+  std::map<std::string, std::size_t> next_;  ///< number to try for a name
 };
 
 /// The joints that a clip moves, in the order of the skeleton: those with keys of their own, and in the world those

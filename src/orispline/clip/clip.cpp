@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
@@ -105,6 +106,8 @@ void extend(Domain& domain, const std::vector<Channel<P>>& channels) {
   }
 }
 
+constexpr std::size_t names_shown = 6;  // of the joints above and the joint
+
 }  // namespace
 
 Expected<Skeleton> Skeleton::make(std::vector<Joint> joints) {
@@ -112,6 +115,25 @@ Expected<Skeleton> Skeleton::make(std::vector<Joint> joints) {
     if (auto sound = check(joints, i); !sound) return tl::unexpected(std::move(sound.error()));
   for (Joint& joint : joints) joint.rest.rotation.normalize();
   return Skeleton(std::move(joints));
+}
+
+Skeleton::Skeleton(std::vector<Joint> joints) : joints_(std::move(joints)), shares_name_(joints_.size()) {
+  std::unordered_map<std::string_view, std::size_t> first;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const auto [found, is_new] = first.try_emplace(joints_[i].name, i);
+    if (!is_new) shares_name_[i] = shares_name_[found->second] = true;
+  }
+}
+
+std::string Skeleton::shown_name(std::size_t joint) const {
+  std::string shown = joints_[joint].name;
+  if (!shares_name_[joint]) return shown;
+  std::size_t names = 1;
+  for (std::size_t above = joints_[joint].parent; above != no_parent; above = joints_[above].parent) {
+    if (names++ == names_shown) return formatted("…/{}", shown);
+    shown = formatted("{}/{}", joints_[above].name, shown);
+  }
+  return shown;
 }
 
 std::optional<std::size_t> Skeleton::find(std::string_view name) const noexcept {
@@ -129,6 +151,14 @@ Domain Clip::domain() const noexcept {
   return domain.start <= domain.end ? domain : Domain{0.0, 0.0};
 }
 
+Domain Clip::whole_domain() const noexcept {
+  const bool has_channel = !rotations.empty() || !translations.empty() || !scales.empty();
+  if (!passed_on) return domain();
+  if (!has_channel) return *passed_on;
+  const Domain own = domain();
+  return {std::min(own.start, passed_on->start), std::max(own.end, passed_on->end)};
+}
+
 Expected<void> check_clip(const Skeleton& skeleton, const Clip& clip) {
   const ChannelCheck check(skeleton, clip);
   return check.all(clip.rotations, "rotation")
@@ -137,7 +167,7 @@ Expected<void> check_clip(const Skeleton& skeleton, const Clip& clip) {
 }
 
 std::string place_of(const Skeleton& skeleton, const Clip& clip, std::size_t joint) {
-  return formatted("clip {}, joint {}", in_quotes(clip.name), in_quotes(skeleton[joint].name));
+  return formatted("clip {}, joint {}", in_quotes(clip.name), in_quotes(skeleton.shown_name(joint)));
 }
 
 }}  // namespace orispline

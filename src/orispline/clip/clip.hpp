@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <orispline/base/expected.hpp>
+#include <orispline/clip/shared_list.hpp>
 #include <orispline/curve/curve.hpp>
 #include <orispline/math/geodesic.hpp>
 #include <orispline/math/so3.hpp>
@@ -30,11 +31,11 @@ template <CurvePoint P>
 struct Channel {
   std::size_t joint = 0;  ///< index in the skeleton
   ChannelInterpolation interpolation = ChannelInterpolation::linear;
-  std::vector<double> times{};  ///< [s], finite, strictly increasing; one at least
-  std::vector<P> values{};      ///< unit quaternions from joint to parent, or vectors in the frame of the parent
+  SharedList<double> times{};  ///< [s], finite, strictly increasing; one at least
+  SharedList<P> values{};      ///< unit quaternions from joint to parent, or vectors in the frame of the parent
   /// Time derivatives of the values before and after each key, component by component [1/s]; empty unless the
   /// interpolation is `cubicspline`.
-  std::vector<P> in_tangents{}, out_tangents{};
+  SharedList<P> in_tangents{}, out_tangents{};
 
   [[nodiscard]] std::size_t size() const noexcept { return times.size(); }
 };
@@ -82,11 +83,15 @@ class ORISPLINE_EXPORT Skeleton {
   [[nodiscard]] const Joint& operator[](std::size_t joint) const noexcept { return joints_[joint]; }
   /// The first joint of that name; nothing where there is none.
   [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const noexcept;
+  /// What people are told a joint by: its name, or where others have that too the names from the root down to it, such
+  /// as `Armature/Bone`; of many the last few.
+  [[nodiscard]] std::string shown_name(std::size_t joint) const;
 
  private:
-  explicit Skeleton(std::vector<Joint> joints) : joints_(std::move(joints)) {}
+  explicit Skeleton(std::vector<Joint> joints);
 
   std::vector<Joint> joints_;
+  std::vector<bool> shares_name_;  ///< of each joint
 };
 
 /// One animation of a skeleton. Of a joint there is at most one channel in each list.
@@ -95,8 +100,13 @@ struct ORISPLINE_EXPORT Clip {
   std::vector<RotationChannel> rotations{};
   std::vector<VectorChannel> translations{}, scales{};
 
+  /// From the first key to the last of what else the file moves in it, such as weights, which is passed on [s].
+  std::optional<Domain> passed_on{};
+
   /// From its first key to its last [s]; 0 to 0 where it has no channel.
   [[nodiscard]] Domain domain() const noexcept;
+  /// The same with what is passed on.
+  [[nodiscard]] Domain whole_domain() const noexcept;
 };
 
 /// Whether the clip is sound and belongs to the skeleton.

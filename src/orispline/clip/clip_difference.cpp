@@ -2,8 +2,7 @@
 #include <orispline/clip/clip_difference.hpp>
 
 #include <algorithm>
-#include <map>
-#include <string_view>
+#include <set>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -17,9 +16,12 @@ double shell_distance(const Eigen::Affine3d& a, const Eigen::Affine3d& b, double
   return std::sqrt(square);
 }
 
+/// Those that channels share count once.
 template <CurvePoint P>
-void append_times(std::vector<double>& times, const std::vector<Channel<P>>& channels) {
-  for (const Channel<P>& channel : channels) times.insert(times.end(), channel.times.begin(), channel.times.end());
+void append_times(std::vector<double>& times, std::set<const double*>& taken, const std::vector<Channel<P>>& channels) {
+  for (const Channel<P>& channel : channels)
+    if (taken.insert(channel.times.data()).second)
+      times.insert(times.end(), channel.times.begin(), channel.times.end());
 }
 
 }  // namespace
@@ -47,24 +49,12 @@ std::vector<JointDifference> differences(const ClipMotion& first, const ClipMoti
   return found;
 }
 
-std::vector<std::size_t> counterparts_of(const Skeleton& first, const Skeleton& second) {
-  std::multimap<std::string_view, std::size_t> places;
-  for (std::size_t i = 0; i < second.size(); ++i) places.emplace(second[i].name, i);
-  std::vector<std::size_t> counterparts(first.size(), no_parent);
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    const auto place = places.find(first[i].name);
-    if (place == places.end()) continue;
-    counterparts[i] = place->second;
-    places.erase(place);
-  }
-  return counterparts;
-}
-
 std::vector<double> key_times(const Clip& clip) {
   std::vector<double> times;
-  append_times(times, clip.rotations);
-  append_times(times, clip.translations);
-  append_times(times, clip.scales);
+  std::set<const double*> taken;
+  append_times(times, taken, clip.rotations);
+  append_times(times, taken, clip.translations);
+  append_times(times, taken, clip.scales);
   std::ranges::sort(times);
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;

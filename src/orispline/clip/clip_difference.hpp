@@ -29,7 +29,8 @@ struct JointDifference {
 };
 
 /// Of every joint of the first skeleton, over the times [s], at least one. `counterparts` are the joints of the second
-/// skeleton that are the same ones, `no_parent` for those that are not there, which do not count.
+/// skeleton that are the same ones (`Counterparts::joints`), `no_parent` for those that are not there, which do not
+/// count.
 ///
 /// The shell distance is the largest distance in the world between the same points in both motions: the joint itself,
 /// and those that are `shell` off it along each of its axes. It tells how far a skin that hangs on the joint is off.
@@ -39,10 +40,6 @@ struct JointDifference {
                                                                         std::span<const std::size_t> counterparts,
                                                                         std::span<const double> times,
                                                                         double shell = default_shell);
-
-/// The joints of `second` that have the names of those of `first`; of equal names the first with the first, and so on.
-/// `no_parent` where there is none.
-[[nodiscard]] ORISPLINE_EXPORT std::vector<std::size_t> counterparts_of(const Skeleton& first, const Skeleton& second);
 
 /// All times of keys of a clip [s], rising, each once.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<double> key_times(const Clip& clip);

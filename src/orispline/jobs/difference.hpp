@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include <orispline/base/warning.hpp>
 #include <orispline/clip/clip_difference.hpp>
+#include <orispline/clip/counterparts.hpp>
 #include <orispline/fields/json.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -27,7 +29,7 @@ struct MotionFile {
   bool has_no_unit = false;  ///< of length; else it is the metre
 };
 
-/// Clips and joints that have the same names are the same; so is the only clip of both files.
+/// Clips that have the same name are the same, and so is the only clip of both files; joints go by counterparts_of().
 struct DifferenceRequest {
   MotionFile first{}, second{};
   double shell = default_shell;  ///< in the unit of the files
@@ -49,10 +51,13 @@ struct ORISPLINE_EXPORT DifferenceOutcome {
   DifferenceRequest request;
   std::vector<ClipDifference> clips{};
   std::vector<std::string> only_in_first{}, only_in_second{};  ///< names of clips
-  std::size_t joints_only_in_first = 0;
+  std::vector<std::size_t> guessed_clips{};  ///< of the first file, which others of the same name could have been
+  Counterparts counterparts{};
+  std::vector<Warning> warnings{};  ///< of clips and joints that were matched by a guess
 
   [[nodiscard]] const std::string& name_of(const ClipDifference& clip) const;
-  [[nodiscard]] const std::string& name_of_joint(std::size_t joint) const;
+  /// As people are told it.
+  [[nodiscard]] std::string name_of_joint(std::size_t joint) const;
 };
 
 /// Errors: bad_data where no clip is in both files, bad_argument for a rate with too many times.

@@ -68,10 +68,36 @@ std::string clips_lines(const DifferenceOutcome& outcome) {
   return text;
 }
 
+/// A joint of the second skeleton that no joint of the first one is.
+std::size_t first_left_out(const DifferenceOutcome& outcome) {
+  std::vector<bool> is_found(outcome.request.second.skeleton.size());
+  for (const std::size_t joint : outcome.counterparts.joints)
+    if (joint != no_parent) is_found[joint] = true;
+  return static_cast<std::size_t>(std::ranges::find(is_found, false) - is_found.begin());
+}
+
 std::string missing_line(std::string_view file, const std::vector<std::string>& clips) {
   if (clips.empty()) return "";
   return formatted("only in {}: {}, such as {}\n", printable(file), counted(clips.size(), "clip"),
                    in_quotes(clips.front()));
+}
+
+/// The joints that are not at the same place in both.
+std::string joints_lines(const DifferenceOutcome& outcome) {
+  const auto& [joints, only_in_first, only_in_second, by_name, guessed] = outcome.counterparts;
+  std::string text;
+  const auto add_alone = [&](const MotionFile& file, std::size_t count, std::size_t such_as) {
+    if (count > 0)
+      text += formatted("only in {}: {}, such as {}\n", printable(file.name), counted(count, "joint"),
+                        in_quotes(file.skeleton.shown_name(such_as)));
+  };
+  const auto first_alone = std::ranges::find(joints, no_parent) - joints.begin();
+  add_alone(outcome.request.first, only_in_first, static_cast<std::size_t>(first_alone));
+  if (only_in_second > 0) add_alone(outcome.request.second, only_in_second, first_left_out(outcome));
+  if (!by_name.empty())
+    text += formatted("by name alone, below other joints: {}, such as {}\n", counted(by_name.size(), "joint"),
+                      in_quotes(outcome.name_of_joint(by_name.front())));
+  return text;
 }
 
 std::size_t all_times(const DifferenceOutcome& outcome) {
@@ -82,6 +108,12 @@ std::size_t all_times(const DifferenceOutcome& outcome) {
 
 Json largest_json(const LargestInTime& largest, double unit) {
   return {{"largest", largest.value * unit}, {"time_s", largest.time}};
+}
+
+std::vector<std::string> names_of_joints(const DifferenceOutcome& outcome, const std::vector<std::size_t>& joints) {
+  std::vector<std::string> names;
+  for (const std::size_t joint : joints) names.push_back(outcome.name_of_joint(joint));
+  return names;
 }
 
 Json clip_json(const DifferenceOutcome& outcome, const ClipDifference& clip) {
@@ -103,9 +135,7 @@ std::string summary_of(const DifferenceOutcome& outcome) {
                                printable(outcome.request.second.name), counted(outcome.clips.size(), "clip"));
   text += missing_line(outcome.request.first.name, outcome.only_in_first) +
           missing_line(outcome.request.second.name, outcome.only_in_second);
-  if (outcome.joints_only_in_first > 0)
-    text += formatted("only in {}: {}\n", printable(outcome.request.first.name),
-                      counted(outcome.joints_only_in_first, "joint"));
+  text += joints_lines(outcome);
   const Largest angle = largest_in<&JointDifference::angle>(outcome),
                 shift = largest_in<&JointDifference::translation>(outcome),
                 distance = largest_in<&JointDifference::distance>(outcome);
@@ -132,7 +162,10 @@ Json document_of(const DifferenceOutcome& outcome) {
   }
   json["only_in_first"] = outcome.only_in_first;
   json["only_in_second"] = outcome.only_in_second;
-  json["joints_only_in_first"] = outcome.joints_only_in_first;
+  json["joints_only_in_first"] = outcome.counterparts.only_in_first;
+  json["joints_only_in_second"] = outcome.counterparts.only_in_second;
+  json["joints_by_name"] = names_of_joints(outcome, outcome.counterparts.by_name);
+  json["joints_guessed"] = names_of_joints(outcome, outcome.counterparts.guessed);
   json["clips"] = std::move(clips);
   return json;
 }

@@ -49,6 +49,9 @@ std::vector<Warning> warnings_of_precision(const ReduceSceneOutcome& outcome) {
   if (totals.angle && totals.angle->angle.largest.value > options.tolerance)
     warnings.push_back(
         missed("tolerance", totals.angle->angle.largest.value * degrees, options.tolerance * degrees, "°"));
+  if (totals.translation && totals.translation->translation.largest.value > options.position_tolerance)
+    warnings.push_back(missed("position_tolerance", totals.translation->translation.largest.value * outcome.metres(),
+                              options.position_tolerance * outcome.metres(), " m"));
   if (totals.distance && totals.distance->distance.largest.value > options.world_tolerance)
     warnings.push_back(missed("world_tolerance", totals.distance->distance.largest.value * outcome.metres(),
                               options.world_tolerance * outcome.metres(), " m"));

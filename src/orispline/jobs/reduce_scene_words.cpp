@@ -43,7 +43,11 @@ std::string errors_lines(const ReduceSceneOutcome& outcome, const ClipTotals& to
     text += formatted("largest angle   {:.6g}° at every key of the input, {}\n",
                       totals.angle->angle.largest.value * degrees,
                       worst_place(outcome, *totals.angle, totals.angle->angle));
-  if (totals.rotation_tracks > 0)
+  if (totals.translation && std::isfinite(outcome.options.position_tolerance))
+    text += formatted("largest shift   {:.6g}{} at every key of the input, {}\n",
+                      totals.translation->translation.largest.value * outcome.metres(), length_unit(outcome),
+                      worst_place(outcome, *totals.translation, totals.translation->translation));
+  if (totals.from_smooth)
     text +=
         formatted("between keys    {:.6g}° from the curve auto through them, {:.6g}° from what the input has there\n",
                   totals.from_smooth->from_smooth.largest.value * degrees,
@@ -100,9 +104,11 @@ Json document_of(const ReduceSceneOutcome& outcome) {
   json["translation_keys"] = totals.translation_keys;
   if (options.closed) json["open_tracks"] = totals.open_tracks;
   if (totals.angle) json["angle_deg"] = worst_json(outcome, *totals.angle, totals.angle->angle, degrees);
+  if (totals.translation && std::isfinite(options.position_tolerance))
+    json["translation_m"] = worst_json(outcome, *totals.translation, totals.translation->translation, metres);
   if (totals.distance)
     json["shell_distance_m"] = worst_json(outcome, *totals.distance, totals.distance->distance, metres);
-  if (totals.rotation_tracks > 0) {
+  if (totals.from_smooth) {
     json["from_smooth_deg"] = worst_json(outcome, *totals.from_smooth, totals.from_smooth->from_smooth, degrees);
     json["from_stored_deg"] = worst_json(outcome, *totals.from_stored, totals.from_stored->from_stored, degrees);
   }

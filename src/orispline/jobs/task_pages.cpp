@@ -30,6 +30,10 @@ std::vector<std::string> notes_on(const DifferenceOutcome& outcome) {
     if (!clips->empty())
       notes.push_back(formatted("Only {} has {}, such as {}; not compared.", file_name_of(file->name),
                                 counted(clips->size(), "more clip"), in_quotes(clips->front())));
+  for (Warning warning : outcome.warnings) {
+    warning.where = {};
+    notes.push_back(formatted("Warning: {}.", describe(warning)));
+  }
   return notes;
 }
 

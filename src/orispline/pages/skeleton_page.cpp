@@ -12,6 +12,7 @@
 #include <orispline/base/parallel.hpp>
 #include <orispline/base/version.hpp>
 #include <orispline/clip/clip_difference.hpp>
+#include <orispline/clip/counterparts.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
 #include <orispline/reduce/reduce.hpp>
@@ -242,7 +243,7 @@ report::SkeletonPage begun_skeleton_page(const NamedClips& before, const NamedCl
 report::SkeletonPage unscaled_page(const NamedClips& before, const NamedClips& after, std::span<const ClipPair> pairs,
                                    const PageLengths& lengths, const PageHead& head, unsigned threads) {
   report::SkeletonPage page = begun_skeleton_page(before, after, lengths, head);
-  const auto counterparts = counterparts_of(before.skeleton, after.skeleton);
+  const std::vector<std::size_t> counterparts = counterparts_of(before.skeleton, after.skeleton).joints;
   page.joints = joints_of(before.skeleton, counterparts);
   const std::size_t most = pairs.size() > few_clips ? times_of_many : times_of_few;
   add_notes(page, pairs, most);

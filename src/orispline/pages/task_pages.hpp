@@ -100,8 +100,8 @@ struct PageLengths {
 };
 
 /// The page to look at of two motions of a skeleton, clip by clip, those that are farthest from each other in the world
-/// first. Joints go by their names. The pairs are compared as differences() does, on up to that many threads; 0 means
-/// one per core.
+/// first. Joints go by counterparts_of(). The pairs are compared as differences() does, on up to that many threads; 0
+/// means one per core.
 ///
 /// Of a clip 300 times are shown at most, of up to ten clips 600 each: of more the largest errors of every few.
 [[nodiscard]] ORISPLINE_EXPORT report::SkeletonPage skeleton_page(const NamedClips& before, const NamedClips& after,

@@ -97,25 +97,34 @@ Expected<Channel<P>> by_method(const Channel<P>& channel, double tolerance, cons
 template <CurvePoint P>
 constexpr double rounding = std::same_as<P, Eigen::Quaterniond> ? rest_angle : rest_length;
 
-/// Whether a spline swings although its keys are the same.
+/// Whether a spline may swing farther than that between keys that are the same.
 template <CurvePoint P>
-bool has_tangents(const Channel<P>& channel) {
-  const auto is_zero = [](const P& tangent) { return distance_from_zero(tangent) <= rounding<P>; };
-  return !std::ranges::all_of(channel.in_tangents, is_zero) || !std::ranges::all_of(channel.out_tangents, is_zero);
+bool swings(const Channel<P>& channel, double farthest) {
+  if (channel.interpolation != ChannelInterpolation::cubicspline) return false;
+  for (std::size_t i = 0; i + 1 < channel.size(); ++i) {
+    const double interval = channel.times[i + 1] - channel.times[i];
+    for (const P& tangent : {channel.out_tangents[i], channel.in_tangents[i + 1]})
+      if (distance_from_zero(tangent) * interval > farthest) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
 template <CurvePoint P>
-Channel<P> without_rounding(const Channel<P>& channel, const P& rest) {
-  const P& first = channel.values.front();
-  const auto is_first = [&](const P& value) { return distance(first, value) <= rounding<P>; };
-  if (!std::ranges::all_of(channel.values, is_first) || has_tangents(channel)) return channel;
-  const ChannelInterpolation linear = ChannelInterpolation::linear;
-  return {.joint = channel.joint,
-          .interpolation = channel.interpolation == ChannelInterpolation::step ? channel.interpolation : linear,
-          .times = {channel.times.front()},
-          .values = {distance(first, rest) <= rounding<P> ? rest : first}};
+Channel<P> resting_channel(const Channel<P>& channel, const P& rest, double farthest, KeyPrecision precision) {
+  if (swings(channel, farthest)) return channel;
+  const bool is_step = channel.interpolation == ChannelInterpolation::step;
+  for (const P& held : {rest, channel.values.front()}) {
+    Channel<P> resting{.joint = channel.joint,
+                       .interpolation = is_step ? ChannelInterpolation::step : ChannelInterpolation::linear,
+                       .times = {channel.times.front()},
+                       .values = {held}};
+    const P in_file = stored(resting, precision).values.front();
+    if (std::ranges::all_of(channel.values, [&](const P& value) { return distance(in_file, value) <= farthest; }))
+      return resting;
+  }
+  return channel;
 }
 
 template <CurvePoint P>
@@ -170,9 +179,10 @@ Expected<Channel<P>> reduced_channel(const Channel<P>& channel, double tolerance
   return channel;
 }
 
-template RotationChannel without_rounding(const RotationChannel&, const Eigen::Quaterniond&);
-template VectorChannel without_rounding(const VectorChannel&, const Eigen::Vector3d&);
+template RotationChannel resting_channel(const RotationChannel&, const Eigen::Quaterniond&, double, KeyPrecision);
+template VectorChannel resting_channel(const VectorChannel&, const Eigen::Vector3d&, double, KeyPrecision);
 template LargestInTime farthest_at_keys(const RotationChannel&, const RotationChannel&);
+template LargestInTime farthest_at_keys(const VectorChannel&, const VectorChannel&);
 template LargestInTime farthest_between(const RotationChannel&, const RotationChannel&, BetweenSamples);
 template LargestInTime farthest_between(const VectorChannel&, const VectorChannel&, BetweenSamples);
 template bool ends_as_it_begins(const RotationChannel&);

@@ -13,10 +13,12 @@ template <CurvePoint P>
 [[nodiscard]] Expected<Channel<P>> reduced_channel(const Channel<P>& channel, double tolerance,
                                                    const ClipReduceOptions& options);
 
-/// One key in the place of those of a channel that stands still but for rounding: the joint's rest pose where that is
-/// it but for rounding too. The channel itself where it moves.
+/// One key in the place of those of a channel that moves no farther than that [rad, or a length]: the joint's rest pose
+/// where all keys are as near to it, else the first of them. The channel itself where it moves farther, or would with
+/// the key in that precision.
 template <CurvePoint P>
-[[nodiscard]] Channel<P> without_rounding(const Channel<P>& channel, const P& rest);
+[[nodiscard]] Channel<P> resting_channel(const Channel<P>& channel, const P& rest, double farthest,
+                                         KeyPrecision precision);
 
 /// The farthest that a channel with fewer keys is from the keys before [rad, or a length].
 template <CurvePoint P>
@@ -31,9 +33,11 @@ template <CurvePoint P>
 template <CurvePoint P>
 [[nodiscard]] bool ends_as_it_begins(const Channel<P>& channel);
 
-extern template RotationChannel without_rounding(const RotationChannel&, const Eigen::Quaterniond&);
-extern template VectorChannel without_rounding(const VectorChannel&, const Eigen::Vector3d&);
+extern template RotationChannel resting_channel(const RotationChannel&, const Eigen::Quaterniond&, double,
+                                                KeyPrecision);
+extern template VectorChannel resting_channel(const VectorChannel&, const Eigen::Vector3d&, double, KeyPrecision);
 extern template LargestInTime farthest_at_keys(const RotationChannel&, const RotationChannel&);
+extern template LargestInTime farthest_at_keys(const VectorChannel&, const VectorChannel&);
 extern template LargestInTime farthest_between(const RotationChannel&, const RotationChannel&, BetweenSamples);
 extern template LargestInTime farthest_between(const VectorChannel&, const VectorChannel&, BetweenSamples);
 extern template bool ends_as_it_begins(const RotationChannel&);

@@ -60,6 +60,18 @@ struct WorldTolerances {
   }
 };
 
+/// How many times longer in the world a length in the frame of each joint's parent may be, at most.
+std::vector<double> stretches_of(const Skeleton& skeleton, const Clip& clip) {
+  const auto largest = [](const Eigen::Vector3d& scale) { return scale.cwiseAbs().maxCoeff(); };
+  std::vector<double> own, above(skeleton.size(), 1.0);
+  for (const Joint& joint : skeleton.joints()) own.push_back(largest(joint.rest.scale));
+  for (const VectorChannel& channel : clip.scales)
+    own[channel.joint] = largest(std::ranges::max(channel.values, {}, largest));
+  for (std::size_t i = 0; i < skeleton.size(); ++i)
+    if (const std::size_t parent = skeleton[i].parent; parent != no_parent) above[i] = above[parent] * own[parent];
+  return above;
+}
+
 /// A clip on its way to fewer keys.
 struct ClipWork {
   const Clip* before;
@@ -100,7 +112,7 @@ class ClipReducer {
     std::vector<Clip> after;
     std::vector<Piece> pieces;
     for (std::size_t i = 0; i < works.size(); ++i) {
-      after.push_back(works[i].is_done ? Clip() : resting_once(*works[i].before));
+      after.push_back(works[i].is_done ? Clip() : resting_once(*works[i].before, works[i].factor));
       for (std::size_t k = 0; k < after[i].rotations.size(); ++k) pieces.push_back({i, 0, k});
       for (std::size_t k = 0; k < after[i].translations.size(); ++k) pieces.push_back({i, 1, k});
     }
@@ -116,15 +128,26 @@ class ClipReducer {
     return {};
   }
 
-  /// The clip with one key in the place of those that are the same. It lasts as long as before: if need be one channel
-  /// keeps the same key at its end.
-  [[nodiscard]] Clip resting_once(const Clip& before) const {
+  /// The clip with one key in the place of those that are the same but for rounding, and within the tolerances. It
+  /// lasts as long as before: if need be one channel keeps the same key at its end.
+  [[nodiscard]] Clip resting_once(const Clip& before, double factor) const {
     Clip clip = before;
+    const std::vector<double> stretches = stretches_of(skeleton_, before);
     for (RotationChannel& channel : clip.rotations)
-      channel = without_rounding(channel, skeleton_[channel.joint].rest.rotation);
-    for (VectorChannel& channel : clip.translations)
-      channel = without_rounding(channel, skeleton_[channel.joint].rest.translation);
-    for (VectorChannel& channel : clip.scales) channel = without_rounding(channel, skeleton_[channel.joint].rest.scale);
+      channel = resting_channel(channel, skeleton_[channel.joint].rest.rotation,
+                                std::min(rest_angle, angle_tolerance(channel.joint, factor)), options_.precision);
+    for (VectorChannel& channel : clip.translations) {
+      const double rounding = rest_length / std::max(stretches[channel.joint], 1.0);
+      channel = resting_channel(channel, skeleton_[channel.joint].rest.translation,
+                                std::min(rounding, length_tolerance(channel.joint, factor)), options_.precision);
+    }
+    for (VectorChannel& channel : clip.scales) {
+      // By a part of its size a scale moves points as far as a turn by so many radians does.
+      const double size = channel.values.front().cwiseAbs().maxCoeff();
+      channel =
+          resting_channel(channel, skeleton_[channel.joint].rest.scale,
+                          size * std::min(rest_length, factor * world_.angles[channel.joint]), options_.precision);
+    }
     const double end = before.domain().end;
     if (clip.domain().end < end)
       held_to(end, before.rotations, clip.rotations) || held_to(end, before.translations, clip.translations) ||
@@ -145,16 +168,25 @@ class ClipReducer {
   }
 
   std::optional<Error> reduce(Clip& clip, const Piece& piece, double factor) const {
-    if (piece.list == 0) return reduce(clip, clip.rotations[piece.channel], options_.tolerance, world_.angles, factor);
-    return reduce(clip, clip.translations[piece.channel], options_.position_tolerance, world_.lengths, factor);
+    if (piece.list == 0) {
+      RotationChannel& channel = clip.rotations[piece.channel];
+      const double tolerance = angle_tolerance(channel.joint, factor);
+      return reduce(clip, channel, tolerance < infinity ? std::min(tolerance, std::numbers::pi / 2) : tolerance);
+    }
+    VectorChannel& channel = clip.translations[piece.channel];
+    return reduce(clip, channel, length_tolerance(channel.joint, factor));
+  }
+
+  /// Of a joint's rotation and of its translation, both in the frame of its parent; infinite where nothing bounds them.
+  [[nodiscard]] double angle_tolerance(std::size_t joint, double factor) const {
+    return std::min(options_.tolerance, factor * world_.angles[joint]);
+  }
+  [[nodiscard]] double length_tolerance(std::size_t joint, double factor) const {
+    return std::min(options_.position_tolerance, factor * world_.lengths[joint]);
   }
 
   template <CurvePoint P>
-  std::optional<Error> reduce(const Clip& clip, Channel<P>& channel, double tolerance,
-                              const std::vector<double>& of_joints, double factor) const {
-    tolerance = std::min(tolerance, factor * of_joints[channel.joint]);
-    if (std::same_as<P, Eigen::Quaterniond> && tolerance < infinity)
-      tolerance = std::min(tolerance, std::numbers::pi / 2);
+  std::optional<Error> reduce(const Clip& clip, Channel<P>& channel, double tolerance) const {
     if (!(tolerance < infinity)) return std::nullopt;
     auto reduced = reduced_channel(channel, tolerance, options_);
     if (!reduced) {
@@ -192,23 +224,22 @@ class ClipReducer {
     }
     for (std::size_t i = 0; i < before.rotations.size(); ++i) {
       const RotationChannel &channel = before.rotations[i], &reduced = after.rotations[i];
-      if (channel.interpolation != ChannelInterpolation::step) {
-        const auto at_keys = farthest_at_keys(channel, reduced);
-        if (at_keys.value > reduction.angle.largest.value) reduction.angle = {at_keys, channel.joint};
-      }
+      if (channel.interpolation != ChannelInterpolation::step)
+        reduction.angle.take(farthest_at_keys(channel, reduced), channel.joint);
       if (channel.size() < 3) continue;
       reduction.rotation_keys += reduced.size();
-      const auto smooth = farthest_between(channel, reduced, BetweenSamples::smooth),
-                 stored = farthest_between(channel, reduced, BetweenSamples::stored);
-      if (smooth.value > reduction.from_smooth.largest.value) reduction.from_smooth = {smooth, channel.joint};
-      if (stored.value > reduction.from_stored.largest.value) reduction.from_stored = {stored, channel.joint};
+      reduction.from_smooth.take(farthest_between(channel, reduced, BetweenSamples::smooth), channel.joint);
+      reduction.from_stored.take(farthest_between(channel, reduced, BetweenSamples::stored), channel.joint);
     }
-    for (const VectorChannel& channel : before.translations) reduction.translation_keys_before += channel.size();
-    for (const VectorChannel& channel : after.translations) reduction.translation_keys += channel.size();
+    for (std::size_t i = 0; i < before.translations.size(); ++i) {
+      const VectorChannel &channel = before.translations[i], &reduced = after.translations[i];
+      reduction.translation_keys_before += channel.size();
+      reduction.translation_keys += reduced.size();
+      if (channel.interpolation != ChannelInterpolation::step)
+        reduction.translation.take(farthest_at_keys(channel, reduced), channel.joint);
+    }
     const auto found = differences_at_keys(before, after);
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      if (found[i].distance.value > reduction.distance.largest.value) reduction.distance = {found[i].distance, i};
-    }
+    for (std::size_t i = 0; i < found.size(); ++i) reduction.distance.take(found[i].distance, i);
     reduction.clip = std::move(clip);
     return reduction;
   }

@@ -54,7 +54,12 @@ struct ClipReduction {
   /// The joint where a distance is largest.
   struct Worst {
     LargestInTime largest{};
-    std::size_t joint = 0;
+    std::size_t joint = no_parent;  ///< `no_parent` where no joint has such a distance
+
+    [[nodiscard]] bool is_known() const noexcept { return joint != no_parent; }
+    void take(const LargestInTime& other, std::size_t of_joint) noexcept {
+      if (!is_known() || other.value > largest.value) largest = other, joint = of_joint;
+    }
   };
 
   Clip clip{};
@@ -63,6 +68,7 @@ struct ClipReduction {
   std::size_t translation_keys = 0, translation_keys_before = 0;
   std::size_t open_tracks = 0;  ///< rotation tracks of `rotation_tracks` that do not end as they begin
   Worst angle{};                ///< of rotations in the frames of the parents, at the keys that each had [rad]
+  Worst translation{};          ///< of translations likewise
   Worst distance{};             ///< the shell distance in the world, at all times of keys of the clip before
   /// Of rotations between their keys before: from the curve `auto` through these, and from what the clip says [rad].
   Worst from_smooth{}, from_stored{};
@@ -76,8 +82,9 @@ struct ClipReduction {
 /// every key that they had, and whose places in the world are within theirs at all times of the clip's keys; the first
 /// and the last key of each channel stay. Rotations are reduced where `tolerance` or `world_tolerance` is finite,
 /// translations where `position_tolerance` or `world_tolerance` is; scales, steps and channels of two keys stay as they
-/// are. But channels of any kind that stand still but for rounding (`rest_angle`, `rest_length`) become one key, that
-/// of the rest pose where it is the same.
+/// are. But channels of any kind that stand still but for rounding become one key, that of the rest pose where it is
+/// the same. Rounding is `rest_angle`, `rest_length` in the world and in the frame of the parent, and that part of the
+/// largest scale, and no more than the tolerances say.
 ///
 /// For `world_tolerance` a joint's rotation may be off by that length over its reach: the longest chain of bones below
 /// it, and the shell. All joints' tolerances are then scaled by one factor until the shell distance of the whole clip,
@@ -108,8 +115,9 @@ ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexc
 struct ClipTotals {
   std::size_t rotation_keys = 0, rotation_keys_before = 0, rotation_tracks = 0, open_tracks = 0;
   std::size_t translation_keys = 0, translation_keys_before = 0;
-  /// The clips where these are largest, of equals the first; null where there is no clip.
-  const ClipReduction *angle = nullptr, *distance = nullptr, *from_smooth = nullptr, *from_stored = nullptr;
+  /// The clips where these are largest, of equals the first; null where no clip has one.
+  const ClipReduction *angle = nullptr, *translation = nullptr, *distance = nullptr;
+  const ClipReduction *from_smooth = nullptr, *from_stored = nullptr;
 };
 
 /// The totals point to the reductions, which outlive them.

@@ -7,6 +7,7 @@ namespace {
 
 template <auto Member>
 void take_larger(const ClipReduction*& worst, const ClipReduction& other) {
+  if (!(other.*Member).is_known()) return;
   if (!worst || (other.*Member).largest.value > (worst->*Member).largest.value) worst = &other;
 }
 
@@ -22,6 +23,7 @@ ClipTotals totals_of(std::span<const ClipReduction> reductions) {
     totals.translation_keys += reduction.translation_keys;
     totals.translation_keys_before += reduction.translation_keys_before;
     take_larger<&ClipReduction::angle>(totals.angle, reduction);
+    take_larger<&ClipReduction::translation>(totals.translation, reduction);
     take_larger<&ClipReduction::distance>(totals.distance, reduction);
     take_larger<&ClipReduction::from_smooth>(totals.from_smooth, reduction);
     take_larger<&ClipReduction::from_stored>(totals.from_stored, reduction);

@@ -70,6 +70,7 @@ Expected<Scene> read_scene(const std::string& path, const SceneReading& reading)
   });
   if (!scene) return scene;
   scene->name = path;
+  scene->bytes += bytes->size();
   scene->format = *format;
   return scene;
 }

@@ -28,6 +28,7 @@ struct Scene {
   std::string name{};  ///< of the file
   Skeleton skeleton{};
   std::vector<Clip> clips{};
+  std::size_t bytes = 0;                        ///< of the files that were read; 0 for a scene that was made
   std::vector<Warning> warnings{};              ///< of reading
   const SceneFormat* format = nullptr;          ///< of the file; null for a scene that was made
   std::shared_ptr<const SceneSource> source{};  ///< null likewise
@@ -48,9 +49,15 @@ struct SceneWriting {
   bool bones = true;  ///< of glTF: whether a skeleton without a mesh gets one bone of a few triangles per joint
 };
 
+/// How many keys, or frames of joints, there are in a file.
+struct WrittenKeys {
+  std::size_t rotations = 0, translations = 0, scales = 0;
+};
+
 /// What became of a scene that was written.
 struct SceneWritten {
   std::string bytes{};              ///< of the file
+  WrittenKeys keys{};               ///< in the file
   std::vector<Warning> warnings{};  ///< of what the format has no room for
 };
 

@@ -198,38 +198,85 @@ Expected<Decimal> read_frame_time(Text& text) {
   return *time;
 }
 
-/// Those of `frames` frames.
-Expected<std::vector<double>> read_numbers(Text& text, std::span<const Column> columns, std::size_t frames,
-                                           std::size_t line_of_frames) {
-  std::vector<double> numbers;
-  // By what there is, not by what the file states: a number and its blank take two bytes.
-  const std::size_t room = text.bytes_left() / 2 + 1;
-  numbers.reserve(frames < room / columns.size() ? frames * columns.size() : room);
-  for (std::size_t frame = 0; frame < frames; ++frame)
-    for (const Column& column : columns) {
-      const std::string_view word = text.next();
-      if (word.empty())
-        return text.fault(formatted("found {}, wanted {}, the number in line {}", counted(frame, "whole frame"), frames,
-                                    line_of_frames));
-      const auto number =
-          column.kind == Column::Kind::rotation ? number_of_degrees(text, word) : number_of_length(text, word);
-      if (!number) return tl::unexpected(number.error());
-      numbers.push_back(*number);
-    }
-  return numbers;
-}
+/// Reads frames, each of which is a line. Lines may have more numbers than there are channels if all have as many.
+class FrameReader {
+ public:
+  FrameReader(Text& text, std::span<const Column> columns) : text_(text), columns_(columns) {}
 
-/// Of what comes after the frames that the file states.
-Expected<std::vector<Warning>> read_rest(Text& text, std::size_t columns, const Motion& motion,
-                                         const std::string& path) {
+  /// The numbers of the channels in `frames` frames, as many as line `line_of_frames` states.
+  Expected<std::vector<double>> read(std::size_t frames, std::size_t line_of_frames) {
+    // By what there is, not by what the file states: a number and its blank take two bytes.
+    const std::size_t room = text_.bytes_left() / 2 + 1;
+    numbers_.reserve(frames < room / columns_.size() ? frames * columns_.size() : room);
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+      const auto found = text_.peek().empty() ? 0 : read_line();
+      if (!found) return tl::unexpected(found.error());
+      if (*found < columns_.size() && text_.peek().empty()) {
+        static_cast<void>(text_.next());  // the end of the file is what is wrong
+        return text_.fault(formatted("found {}, wanted {}, the number in line {}", counted(frame, "whole frame"),
+                                     frames, line_of_frames));
+      }
+      if (frame == 0) line_of_first_ = text_.line(), in_line_ = *found;
+      if (*found != in_line_ || !fits(*found)) return wrong_count(*found);
+    }
+    return std::move(numbers_);
+  }
+
+  /// Of numbers that no channel takes.
+  [[nodiscard]] std::vector<Warning> warnings(const std::string& path) const {
+    const std::size_t surplus = in_line_ - columns_.size();
+    if (surplus == 0) return {};
+    return {
+        {.code = "numbers_left_out",
+         .message = formatted("found {} numbers in every frame, read the first {}, one for each channel", in_line_,
+                              columns_.size()),
+         .where = {.file = path, .line = line_of_first_},
+         .numbers = {{"found", static_cast<double>(in_line_)}, {"channels", static_cast<double>(columns_.size())}}}};
+  }
+
+ private:
+  /// How many numbers there are in the line.
+  Expected<std::size_t> read_line() {
+    std::size_t count = 0;
+    do {
+      const std::string_view word = text_.next();
+      const bool is_angle = count < columns_.size() && columns_[count].kind == Column::Kind::rotation;
+      const auto number = is_angle ? number_of_degrees(text_, word) : number_of_length(text_, word);
+      if (!number) return tl::unexpected(number.error());
+      if (count++ < columns_.size()) numbers_.push_back(*number);
+    } while (text_.goes_on_in_line());
+    return count;
+  }
+
+  /// A line of twice as many numbers has two frames, and is no frame with a surplus.
+  [[nodiscard]] bool fits(std::size_t count) const { return count >= columns_.size() && count < 2 * columns_.size(); }
+
+  [[nodiscard]] tl::unexpected<Error> wrong_count(std::size_t found) const {
+    const std::string before = in_line_ == columns_.size() || !fits(in_line_)
+                                   ? ""
+                                   : formatted(", or {} as in line {}", in_line_, line_of_first_);
+    return text_.fault(formatted("found {} in the line, wanted a frame of {}, one for each channel{}",
+                                 counted(found, "number"), columns_.size(), before));
+  }
+
+  Text& text_;
+  std::span<const Column> columns_;
+  std::vector<double> numbers_{};
+  std::size_t in_line_ = 0, line_of_first_ = 0;  ///< of the first frame
+};
+
+/// Of lines after the frames that the file states.
+Expected<std::vector<Warning>> read_rest(Text& text, const Motion& motion, const std::string& path) {
   std::size_t more = 0, line = 0;
-  for (std::string_view word = text.next(); !word.empty(); word = text.next(), ++more)
+  for (std::string_view word = text.next(); !word.empty(); word = text.next(), ++more) {
     if (more == 0) {
       line = text.line();
       if (const auto number = number_of_length(text, word); !number) return tl::unexpected(number.error());
     }
+    static_cast<void>(text.rest_of_line());
+  }
   if (more == 0) return std::vector<Warning>{};
-  const std::size_t frames = motion.frames + (more + columns - 1) / columns;
+  const std::size_t frames = motion.frames + more;
   return std::vector{
       Warning{.code = "frames_left_out",
               .message = formatted("found {} frames, read the {} that the file states", frames, motion.frames),
@@ -247,12 +294,13 @@ Expected<Motion> read_motion(Text& text, std::span<const WrittenJoint> joints, c
   const std::size_t line = text.line();
   auto frame_time = read_frame_time(text);
   if (!frame_time) return tl::unexpected(std::move(frame_time.error()));
-  auto numbers = read_numbers(text, columns, *frames, line);
+  FrameReader reader(text, columns);
+  auto numbers = reader.read(*frames, line);
   if (!numbers) return tl::unexpected(std::move(numbers.error()));
-  Motion motion{*frame_time, *frames, std::move(*numbers), {}};
-  auto warnings = read_rest(text, columns.size(), motion, path);
-  if (!warnings) return tl::unexpected(std::move(warnings.error()));
-  motion.warnings = std::move(*warnings);
+  Motion motion{*frame_time, *frames, std::move(*numbers), reader.warnings(path)};
+  auto rest = read_rest(text, motion, path);
+  if (!rest) return tl::unexpected(std::move(rest.error()));
+  std::ranges::move(*rest, std::back_inserter(motion.warnings));
   return motion;
 }
 
@@ -277,7 +325,7 @@ std::vector<Eigen::Quaterniond> rotations_of(std::span<const Column> columns, co
 
 Clip clip_of(const Source& source, std::string name) {
   Clip clip{.name = std::move(name)};
-  const std::vector<double> times = times_of(source.frame_time, source.frames);
+  const SharedList<double> times = times_of(source.frame_time, source.frames);
   const std::size_t stride = columns_of(source.joints);
   const double* numbers = source.numbers.data();
   for (std::size_t j = 0; j < source.joints.size(); ++j) {

@@ -16,6 +16,7 @@ namespace {
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool is_blank(char c) noexcept { return c == ' ' || ('\t' <= c && c <= '\r'); }
+bool ends_line(char c) noexcept { return c == '\n' || c == '\r'; }
 bool is_brace(char c) noexcept { return c == '{' || c == '}'; }
 char small(char c) noexcept { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
 
@@ -70,8 +71,14 @@ std::string_view Text::next() noexcept {
   return bytes_.substr(begin_, at_ - begin_);
 }
 
+bool Text::goes_on_in_line() const noexcept {
+  const auto rest = bytes_.substr(at_);
+  const auto next = std::ranges::find_if(rest, [](char c) { return !is_blank(c) || ends_line(c); });
+  return next != rest.end() && !ends_line(*next);
+}
+
 std::string_view Text::rest_of_line() noexcept {
-  const auto ends = [](char c) { return c == '\n' || c == '\r' || is_brace(c); };
+  const auto ends = [](char c) { return ends_line(c) || is_brace(c); };
   const auto rest = bytes_.substr(at_);
   std::string_view line(rest.begin(), std::ranges::find_if(rest, ends));
   at_ += line.size();

@@ -11,7 +11,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 /// Whether a word is a keyword, in any case of letters.
 [[nodiscard]] bool is_word(std::string_view word, std::string_view keyword) noexcept;
 
-/// The words of a BVH file, one after the other. Line ends are blanks but for names.
+/// The words of a BVH file, one after the other. Line ends are blanks but for names and for frames.
 class Text {
  public:
   /// Neither the bytes nor the path are copied. A UTF-8 byte order mark is skipped.
@@ -23,6 +23,8 @@ class Text {
   [[nodiscard]] std::string_view peek() const noexcept { return Text(*this).next(); }
   /// What is left of the line up to a brace, without the blanks around it.
   [[nodiscard]] std::string_view rest_of_line() noexcept;
+  /// Whether the next word is in the line of the last one.
+  [[nodiscard]] bool goes_on_in_line() const noexcept;
   /// Skips `Frame Time :` where it comes next, with or without its blanks and its colon.
   [[nodiscard]] Expected<void> label(std::string_view first, std::string_view second = {});
 

@@ -131,6 +131,10 @@ class Writer {
   }
 
   void add_motion(const Frames& frames, const std::vector<JointNumbers>& joints) {
+    for (const JointNumbers& joint : joints) {
+      if (count_of(joint.columns, Column::Kind::rotation) > 0) written_.keys.rotations += frames.times.size();
+      if (count_of(joint.columns, Column::Kind::position) > 0) written_.keys.translations += frames.times.size();
+    }
     std::string& text = written_.bytes;
     text += formatted("MOTION{0}Frames: {1}{0}Frame Time: {2}{0}", line_end_, frames.times.size(),
                       frames.frame_time.to_string());

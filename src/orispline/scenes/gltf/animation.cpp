@@ -221,6 +221,12 @@ Expected<ChannelInterpolation> interpolation_of(const Object& sampler) {
   });
 }
 
+/// From the start of the first to the end of the last of them.
+std::optional<Domain> joined(const std::optional<Domain>& a, const std::optional<Domain>& b) {
+  if (!a || !b) return a ? a : b;
+  return Domain{std::min(a->start, b->start), std::max(a->end, b->end)};
+}
+
 struct Column {
   Accessor accessor{};
   std::size_t index = 0;
@@ -284,9 +290,7 @@ SamplerKeys only(const std::vector<std::size_t>& kept, SamplerKeys keys) {
   return keys;
 }
 
-Expected<void> check_counts(const Column& times, const Column& outputs, std::size_t per_key, std::size_t most) {
-  if (times.accessor.count > most)
-    return failure(ErrorCode::bad_data, "found more than 64 million keys in the file, wanted fewer");
+Expected<void> check_counts(const Column& times, const Column& outputs, std::size_t per_key) {
   if (outputs.accessor.count == times.accessor.count * per_key) return {};
   return failure(ErrorCode::bad_data,
                  formatted("found {} in accessor {} for {}, wanted {}", counted(outputs.accessor.count, "output"),
@@ -342,8 +346,7 @@ Expected<Accessor> accessor_of(const Document& document, std::size_t index) {
   return accessor;
 }
 
-Expected<SamplerKeys> sampler_keys(const Document& document, const Object& sampler, const ValueType& type,
-                                   const SceneReading& reading, std::size_t most) {
+Expected<SamplerPlaces> sampler_places(const Document& document, const Object& sampler, const ValueType& type) {
   const auto interpolation = interpolation_of(sampler);
   if (!interpolation) return tl::unexpected(interpolation.error());
   const auto input = column_of(document, sampler, "input", {"SCALAR", 1});
@@ -351,16 +354,34 @@ Expected<SamplerKeys> sampler_keys(const Document& document, const Object& sampl
   const auto output = column_of(document, sampler, "output", type);
   if (!output) return tl::unexpected(output.error());
   const std::size_t per_key = *interpolation == ChannelInterpolation::cubicspline ? 3 : 1;
-  if (auto fit = check_counts(*input, *output, per_key, most); !fit) return tl::unexpected(std::move(fit.error()));
-  auto times = values_of(document, input->accessor), outputs = values_of(document, output->accessor);
+  return check_counts(*input, *output, per_key).map([&] {
+    return SamplerPlaces{*interpolation, input->accessor, output->accessor};
+  });
+}
+
+Expected<SamplerKeys> sampler_keys(const Document& document, const SamplerPlaces& places, const SceneReading& reading) {
+  auto times = values_of(document, places.input), outputs = values_of(document, places.output);
   if (!times) return tl::unexpected(std::move(times.error()));
   if (!outputs) return tl::unexpected(std::move(outputs.error()));
-  SamplerKeys keys{*interpolation, std::move(*times), std::move(*outputs)};
-  for (const Column* column : {&*input, &*output})
-    if (column->accessor.is_strided) keys.strided.push_back(formatted("accessor {}", column->index));
+  SamplerKeys keys{places.interpolation, std::move(*times), std::move(*outputs)};
   return keys_at_rising_times(keys.times, reading).map([&](const std::vector<std::size_t>& kept) {
     return only(kept, std::move(keys));
   });
+}
+
+std::optional<Domain> sampler_domain(const Document& document, const Object& sampler) {
+  const auto input =
+      sampler.index("input", document.root().list("accessors").value()->size()).and_then([&](std::size_t index) {
+        return accessor_of(document, index);
+      });
+  if (!input || input->type != ComponentType::f32 || input->components != 1 || !input->offset || input->sparse)
+    return std::nullopt;
+  const auto time = [&](std::size_t key) {
+    return component_at(document.binary, *input->offset + key * input->stride, input->type, false);
+  };
+  const Domain domain{time(0), time(input->count - 1)};
+  return std::isfinite(domain.start) && std::isfinite(domain.end) && domain.start <= domain.end ? std::optional(domain)
+                                                                                                : std::nullopt;
 }
 
 template <CurvePoint P>
@@ -445,11 +466,13 @@ Expected<Clip> AnimationReader::next() {
   if (!channels) return tl::unexpected(channels.error());
   Clip clip{.name = std::move(*name)};
   for (const AnimationChannel& channel : *channels) {
-    if (!channel.target) continue;
+    const auto sampler = animation->entry("samplers", "sampler", channel.sampler);
+    if (!channel.target) {
+      if (sampler) clip.passed_on = joined(clip.passed_on, sampler_domain(document_, *sampler));
+      continue;
+    }
     const std::string place = place_of(nodes_.skeleton, clip, nodes_.joint_of_node[channel.target->node]);
-    auto more = animation->entry("samplers", "sampler", channel.sampler).and_then([&](const Object& sampler) {
-      return with(std::move(clip), sampler, *channel.target);
-    });
+    auto more = sampler.and_then([&](const Object& found) { return with(std::move(clip), found, *channel.target); });
     if (!more) return tl::unexpected(within(place, std::move(more.error())));
     clip = std::move(*more);
   }
@@ -457,28 +480,61 @@ Expected<Clip> AnimationReader::next() {
 }
 
 Expected<Clip> AnimationReader::with(Clip clip, const Object& sampler, const ChannelTarget& target) {
-  auto keys = keys_of(sampler, target.property);
-  if (!keys) return tl::unexpected(std::move(keys.error()));
   const std::size_t joint = nodes_.joint_of_node[target.node];
   if (target.property == Property::rotation)
-    return channel_of<Eigen::Quaterniond>(*keys, joint).map([&](RotationChannel channel) {
-      clip.rotations.push_back(std::move(channel));
+    return channel(sampler, joint, rotations_).map([&](RotationChannel found) {
+      clip.rotations.push_back(std::move(found));
       return std::move(clip);
     });
   auto& channels = target.property == Property::translation ? clip.translations : clip.scales;
-  return channel_of<Eigen::Vector3d>(*keys, joint).map([&](VectorChannel channel) {
-    channels.push_back(std::move(channel));
+  return channel(sampler, joint, vectors_).map([&](VectorChannel found) {
+    channels.push_back(std::move(found));
     return std::move(clip);
   });
 }
 
-Expected<SamplerKeys> AnimationReader::keys_of(const Object& sampler, Property property) {
-  const ValueType& type = property == Property::rotation ? quaternion_type : vector_type;
-  auto keys = sampler_keys(document_, sampler, type, reading_, keys_left_);
-  if (!keys) return keys;
-  keys_left_ -= keys->size();
-  strided_.insert(strided_.end(), keys->strided.begin(), keys->strided.end());
-  return keys;
+template <CurvePoint P>
+Expected<Channel<P>> AnimationReader::channel(const Object& sampler, std::size_t joint, KnownChannels<P>& known) {
+  const ValueType& type = std::same_as<P, Eigen::Quaterniond> ? quaternion_type : vector_type;
+  const auto places = sampler_places(document_, sampler, type);
+  if (!places) return tl::unexpected(places.error());
+  if (places->input.count > keys_left_)
+    return failure(ErrorCode::bad_data, "found more than 64 million keys in the file, wanted fewer");
+  auto found = known.find(*places);
+  if (found == known.end()) {
+    auto channel = read<P>(*places);
+    if (!channel) return channel;
+    note_strides(sampler, *places);
+    found = known.emplace(*places, std::move(*channel)).first;
+  }
+  keys_left_ -= found->second.size();
+  Channel<P> channel = found->second;
+  channel.joint = joint;
+  return channel;
+}
+
+template <CurvePoint P>
+Expected<Channel<P>> AnimationReader::read(const SamplerPlaces& places) {
+  if (places.input.count > stored_left_)
+    return failure(ErrorCode::bad_data,
+                   formatted("found more than {} keys in accessors that overlap or have no data, wanted channels that "
+                             "share accessors",
+                             most_stored_));
+  stored_left_ -= places.input.count;
+  return sampler_keys(document_, places, reading_)
+      .and_then([](const SamplerKeys& keys) { return channel_of<P>(keys, 0); })
+      .map([&](Channel<P> channel) {
+        channel.times = times_.try_emplace(places.input, channel.times).first->second;
+        return channel;
+      });
+}
+
+void AnimationReader::note_strides(const Object& sampler, const SamplerPlaces& places) {
+  const auto note = [&](const char* key, const Accessor& accessor) {
+    if (accessor.is_strided) strided_.push_back(formatted("accessor {}", shown(*sampler.find(key))));
+  };
+  note("input", places.input);
+  note("output", places.output);
 }
 
 std::vector<Warning> AnimationReader::warnings() const {

@@ -5,10 +5,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -111,6 +113,7 @@ struct BufferPlace {
 
 struct Buffers {
   std::string bytes{};
+  std::size_t bytes_beside = 0;  ///< of the files that they were in
   std::vector<BufferPlace> places{};
 };
 
@@ -144,15 +147,36 @@ bool is_beside(std::string_view name) {
   return true;
 }
 
+namespace fs = std::filesystem;
+
+/// Whether all links of a path lead to where it says. One that cannot be followed is left to whoever opens the file.
+bool stays_within(const fs::path& folder, const fs::path& file) {
+  std::error_code none;
+  const fs::path outer = fs::canonical(folder.empty() ? fs::path(".") : folder, none);
+  const fs::path inner = none ? fs::path() : fs::canonical(file, none);
+  return none || std::ranges::mismatch(outer, inner).in1 == outer.end();
+}
+
+/// A file of strangers must not make us wait for a pipe, nor carry other files of yours into what is written.
 Expected<std::string> file_beside(const Object& buffer, std::string_view uri, const std::string& path) {
   const std::string name = percent_decoded(uri);
   if (!is_beside(uri) || !is_beside(name))
     return buffer.fault(formatted("found uri {}, wanted a file beside the glTF file", in_quotes(uri)));
-  return bytes_of_file(path.substr(0, path.size() - file_name_of(path).size()) + name);
+  const std::string folder = path.substr(0, path.size() - file_name_of(path).size()), file = folder + name;
+  std::error_code none;
+  if (const fs::file_status status = fs::status(file, none); fs::exists(status) && !fs::is_regular_file(status))
+    return buffer.fault(
+        formatted("found uri {}, which is a folder, a pipe or a device, wanted a file", in_quotes(uri)));
+  if (!stays_within(folder, file))
+    return buffer.fault(formatted(
+        "found uri {}, a link to another folder, wanted a file beside the glTF file; copy it there", in_quotes(uri)));
+  return bytes_of_file(file);
 }
 
+bool is_data(std::string_view uri) { return uri.starts_with("data:"); }
+
 Expected<std::string> data_of(const Object& buffer, std::string_view uri, const std::string& path) {
-  if (!uri.starts_with("data:")) return file_beside(buffer, uri, path);
+  if (!is_data(uri)) return file_beside(buffer, uri, path);
   constexpr std::string_view mark = ";base64,";
   const std::size_t found = uri.find(mark);
   auto bytes = found == std::string_view::npos ? std::nullopt : from_base64(uri.substr(found + mark.size()));
@@ -177,6 +201,7 @@ Expected<Buffers> with(Buffers all, const Object& buffer, std::optional<std::str
   all.places.push_back({.offset = (all.bytes.size() + 7) / 8 * 8, .length = *length, .has_data = bytes->has_value()});
   const std::size_t offset = all.places.back().offset;
   if (!all.places.back().has_data) return all;
+  if (buffer.has("uri") && !is_data(*buffer.text("uri"))) all.bytes_beside += (*bytes)->size();
   if ((*bytes)->size() < *length)
     return buffer.fault(formatted("found {} bytes, wanted the {} of its byteLength", (*bytes)->size(), *length));
   if (offset + *length > largest_scene_file) return buffer.fault("found more than 2 GiB of buffers, wanted less");
@@ -336,6 +361,7 @@ Expected<Document> document_of(std::string_view bytes, const std::string& path) 
   auto views = views_of(document.root(), buffers->places);
   if (!views) return tl::unexpected(std::move(views.error()));
   document.binary = std::move(buffers->bytes);
+  document.bytes_beside = buffers->bytes_beside;
   document.views = std::move(*views);
   return document;
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <compare>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,6 +41,7 @@ struct View {
 struct Document {
   Json json = Json::object();  ///< an object, whose lists of bufferViews, accessors, nodes and animations are lists
   std::string binary{};
+  std::size_t bytes_beside = 0;              ///< of the files that buffers were in
   std::vector<std::optional<View>> views{};  ///< each within the binary; none where the buffer has no data
 
   [[nodiscard]] Object root() const { return Object::of(json, "").value(); }
@@ -94,6 +97,8 @@ enum class ComponentType { i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5
 struct Sparse {
   std::size_t count = 0, indices = 0, values = 0;  ///< `indices` and `values` begin there in the binary
   ComponentType index_type = ComponentType::u32;
+
+  friend auto operator<=>(const Sparse&, const Sparse&) = default;
 };
 
 /// Where the elements of an accessor lie. What one that accessor_of() gives refers to is within the binary.
@@ -107,17 +112,25 @@ struct Accessor {
   std::optional<Sparse> sparse{};
 
   [[nodiscard]] std::size_t extent() const noexcept { return count == 0 ? 0 : stride * (count - 1) + element_size; }
+  friend auto operator<=>(const Accessor&, const Accessor&) = default;
 };
 
 /// Checked against its views. Errors (bad_data) name the accessor.
 [[nodiscard]] Expected<Accessor> accessor_of(const Document& document, std::size_t index);
+
+/// Where a sampler finds its keys.
+struct SamplerPlaces {
+  ChannelInterpolation interpolation = ChannelInterpolation::linear;
+  Accessor input{}, output{};
+
+  friend auto operator<=>(const SamplerPlaces&, const SamplerPlaces&) = default;
+};
 
 /// What the sampler of an animation holds: per key a value, of splines a tangent, a value and a tangent.
 struct SamplerKeys {
   ChannelInterpolation interpolation = ChannelInterpolation::linear;
   std::vector<double> times{};
   std::vector<double> outputs{};
-  std::vector<std::string> strided{};  ///< accessors whose elements do not follow each other, by name
 
   [[nodiscard]] std::size_t size() const noexcept { return times.size(); }
 };
@@ -129,10 +142,16 @@ struct ValueType {
 };
 inline constexpr ValueType quaternion_type{"VEC4", 4}, vector_type{"VEC3", 3};
 
-/// The keys of a sampler; `most`: how many there may be. Errors (bad_data): accessors that do not fit each other, times
-/// that do not rise.
-[[nodiscard]] Expected<SamplerKeys> sampler_keys(const Document& document, const Object& sampler, const ValueType& type,
-                                                 const SceneReading& reading, std::size_t most);
+/// Errors (bad_data): accessors that do not fit each other or the type.
+[[nodiscard]] Expected<SamplerPlaces> sampler_places(const Document& document, const Object& sampler,
+                                                     const ValueType& type);
+
+/// The keys there. Errors (bad_data): times that do not rise.
+[[nodiscard]] Expected<SamplerKeys> sampler_keys(const Document& document, const SamplerPlaces& places,
+                                                 const SceneReading& reading);
+
+/// From the first time of a sampler to the last, as far as that can be told without reading all [s].
+[[nodiscard]] std::optional<Domain> sampler_domain(const Document& document, const Object& sampler);
 
 enum class Norm { one, as_in_file };
 
@@ -165,11 +184,15 @@ struct AnimationChannel {
 [[nodiscard]] Expected<std::vector<AnimationChannel>> animation_channels(const Document& document,
                                                                          const Object& animation);
 
-/// Reads the animations of a document one by one.
+/// Reads the animations of a document one by one. Channels with the same keys of the file share them in memory.
 class AnimationReader {
  public:
   AnimationReader(const Document& document, const Nodes& nodes, const SceneReading& reading)
-      : document_(document), nodes_(nodes), reading_(reading) {}
+      : document_(document),
+        nodes_(nodes),
+        reading_(reading),
+        most_stored_(most_keys_of_nothing + document.binary.size()),
+        stored_left_(most_stored_) {}
 
   /// Errors (bad_data) name the clip, and the joint and the key where there are any.
   [[nodiscard]] Expected<Clip> next();
@@ -178,14 +201,28 @@ class AnimationReader {
   [[nodiscard]] std::vector<Warning> warnings() const;
 
  private:
+  template <CurvePoint P>
+  using KnownChannels = std::map<SamplerPlaces, Channel<P>>;
+
   [[nodiscard]] Expected<Clip> with(Clip clip, const Object& sampler, const ChannelTarget& target);
-  [[nodiscard]] Expected<SamplerKeys> keys_of(const Object& sampler, Property property);
+  template <CurvePoint P>
+  [[nodiscard]] Expected<Channel<P>> channel(const Object& sampler, std::size_t joint, KnownChannels<P>& known);
+  template <CurvePoint P>
+  [[nodiscard]] Expected<Channel<P>> read(const SamplerPlaces& places);
+  void note_strides(const Object& sampler, const SamplerPlaces& places);
+
+  /// What takes no bytes of a file, such as zeros, and parts that overlap must not fill the memory.
+  static constexpr std::size_t most_keys_of_nothing = std::size_t{1} << 22;
 
   const Document& document_;
   const Nodes& nodes_;
   const SceneReading& reading_;
   std::size_t animation_ = 0;
-  std::size_t keys_left_ = std::size_t{1} << 26;  ///< many channels of few bytes must not fill the memory
+  std::size_t keys_left_ = std::size_t{1} << 26;  ///< of all channels, for what is done with each of them
+  std::size_t most_stored_, stored_left_;         ///< of channels that share no keys with others
+  KnownChannels<Eigen::Quaterniond> rotations_{};
+  KnownChannels<Eigen::Vector3d> vectors_{};
+  std::map<Accessor, SharedList<double>> times_{};
   std::vector<std::string> strided_{};
 };
 

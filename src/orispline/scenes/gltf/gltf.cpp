@@ -6,7 +6,6 @@
 #include <cstring>
 #include <filesystem>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -33,10 +32,17 @@ struct WrittenChannel {
   std::size_t joint = 0;
   Property property = Property::rotation;
   ChannelInterpolation interpolation = ChannelInterpolation::linear;
-  std::vector<float> times{};
-  float end = 0.0F;              ///< of the last key, also where that was left out
-  std::vector<float> outputs{};  ///< of splines with a tangent before and after each value
+  SharedList<float> times{};
+  float end = 0.0F;             ///< of the last key, also where that was left out
+  SharedList<float> outputs{};  ///< of splines with a tangent before and after each value
 };
+
+/// Where the keys of a channel are in memory: the same for channels that share them.
+template <CurvePoint P>
+auto places_of_keys(const Channel<P>& channel) {
+  return std::tuple(channel.interpolation, channel.times.data(), channel.values.data(), channel.in_tangents.data(),
+                    channel.out_tangents.data());
+}
 
 /// A channel of rotations as a file of the scene held it, to write the same bits again where they were not changed:
 /// `read` is `raw` normalised.
@@ -188,6 +194,7 @@ struct AnimationPlan {
 struct WrittenAnimations {
   Json list = Json::array();
   KeyStore store;
+  WrittenKeys keys{};
   std::vector<Warning> warnings{};
 };
 
@@ -273,8 +280,15 @@ class Writer {
  private:
   [[nodiscard]] Expected<std::vector<WrittenChannel>> channels_of(const Clip& clip, const OldAnimation& old) {
     std::vector<WrittenChannel> channels;
-    const auto append_to = [&](const auto& list, auto&& write) -> Expected<void> {
-      for (const auto& channel : list) {
+    const auto append_to = [&]<CurvePoint P>(const std::vector<Channel<P>>& list, auto&& write) -> Expected<void> {
+      std::map<decltype(places_of_keys(list.front())), std::size_t> known;
+      for (const Channel<P>& channel : list) {
+        const auto [same, is_new] = known.try_emplace(places_of_keys(channel), channels.size());
+        if (!is_new) {
+          channels.push_back(channels[same->second]);
+          channels.back().joint = channel.joint;
+          continue;
+        }
         auto done = write(channel);
         const std::string place = place_of(scene_.skeleton, clip, channel.joint);
         if (!done) return tl::unexpected(within(place, std::move(done.error())));
@@ -295,8 +309,9 @@ class Writer {
     const auto found = old.sampler_of.find({node_of(channel.joint), Property::rotation});
     if (found == old.sampler_of.end()) return written(channel, nullptr);
     const Object sampler = Object::of(old.json["samplers"][found->second], "").value();
-    const auto keys = sampler_keys(source_.document(), sampler, quaternion_type, source_.reading(),
-                                   std::numeric_limits<std::size_t>::max());
+    const auto keys = sampler_places(source_.document(), sampler, quaternion_type).and_then([&](const auto& places) {
+      return sampler_keys(source_.document(), places, source_.reading());
+    });
     if (!keys) return tl::unexpected(keys.error());
     auto raw = channel_of<Eigen::Quaterniond>(*keys, channel.joint, Norm::as_in_file);
     auto read = channel_of<Eigen::Quaterniond>(*keys, channel.joint);
@@ -310,6 +325,9 @@ class Writer {
   [[nodiscard]] std::size_t sampler_of(const WrittenChannel& channel, SamplerList& samplers) {
     const ValueType& type = channel.property == Property::rotation ? quaternion_type : vector_type;
     const std::size_t input = result_.store.times(channel.times);
+    (channel.property == Property::rotation      ? result_.keys.rotations
+     : channel.property == Property::translation ? result_.keys.translations
+                                                 : result_.keys.scales) += channel.times.size();
     return samplers.made(input, result_.store.outputs(channel.outputs, type.word, type.components),
                          channel.interpolation);
   }
@@ -474,7 +492,7 @@ Expected<SceneWritten> written_from(const Source& source, const Scene& scene, co
   set_list(json, "buffers", length == 0 ? Json::array() : Json::array({only_buffer(document, length)}));
   std::ranges::move(warnings_of_images(json, scene.name, path), std::back_inserter(animations->warnings));
   return file_of(std::move(json), lists->bytes, path).map([&](std::string bytes) {
-    return SceneWritten{std::move(bytes), std::move(animations->warnings)};
+    return SceneWritten{std::move(bytes), animations->keys, std::move(animations->warnings)};
   });
 }
 
@@ -484,6 +502,7 @@ Expected<Scene> scene_of(Document document, const SceneReading& reading) {
   if (!nodes) return tl::unexpected(std::move(nodes.error()));
   auto warnings = extension_warnings(document);
   if (!warnings) return tl::unexpected(std::move(warnings.error()));
+  scene.bytes = document.bytes_beside;
   scene.skeleton = nodes->skeleton;
   scene.warnings = std::move(*warnings);
   AnimationReader animations(document, *nodes, reading);
