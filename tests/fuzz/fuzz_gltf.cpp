@@ -5,9 +5,14 @@
 
 #include <fuzz/claim.hpp>
 #include <fuzz/fuzz_input.hpp>
+#include <fuzz/gltf_mutator.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
-namespace orispline::fuzz { namespace {
+namespace orispline::fuzz {
+
+const std::size_t option_bytes = 1;
+
+namespace {
 
 using namespace scenes;
 
@@ -69,13 +74,15 @@ void claim_same_when_written(const Scene& scene, const std::string& path) {
   claim(twice.has_value() && twice->bytes.size() <= written->bytes.size() + 512, "the file grows when written again");
 }
 
-}}  // namespace orispline::fuzz
+}
+}  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orispline;
   using namespace orispline::fuzz;
   FuzzInput input(data, size);
-  Flags flags(input);
+  FuzzInput options = input.part(option_bytes);
+  Flags flags(options);
   const scenes::SceneReading reading{.drop_duplicates = flags.next()};
   const std::string path = flags.next() ? "scene.gltf" : "scene.glb";
   const bool is_from_elsewhere = flags.next();
