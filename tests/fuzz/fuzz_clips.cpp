@@ -20,6 +20,30 @@ using scenes::Scene;
 /// Of a rotation that single precision has rounded [rad], and of a length.
 constexpr double stored_rounding = 1e-6;
 
+/// Lengths whose products along a chain of joints are finite. Beyond, distances in the world may have no number.
+bool has_finite_places(const Scene& scene) {
+  constexpr std::size_t most_joints = 64;
+  constexpr double longest = 1e30, widest = 1e3;
+  const auto within = [](double most) {
+    return [most](const Eigen::Vector3d& v) { return v.cwiseAbs().maxCoeff() <= most; };
+  };
+  const auto are_within = [&](const std::vector<VectorChannel>& channels, double most) {
+    return std::ranges::all_of(channels, [&](const VectorChannel& channel) {
+      return std::ranges::all_of(channel.values, within(most)) &&
+             std::ranges::all_of(channel.in_tangents, within(most)) &&
+             std::ranges::all_of(channel.out_tangents, within(most));
+    });
+  };
+  return scene.skeleton.size() <= most_joints &&
+         std::ranges::all_of(scene.skeleton.joints(),
+                             [&](const Joint& joint) {
+                               return within(longest)(joint.rest.translation) && within(widest)(joint.rest.scale);
+                             }) &&
+         std::ranges::all_of(scene.clips, [&](const Clip& clip) {
+           return are_within(clip.translations, longest) && are_within(clip.scales, widest);
+         });
+}
+
 void claim_sound(const Skeleton& skeleton, const Clip& clip) {
   const auto sound = check_clip(skeleton, clip);
   claim(sound.has_value(), "a clip that is not sound: {}", sound ? "" : describe(sound.error()));
@@ -135,6 +159,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!scene) return claim_plain(scene.error()), 0;
   for (const Clip& clip : scene->clips)
     if (!check_clip(scene->skeleton, clip)) return 0;
+  if (!has_finite_places(*scene)) return 0;
   const std::size_t job = options.below(4);
   if (job < 2) try_reduce(options, *scene);
   if (job == 2) try_smooth(options, *scene);

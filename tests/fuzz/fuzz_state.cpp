@@ -55,6 +55,7 @@ std::uint64_t hostile_word(FuzzInput& input) {
 
 /// One change of bytes that are not sealed.
 void change(Bytes& bytes, FuzzInput& input) {
+  if (bytes.empty()) return;
   const std::size_t at = (input.byte() + 256u * input.byte()) % bytes.size();
   const auto place = bytes.begin() + static_cast<std::ptrdiff_t>(at);
   const auto rest = static_cast<std::ptrdiff_t>(std::min(word, bytes.size() - at));

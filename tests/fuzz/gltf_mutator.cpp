@@ -132,7 +132,8 @@ class Tree {
   }
   void drop() {
     Json* const of = any([](const Json& value) { return value.is_structured() && !value.empty(); });
-    if (of) of->erase(std::next(of->begin(), static_cast<std::ptrdiff_t>(chance_.below(of->size()))));
+    if (of && chance_.below(4) == 0) of->clear();
+    else if (of) of->erase(std::next(of->begin(), static_cast<std::ptrdiff_t>(chance_.below(of->size()))));
   }
   void repeat() {
     Json* const of = any([](const Json& value) { return value.is_array() && !value.empty(); });
