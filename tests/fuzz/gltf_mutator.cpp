@@ -6,8 +6,6 @@
 #include <array>
 #include <cstring>
 
-#include <nlohmann/json.hpp>
-
 #include <orispline/math/so3.hpp>
 #include <orispline/scenes/gltf/document.hpp>
 #include <support/specimens.hpp>

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <fuzz/claim.hpp>
-#include <orispline/base/warning.hpp>
 #include <orispline/fields/json.hpp>
 
 namespace orispline::fuzz {
@@ -17,14 +16,6 @@ inline void claim_numbers(const Json& json, const std::string& name = "") {
     for (const Json& element : *list) claim_numbers(element, name + "[]");
   if (const auto* const object = std::get_if<Json::Object>(&value))
     for (const auto& [key, member] : *object) claim_numbers(member, name + "." + key);
-}
-
-inline void claim_plain(const std::vector<Warning>& warnings) {
-  for (const Warning& warning : warnings) {
-    claim(!warning.code.empty(), "a warning without a code");
-    claim(is_one_printable_line(describe(warning)), "a warning that is not one printable line: '{}'",
-          describe(warning));
-  }
 }
 
 /// What a face tells of the outcome of a job.
