@@ -4,7 +4,11 @@
 
 Writes tests/fuzz/corpus/fuzz_*/seed_*; files of other names, which fuzzing found, stay as they are. The layouts are those
 of tests/fuzz/fuzzed_keys.hpp, fuzzed_method.hpp and of each target."""
+import base64
+import json
+import math
 import pathlib
+import struct
 
 import fbx_files
 
@@ -68,7 +72,40 @@ def online_seeds():
         yield f"{method:02}_{name}", bytes([method]) + (SETTINGS if method % 2 else PLAIN) + stream + KEY_SEEDS[name]
 
 
+def state_seeds():
+    for family in range(FAMILIES):
+        name = list(KEY_SEEDS)[family % len(KEY_SEEDS)]
+        track = bytes([family % 8, family % 6, family % 8, family % 4, 1 + family % 5, family % 2]) + bytes(10)
+        change = bytes([1, 8 * (family % 32), 0, family % 6, family % 20, 7]) if family % 2 else b""
+        settings = SETTINGS if family % 3 == 1 else PLAIN
+        yield f"{family:02}_{name}", bytes([family]) + settings + track + change.ljust(32, b"\0") + KEY_SEEDS[name]
+
+
+def recording(count, noise, outliers=False, gyro=False, still=False):
+    """The bytes of fuzzed_recording()."""
+    return bytes([1 + 2 * outliers + 4 * gyro + 8 * still, count - 20, 7, noise])
+
+
+def recorded_seeds():
+    """Of the tasks on recordings, each with bytes of its own behind the keys."""
+    walk, poses = KEY_SEEDS["walk"], KEY_SEEDS["poses"]
+    head = {task: bytes([task]) + bytes(32) for task in range(6)}
+    yield "0_recording", bytes([0, 2]) + bytes([0, 3]) + bytes(29) + walk + recording(120, 3) + bytes([5])
+    yield "0_smoothed", bytes([0, 1]) + bytes([2, 0]) + bytes(29) + poses + recording(60, 2, still=True) + bytes([3])
+    yield "1_axes", bytes([1, 0, 3, 1]) + bytes(29) + poses + recording(40, 8) + bytes([0b100011])
+    yield "1_torque", bytes([1, 0, 3, 1]) + bytes(29) + walk + bytes(4) + bytes([0b1100])
+    yield "1_rests", bytes([1, 1, 3, 0]) + bytes(29) + KEY_SEEDS["repeated"] + bytes(4) + bytes([0b110000, 1])
+    for name, flags in (("adapt", 0), ("sigma", 2), ("gyro", 4), ("gap", 8)):
+        yield f"2_{name}", head[2] + walk + recording(200, 2, True, name == "gyro", True) + bytes([flags, 6])
+    yield "2_tukey_jerk", bytes([2, 0b111]) + bytes(31) + poses + recording(90, 1, True) + bytes([32, 4])
+    for other in (1, 2, 3):
+        yield f"3_other_{other}", head[3] + walk + bytes(4) + bytes([other, other % 2])
+    for family in range(0, FAMILIES, 4):
+        yield f"5_inspect_{family:02}", bytes([5, family]) + bytes(31) + poses
+
+
 def optimise_seeds():
+    yield from recorded_seeds()
     for task in range(5):
         for name in ("walk", "uneven", "repeated", "poses"):
             yield f"{task}_{name}", bytes([task]) + bytes([3, 3, 1] + [0] * 29) + KEY_SEEDS[name]
@@ -144,7 +181,57 @@ def command_files():
         yield name, f"{line}\n{text}".encode()
 
 
-TARGETS = {"curve": curve_seeds, "online": online_seeds, "optimise": optimise_seeds, "keys": key_files, "times": times_files,
+def quaternions_of(angles):
+    return [(0.0, 0.6 * math.sin(a / 2), 0.8 * math.sin(a / 2), math.cos(a / 2)) for a in angles]
+
+
+def gltf_of(tracks, joints=3):
+    """A chain of joints; a track is (joint, path, interpolation, times, values)."""
+    binary, views, accessors, samplers, channels = b"", [], [], [], []
+    for joint, path, interpolation, times, values in tracks:
+        for kind, rows in (("SCALAR", [(t,) for t in times]), (f"VEC{len(values[0])}", values)):
+            data = b"".join(struct.pack(f"<{len(row)}f", *row) for row in rows)
+            views.append({"buffer": 0, "byteOffset": len(binary), "byteLength": len(data)})
+            accessors.append({"bufferView": len(views) - 1, "componentType": 5126, "count": len(rows), "type": kind})
+            binary += data
+        channels.append({"sampler": len(samplers), "target": {"node": joint, "path": path}})
+        samplers.append({"input": len(accessors) - 2, "output": len(accessors) - 1, "interpolation": interpolation})
+    nodes = [{"name": f"joint{i}", "translation": [0, i, 0.5]} | ({"children": [i + 1]} if i + 1 < joints else {})
+             for i in range(joints)]
+    uri = "data:;base64," + base64.b64encode(binary).decode()
+    return json.dumps({"asset": {"version": "2.0"}, "nodes": nodes, "bufferViews": views, "accessors": accessors,
+                       "animations": [{"name": "walk", "samplers": samplers, "channels": channels}] if tracks else [],
+                       "buffers": [{"byteLength": len(binary), "uri": uri}] if tracks else []}, separators=(",", ":")).encode()
+
+
+def clip_files():
+    """A scene with the job and its options before it."""
+    times = [k / 8 for k in range(24)]
+    swing = quaternions_of([math.sin(1.3 * t) + 0.3 * t for t in times])
+    rough = quaternions_of([math.sin(t) + (0.02 if k % 2 else -0.02) for k, t in enumerate(times)])
+    path = [(t, 0.1 * t * t, math.sin(t)) for t in times]
+    moves = gltf_of([(0, "rotation", "LINEAR", times, swing), (1, "rotation", "LINEAR", times, rough),
+                     (0, "translation", "LINEAR", times, path), (2, "rotation", "STEP", times[:4], swing[:4])])
+    spline = [value for row in quaternions_of([0.0, 1.0, 0.4]) for value in ((0.0,) * 4, row, (0.0,) * 4)]
+    splines = gltf_of([(1, "rotation", "CUBICSPLINE", [0.0, 0.5, 2.0], spline), (0, "scale", "LINEAR", [0.0, 1.0], [(1, 1, 1)] * 2)])
+    rests = gltf_of([(0, "rotation", "LINEAR", times[:6], quaternions_of([0, 0, 1e-7, 1e-6, 0, 0])),
+                     (1, "translation", "LINEAR", times[:6], [(0, 0, 1e-7 * k) for k in range(6)])])
+    for method in range(6):
+        yield f"reduce_{method}", bytes([0, method, 2, 2 * (method % 2)]) + moves
+    yield "reduce_world", bytes([1, 1, 2, 0b0101]) + moves
+    yield "reduce_closed", bytes([0, 0, 3, 0b1000]) + moves
+    yield "reduce_positions", bytes([0, 1, 1, 0b0011]) + moves
+    yield "reduce_splines", bytes([0, 1, 2, 0]) + splines
+    yield "reduce_rests", bytes([0, 0, 4, 0]) + rests
+    for loss in range(4):
+        yield f"smooth_{loss}", bytes([2, loss, loss % 2, loss]) + moves
+    yield "difference", bytes([3, 1, 0, 0]) + moves
+    yield "difference_splines", bytes([3, 0, 0, 0]) + splines
+    yield "smooth_nothing", bytes([2, 0, 0, 0]) + gltf_of([])
+
+
+TARGETS = {"curve": curve_seeds, "online": online_seeds, "optimise": optimise_seeds, "state": state_seeds,
+           "clips": clip_files, "keys": key_files, "times": times_files,
            "decimal": decimal_files, "command": command_files, "fbx": fbx_files.scene_files}
 
 

@@ -29,7 +29,8 @@ def arguments():
     parser.add_argument("--sample", type=int, default=300, metavar="N", help="so many mutants (default %(default)s)")
     parser.add_argument("--seed", type=int, default=1, metavar="S", help="which ones (default %(default)s)")
     parser.add_argument("--jobs", type=int, default=2, metavar="J", help="so many at a time (default %(default)s)")
-    parser.add_argument("--rooms", default="", help="of these rooms only, such as base,math")
+    parser.add_argument("--rooms", default="", metavar="R",
+                        help="of these rooms only, such as clip,reduce/hermite_*")
     parser.add_argument("--targets", default="", help="builds and runs these only, such as math_tests,io_test")
     parser.add_argument("--tests", default="", metavar="REGEX", help="runs only the tests of ctest whose names match")
     parser.add_argument("--aim", type=float, default=0.9, metavar="SHARE",
@@ -43,6 +44,8 @@ def taken(options):
     """The sample, in a random order: a run that is cut off has tried mutants of everywhere."""
     generator = random.Random(options.seed)
     found = candidates(set(filter(None, options.rooms.split(","))))
+    if not found:
+        sys.exit(f"there are no mutants in {options.rooms}, wanted folders or files of src/orispline")
     chosen = sampled(found, round(RESERVE * options.sample), generator)
     print(f"{len(found)} mutants, {len(chosen)} taken", flush=True)
     generator.shuffle(chosen)

@@ -28,7 +28,7 @@ test  nodejs?            node
 test  npm?               npm
 test  chromium?          chromium
 check clang              clang++
-check libclang-rt-14-dev? fuzzer/FuzzedDataProvider.h
+check libclang-rt-dev?   fuzzer/FuzzedDataProvider.h
 check gcovr              gcovr
 tidy  clang              clang++
 tidy  clang-tidy         clang-tidy
@@ -47,7 +47,7 @@ is_there() {
   case "$1" in import:*) python3 -c "import ${1#import:}" 2>/dev/null && return || return 1 ;; esac
   command -v "$1" >/dev/null && return
   for prefix in $(echo "${CMAKE_PREFIX_PATH:-}" | tr ':;' '  ') /usr /usr/local /opt/homebrew; do
-    for place in "$prefix/include" "$prefix/include/eigen3" "$prefix"/lib/llvm-14/lib/clang/*/include; do
+    for place in "$prefix/include" "$prefix/include/eigen3" "$prefix"/lib/llvm-*/lib/clang/*/include; do
       [ ! -f "$place/$1" ] || return 0
     done
   done

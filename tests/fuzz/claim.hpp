@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <orispline/base/expected.hpp>
+#include <orispline/base/warning.hpp>
 
 namespace orispline::fuzz {
 
@@ -54,6 +55,15 @@ inline void claim_plain(const Error& error) {
   claim(!error.message.empty(), "an error without a message");
   const std::string text = describe(error);
   claim(is_one_printable_line(text), "an error that is not one printable line: '{}'", text);
+}
+
+/// Words for people, and a code for programs.
+inline void claim_plain(const std::vector<Warning>& warnings) {
+  for (const Warning& warning : warnings) {
+    claim(!warning.code.empty(), "a warning without a code");
+    claim(is_one_printable_line(describe(warning)), "a warning that is not one printable line: '{}'",
+          describe(warning));
+  }
 }
 
 }  // namespace orispline::fuzz

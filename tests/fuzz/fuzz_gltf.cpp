@@ -5,9 +5,14 @@
 
 #include <fuzz/claim.hpp>
 #include <fuzz/fuzz_input.hpp>
+#include <fuzz/gltf_mutator.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
-namespace orispline::fuzz { namespace {
+namespace orispline::fuzz {
+
+const std::size_t option_bytes = 1;
+
+namespace {
 
 using namespace scenes;
 
@@ -50,8 +55,7 @@ bool is_sound(const Scene& scene) {
 void claim_same_when_written(const Scene& scene, const std::string& path) {
   const auto written = gltf_format.write(scene, path, {});
   if (!written) return claim_plain(written.error());
-  for (const Warning& warning : written->warnings)
-    claim(is_one_printable_line(describe(warning)), "a warning that is not one printable line");
+  claim_plain(written->warnings);
   const auto again = gltf_format.read(written->bytes, path, {});
   claim(again.has_value(), "what was written is refused: {}", again ? "" : describe(again.error()));
   claim(is_sound(*again), "what was written is not sound");
@@ -69,20 +73,21 @@ void claim_same_when_written(const Scene& scene, const std::string& path) {
   claim(twice.has_value() && twice->bytes.size() <= written->bytes.size() + 512, "the file grows when written again");
 }
 
-}}  // namespace orispline::fuzz
+}
+}  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orispline;
   using namespace orispline::fuzz;
   FuzzInput input(data, size);
-  Flags flags(input);
+  FuzzInput options = input.part(option_bytes);
+  Flags flags(options);
   const scenes::SceneReading reading{.drop_duplicates = flags.next()};
   const std::string path = flags.next() ? "scene.gltf" : "scene.glb";
   const bool is_from_elsewhere = flags.next();
   auto scene = scenes::gltf_format.read(input.rest(), "/nowhere/fuzzed.gltf", reading);
   if (!scene) return claim_plain(scene.error()), 0;
-  for (const Warning& warning : scene->warnings)
-    claim(is_one_printable_line(describe(warning)), "a warning that is not one printable line");
+  claim_plain(scene->warnings);
   if (!is_sound(*scene)) return 0;
   if (is_from_elsewhere) scene->source.reset();
   claim_same_when_written(*scene, path);

@@ -10,7 +10,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "tools"))
-from mutation.build import LIBRARY, equivalents, key_of, overlap, sampled  # noqa: E402
+from mutation.build import LIBRARY, candidates, equivalents, is_in, key_of, overlap, sampled  # noqa: E402
 from mutation.mutants import mutants_of  # noqa: E402
 
 
@@ -30,6 +30,24 @@ class Equivalents(unittest.TestCase):
             text = (ROOT / LIBRARY / file).read_text("utf-8")
             counts.update(key for key in (key_of(mutant, text) for mutant in mutants_of(file, text)) if key in known)
         self.assertEqual(counts, dict.fromkeys(known, 1))
+
+
+class Rooms(unittest.TestCase):
+    def test_are_folders_or_patterns_of_files_and_without_any_all_but_a_few(self):
+        def listed(rooms):
+            names = ("abi.hpp", "reduce/reduce.cpp", "reduce/hermite_keys.cpp", "scenes/gltf/json.cpp", "report/page.cpp",
+                     "scenes/assimp.cpp")
+            return [name for name in names if is_in(pathlib.PurePath(name), set(rooms))]
+
+        self.assertEqual(listed([]), ["reduce/reduce.cpp", "reduce/hermite_keys.cpp", "scenes/gltf/json.cpp"])
+        self.assertEqual(listed(["report", "scenes"]), ["scenes/gltf/json.cpp", "report/page.cpp"])
+        self.assertEqual(listed(["reduce/hermite_*", "gltf/*"]), ["reduce/hermite_keys.cpp", "scenes/gltf/json.cpp"])
+        self.assertEqual(listed(["hermite_keys.cpp"]), [])
+
+    def test_have_mutants_where_the_rooms_of_the_newest_are(self):
+        for room in ("clip", "scenes", "jobs", "reduce/hermite_*", "smooth/varying_*", "families/measured*", "least/*",
+                     "families/biarcs*", "families/rational*"):
+            self.assertGreater(len(candidates({room})), 50, room)
 
 
 class Mutants(unittest.TestCase):

@@ -82,7 +82,7 @@ class Setup(unittest.TestCase):
     def test_finds_the_headers_of_the_compiler_itself(self):
         for command in ("clang++", "gcovr"):
             self.machine.add_command(command)
-        header = self.machine.folder / "lib/llvm-14/lib/clang/14.0.6/include/fuzzer/FuzzedDataProvider.h"
+        header = self.machine.folder / "lib/llvm-19/lib/clang/19/include/fuzzer/FuzzedDataProvider.h"
         header.parent.mkdir(parents=True)
         header.touch()
         run = self.machine.setup("check")

@@ -36,6 +36,7 @@ TEST(CurveClipJob, KeepsCubicsWithinTheToleranceAsTheyAreReadAgain) {
 TEST(CurveClipJob, WarnsWhereSinglePrecisionIsTooCoarse) {
   const CurveClipOutcome outcome = curve_clip(request(1e-9), curve());
   ASSERT_EQ(outcome.warnings.size(), 1u);
+  EXPECT_EQ(outcome.warnings[0].code, "beyond_tolerance");
   EXPECT_EQ(outcome.warnings[0].option, "tolerance");
   EXPECT_GT(outcome.largest, 1e-9);
 }

@@ -65,6 +65,7 @@ TEST(SmoothClipsJob, WarnsOnceOfAllThatCannotBeSmoothed) {
   const auto outcome = smooth_clips(std::move(request));
   ASSERT_TRUE(outcome) << outcome.error().message;
   ASSERT_EQ(outcome->warnings.size(), 1u);
+  EXPECT_EQ(outcome->warnings.front().code, "not_smoothed");
   EXPECT_TRUE(outcome->warnings.front().message.starts_with("left as it is what cannot be smoothed: 2 rotations; "))
       << outcome->warnings.front().message;
 }

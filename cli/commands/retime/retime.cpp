@@ -69,7 +69,8 @@ Expected<void> retime_one(const RetimeArguments& options) {
   warn(file->warnings);
   const io::SampleColumns columns = columns_like(*file->format, request->columns, options.output);
   if (!file->ignored_columns.empty())
-    warn(formatted("the output leaves out the columns {}", joined(file->ignored_columns, ", ")));
+    warn({{.code = "columns_left_out",
+           .message = formatted("the output leaves out the columns {}", joined(file->ignored_columns, ", "))}});
   auto outcome = jobs::retime({.keys = std::make_shared<const Track>(std::move(file->track)),
                                .method = std::move(*chosen),
                                .options = request->retiming});

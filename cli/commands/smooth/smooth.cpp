@@ -141,7 +141,8 @@ Expected<void> smooth_one(const SmoothArguments& options) {
   for (Warning& warning : outcome->warnings) warning = with_flags(std::move(warning));
   warn(outcome->warnings);
   if (request->times && !request->columns.format->holds.rates)
-    warn("this format holds no rates: wx,wy,wz,ax,ay,az are not written, wanted a CSV file for them");
+    warn({{.code = "rates_not_written",
+           .message = "this format holds no rates: wx,wy,wz,ax,ay,az are not written, wanted a CSV file for them"}});
   return page->write([&](const auto& head) { return page_of(*outcome, head); })
       .and_then([&] { return write(options.output.path, *request, *outcome); })
       .and_then([&] { return page->finish(); })

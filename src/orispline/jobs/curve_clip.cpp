@@ -46,7 +46,8 @@ void add_if_beyond(std::vector<Warning>& warnings, std::string_view option, doub
                    std::string_view unit) {
   if (farthest > tolerance)
     warnings.push_back(
-        {.message = formatted("found {:.4g}{} in the file, more than {:.4g}{}: either the curve jumps there, or the "
+        {.code = "beyond_tolerance",
+         .message = formatted("found {:.4g}{} in the file, more than {:.4g}{}: either the curve jumps there, or the "
                               "single precision of glTF is too coarse",
                               farthest, unit, tolerance, unit),
          .option = std::string(option)});

@@ -21,7 +21,8 @@ std::vector<Warning> warnings_of_refused(const std::vector<ClipSmoothing>& clips
     if (!first && !clip.refused.empty()) first = &clip.refused.front();
   }
   if (!first) return {};
-  return {{.message = formatted("left as it is what cannot be smoothed: {}; {}", counted(refused, "rotation"),
+  return {{.code = "not_smoothed",
+           .message = formatted("left as it is what cannot be smoothed: {}; {}", counted(refused, "rotation"),
                                 describe(*first))}};
 }
 
