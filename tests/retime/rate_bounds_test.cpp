@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/retime/rate_bounds.hpp>
 
+#include <atomic>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -12,8 +13,11 @@
 
 #include "retime/retimed_motion.hpp"
 #include "support/random_motion.hpp"
+#include "support/specimens.hpp"
 
 namespace orispline { namespace {
+
+using testing_support::steady_rotation;
 
 const Eigen::Vector3d moments(1.0, 2.0, 2.5);
 constexpr MotionSizes low_floors{1e-3, 1e-3, 1e-3, 1e-3};
@@ -154,6 +158,44 @@ TEST(RateBounds, ThatAreBelowTheFloorsAreNearEnough) {
     EXPECT_LE(peaks.acceleration.bound, 1000.0);
     EXPECT_EQ(peaks.torque.bound, 0.0);
   }
+}
+
+/// A curve, and how often it was asked.
+class Watched {
+ public:
+  Watched(AnyCurve curve, std::atomic<int>& asked) : curve_(std::move(curve)), asked_(&asked) {}
+
+  [[nodiscard]] const Knots& knots() const noexcept { return curve_.knots(); }
+  [[nodiscard]] SegmentForm form(std::size_t segment) const noexcept { return curve_.form(segment); }
+  [[nodiscard]] Motion motion(double t, std::size_t segment) const noexcept {
+    ++*asked_;
+    return curve_.motion_on(segment, t);
+  }
+  template <Number T>
+  [[nodiscard]] Quaternion<T> point(const T& t, std::size_t segment) const noexcept {
+    return constant<T>(curve_.orientation_on(segment, static_cast<double>(value_of(t))));
+  }
+
+ private:
+  AnyCurve curve_;
+  std::atomic<int>* asked_;
+};
+
+TEST(RateBounds, AreNotSoughtBelowTheirRounding) {
+  const Keyframes keys = Keyframes::make(steady_rotation({0.0, 1.0}, {1.287, 0.0, 0.0})).value();
+  const auto all = quantities_of({.rate = 2.0, .acceleration = 1e-9});
+  QuantitySizes floors;
+  floors.fill(1e-12);
+  std::size_t methods = 0;
+  for (const FamilyInfo& info : families_info()) {
+    const auto steady = make_curve({info.name, {.start = {EndRule::natural}, .end = {EndRule::natural}}}, keys);
+    if (!steady || steady->motion(0.3).angular_acceleration.norm() > 1e-12) continue;
+    std::atomic<int> asked = 0;
+    if (!certified_peaks({AnyCurve(Watched(*steady, asked))}, {all, {}}, floors)) continue;
+    ++methods;
+    EXPECT_LE(asked, 200) << info.name;
+  }
+  EXPECT_GE(methods, 9u);
 }
 
 TEST(RateBounds, SamplesAreThoseOfTheCurve) {

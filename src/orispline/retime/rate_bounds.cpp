@@ -32,6 +32,8 @@ class Turning {
   [[nodiscard]] double size(std::size_t k) const;
   /// Of all times in the part, in whose middle the motion is.
   [[nodiscard]] QuantitySizes bounds(const Stretch& part) const;
+  /// What there is of rounding in these bounds: no shorter part has less.
+  [[nodiscard]] QuantitySizes rounding() const;
   /// Adds what the rounding of the keys makes of the shortest step near the segment [s].
   void round(SegmentPeaks& peaks, double shortest) const;
 
@@ -58,6 +60,7 @@ class Moving {
   void go_to(double t) { m_ = path_.linear_motion_on(segment_, t); }
   [[nodiscard]] double size(std::size_t k) const;
   [[nodiscard]] QuantitySizes bounds(const Stretch& part) const;
+  [[nodiscard]] QuantitySizes rounding() const;
   /// The bounds hold what there is of it.
   void round(SegmentPeaks&, double) const {}
 
@@ -128,6 +131,19 @@ QuantitySizes Turning::bounds(const Stretch& part) const {
   return sizes;
 }
 
+QuantitySizes Turning::rounding() const {
+  QuantitySizes sizes{};
+  for (std::size_t k = 0; k < quantities_.size(); ++k) {
+    const Limited vector = quantities_[k].vector;
+    if (vector == Limited::rate) sizes[k] = rounding_.rate;
+    if (vector == Limited::acceleration) sizes[k] = rounding_.acceleration;
+    if (vector == Limited::jerk) sizes[k] = rounding_.jerk;
+    if (vector == Limited::torque)
+      sizes[k] = weight_ * (rounding_.acceleration + 2.0 * hull_.on(0.0, 1.0).rate * rounding_.rate);
+  }
+  return sizes;
+}
+
 void Turning::round(SegmentPeaks& peaks, double shortest) const {
   const double rate = rounding_of_keys / shortest, acceleration = rate / shortest;
   double fastest = 0.0;
@@ -180,6 +196,13 @@ QuantitySizes Moving::bounds(const Stretch& part) const {
   return sizes;
 }
 
+QuantitySizes Moving::rounding() const {
+  QuantitySizes sizes{};
+  for (std::size_t k = 0; k < quantities_.size(); ++k)
+    if (quantities_[k].is_of_position()) sizes[k] = hull_.rounding(quantities_[k]);
+  return sizes;
+}
+
 constexpr double gap = 1e-4;           // of a bound above the largest value found, relative
 constexpr std::size_t keys_near = 3;   // so many segments away a short step still shapes the curve
 constexpr std::size_t first_cuts = 4;  // of a segment
@@ -204,6 +227,7 @@ class PeakSearch {
         segment_(segment),
         span_(knots.span(segment)),
         floors_(floors),
+        rounding_(source_.rounding()),
         peaks_(quantities) {}
 
   /// `parts`: at most.
@@ -262,10 +286,13 @@ class PeakSearch {
     for (std::size_t k = 0; k < peaks_.size(); ++k) peaks_[k].bound = std::max(peaks_[k].bound, bounds[k]);
   }
 
+  /// Twice the rounding is near enough too: cutting takes away none of it.
   [[nodiscard]] double excess_of(const QuantitySizes& bounds) const {
     double excess = 0.0;
-    for (std::size_t k = 0; k < peaks_.size(); ++k)
-      if (bounds[k] > 0.0) excess = std::max(excess, bounds[k] / std::max(peaks_[k].found * (1.0 + gap), floors_[k]));
+    for (std::size_t k = 0; k < peaks_.size(); ++k) {
+      const double near_enough = std::max(peaks_[k].found * (1.0 + gap), floors_[k]) + 2.0 * rounding_[k];
+      if (bounds[k] > 0.0) excess = std::max(excess, bounds[k] / near_enough);
+    }
     return excess;
   }
 
@@ -281,7 +308,7 @@ class PeakSearch {
   const Knots& knots_;
   std::size_t segment_;
   KnotSpan span_;
-  QuantitySizes floors_;
+  QuantitySizes floors_, rounding_;
   SegmentPeaks peaks_;
   std::vector<Part> open_{};  ///< a heap, the worst first
 };

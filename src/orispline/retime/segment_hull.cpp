@@ -267,14 +267,16 @@ std::optional<PathHull> PathHull::of(const AnyPath& path, std::size_t segment) {
   return hull;
 }
 
+double PathHull::rounding(const LimitedQuantity& quantity) const {
+  return rounding_[quantity.vector == LimitedQuantity::Vector::speed ? 0 : 1];
+}
+
 double PathHull::bound(const LimitedQuantity& quantity, double start, double end) const {
-  const bool is_speed = quantity.vector == LimitedQuantity::Vector::speed;
-  const HullVector& whole = is_speed ? velocity_ : acceleration_;
-  const double rounding = rounding_[is_speed ? 0 : 1];
-  if (quantity.axis) return largest(restricted(whole[*quantity.axis], start, end)) + rounding;
+  const HullVector& whole = quantity.vector == LimitedQuantity::Vector::speed ? velocity_ : acceleration_;
+  if (quantity.axis) return largest(restricted(whole[*quantity.axis], start, end)) + rounding(quantity);
   return longest(
              {restricted(whole[0], start, end), restricted(whole[1], start, end), restricted(whole[2], start, end)}) +
-         rounding;
+         rounding(quantity);
 }
 
 }}  // namespace orispline

@@ -72,6 +72,8 @@ class PathHull {
 
   /// What a quantity of the position is nowhere above for u from `start` to `end` in [0, 1].
   [[nodiscard]] double bound(const LimitedQuantity& quantity, double start, double end) const;
+  /// What there is of rounding in the bounds.
+  [[nodiscard]] double rounding(const LimitedQuantity& quantity) const;
 
  private:
   HullVector velocity_{}, acceleration_{};
