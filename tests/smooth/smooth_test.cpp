@@ -234,6 +234,19 @@ TEST(Smooth, SaysWhatItCannotDo) {
       << refused.error().message;
 }
 
+TEST(Smooth, RefusesWhatDoesNotEndWithoutLookingFurther) {
+  const Keyframes keys =
+      Keyframes::make(testing_support::random_walk(7, 180, testing_support::Spacing::uneven)).value();
+  const auto steps_to_refusal = [&](bool adapt) {
+    int steps = 0;
+    const auto refused = smooth(keys, {.penalty = Penalty::jerk, .noise = 3e-5, .loss = Loss::tukey, .adapt = adapt},
+                                Progress{.stop = {}, .show = [&steps](double) { ++steps; }});
+    EXPECT_EQ(refused.error().code, ErrorCode::not_converged);
+    return steps;
+  };
+  EXPECT_EQ(steps_to_refusal(true), steps_to_refusal(false));
+}
+
 TEST(Smooth, IsFollowedAndStopped) {
   const auto recording = recorded(400, degree);
   const Keyframes keys = Keyframes::make(recording.noisy).value();

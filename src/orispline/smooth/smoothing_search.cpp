@@ -100,9 +100,11 @@ void SmoothingSearch::choose(SmoothingCriterion criterion) {
   for (const SmoothingProblem& part : parts) finding_.chosen_on += part.size();
 }
 
-/// Where hardly any noise was found the samples are followed as they are.
+/// Where hardly any noise was found the samples are followed as they are. What one λ finds no end for is refused, and
+/// from there a varying one would look for it in vain many times as long.
 void SmoothingSearch::adapt() {
   if (!plan_.adapt || !finding_.criterion || finding_.edge == LambdaChoice::Edge::shortest) return;
+  if (!converged(fits_, plan_.noise)) return;
   adapt_lambda(problems_, objective_, fits_, *finding_.criterion, plan_.noise, plan_.interval);
 }
 
