@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the constants of sine, cosine, arc tangent and logarithm, and the table that their tests read.
+"""Writes the constants of sine, cosine, arc tangent, exponential and logarithm, and the table that their tests read.
 
 src/orispline/math/elementary_tables.hpp: polynomials with the least largest relative error (Remez's exchange), parts of
 π/2 and ln 2, arc tangents, bits of 2/π. tests/data/elementary.csv: arguments with their true values, as the nearest
@@ -10,7 +10,7 @@ import math
 import pathlib
 import random
 
-from mpmath import atan, atan2, atanh, cos, floor, frexp, ldexp, linspace, log, lu_solve, matrix, mp, mpf, pi, sin, sqrt
+from mpmath import atan, atan2, atanh, cos, coth, exp, floor, frexp, ldexp, log, lu_solve, matrix, mp, mpf, pi, sin, sqrt
 from mpmath import polyval
 
 mp.dps = 60
@@ -94,6 +94,8 @@ def write_constants():
     arctangent = remez(lambda z: (atan(root(z)) / root(z) - 1) / z, lambda z: z, nearest**2, 5)
     third = (sqrt(2) - 1) / (sqrt(2) + 1)
     logarithm = remez(lambda z: 2 * (atanh(root(z)) / root(z) - 1) / z, lambda z: z / 2, third**2, 7)
+    exponential = remez(lambda z: (root(z) * coth(root(z) / 2) - 2) / z, lambda z: z * root(z) / 2,
+                        (log(2) / 2 + mpf(2) ** -20) ** 2, 5)
     steps = [atan(mpf(i) / ARCTANGENT_STEPS) for i in range(ARCTANGENT_STEPS + 1)]
     size = (LEADING_ZEROS + TOP_EXPONENT) // 32 + PRODUCT_WORDS + 1
     mp.dps = 420
@@ -108,6 +110,7 @@ def write_constants():
                 "sine_cosine_terms", sine, cosine)
         + table("atan t = t + t³ P(t²), |t| ≤ 1/16.", "arctangent_terms", arctangent)
         + table("2 atanh s = 2 s + s³ P(s²), |s| ≤ (√2 - 1)/(√2 + 1).", "logarithm_terms", logarithm)
+        + table("r coth(r/2) = 2 + r² P(r²), |r| ≤ ln(2)/2.", "exponential_terms", exponential)
         + table(f"π/2 in two parts of {REDUCTION_BITS} bits and a rest.", "half_pi_parts", half_pi_parts())
         + table("π/2 as the nearest double and the rest.", "half_pi", parts(pi / 2, [53, 53]))
         + table("π as the nearest double and the rest.", "whole_pi", parts(pi, [53, 53]))
@@ -188,6 +191,16 @@ def positives(dice):
     yield from (math.exp(dice.uniform(-700, 700)) for _ in range(100))
 
 
+def exponents(dice):
+    for x in (0.0, log(2) / 2, log(2), 700.0, 2.0**-54, 2.0**-30, log(mpf(2) ** -1022), log(mpf(2) ** 1023)):
+        yield from beside(x, 1)
+        yield from beside(-x, 1)
+    yield from (709.782712893384, -708.4, -720.0, -744.44, -745.1332191019411, 1e-300, -5e-324)
+    yield from ((k + 0.5) * float(log(2)) for k in range(-40, 41, 3))
+    yield from (dice.uniform(-1, 1) for _ in range(150))
+    yield from (dice.uniform(-708, 709) for _ in range(150))
+
+
 def row(name, x, y, value):
     nearest = float(value)
     return f"{name},{x!r},{y!r},{nearest!r},{float(value - nearest)!r}\n"
@@ -204,6 +217,7 @@ def write_test_data():
     mp.dps = 60
     lines += [row("atan2", x, y, atan2(mpf(y), mpf(x))) for y, x in octants(dice, quotients(dice))]
     lines += [row("log", x, 0.0, log(mpf(x))) for x in positives(dice)]
+    lines += [row("exp", x, 0.0, exp(mpf(x))) for x in exponents(dice)]
     (ROOT / "tests/data/elementary.csv").write_text("".join(lines), "utf-8")
 
 

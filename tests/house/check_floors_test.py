@@ -125,6 +125,14 @@ class CheckFloors(unittest.TestCase):
             self.assert_sound("cli/main.cpp", SPDX + f"f({literal});\n")
         self.assert_sound("src/orispline/io/csv.cpp", SPDX + 'int b = --a;  // "--sort"\nf("a--b", "--", "---c");\n')
 
+    def test_finds_functions_whose_bits_are_not_the_same_everywhere(self):
+        for path in ("src/orispline/curve/knots.cpp", "cli/main.cpp", "bindings/python/core/curve.cpp"):
+            for call in ("std::exp(a)", "std::atan2(a, b)", "::hypot(a, b)", "std::powf(a, b)", "std::log10(a)", "std::cosh(a)"):
+                self.assert_breach(path, SPDX + f"double f(double a, double b) {{ return {call}; }}\n", "has other bits elsewhere")
+            for sound in ("std::sqrt(a)", "std::expected(a)", "std::abs(a)", "exp<double>(a)", "elementary::exponential(a)", "other::log(a)"):
+                self.assert_sound(path, SPDX + f"double f(double a) {{ return {sound}; }}  // not std::hypot(a, b)\n")
+        self.assert_sound("papers/table.cpp", SPDX + "double f(double a) { return std::exp(a); }\n")
+
     def test_finds_a_result_that_may_be_dropped(self):
         for declaration in ("Expected<void> append(int key);", "  static Expected<Key> make(int a,\n int b);"):
             self.assert_breach("src/orispline/io/csv.hpp", SPDX + "#pragma once\n" + declaration, "wanted [[nodiscard]]")

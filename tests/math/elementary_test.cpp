@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sine, cosine, arc tangent and logarithm: within 1 ulp of true values, symmetric, and with the same bits everywhere.
+// Sine, cosine, arc tangent, exponential and logarithm: within 1 ulp of true values, symmetric, and with the same bits
+// everywhere.
 #include <orispline/math/number.hpp>
 
 #include <bit>
@@ -51,6 +52,10 @@ TEST(Elementary, ArcTangentIsWithinAnUlp) {
 
 TEST(Elementary, LogarithmIsWithinAnUlp) {
   expect_within_an_ulp("log", 300, [](double x, double) { return natural_logarithm(x); });
+}
+
+TEST(Elementary, ExponentialIsWithinAnUlp) {
+  expect_within_an_ulp("exp", 350, [](double x, double) { return exponential(x); });
 }
 
 /// Finite doubles of either sign from 2^-40 to 2^40, without a function of the system's library.
@@ -143,6 +148,20 @@ TEST(Elementary, LogarithmAnswersLimitsLikeTheSystem) {
   for (const double x : {-1.0, -infinity, nan}) EXPECT_TRUE(std::isnan(natural_logarithm(x))) << x;
 }
 
+TEST(Elementary, ExponentialAnswersLimitsLikeTheSystem) {
+  for (const double x : {0.0, -0.0, 746.0, -746.0, 710.0, -1e300, infinity, -infinity})
+    EXPECT_EQ(bits(exponential(x)), bits(std::exp(x))) << x;
+  EXPECT_TRUE(std::isnan(exponential(nan)));
+}
+
+TEST(Elementary, ExponentialUndoesTheLogarithm) {
+  Arguments arguments;
+  for (int i = 0; i < 20000; ++i) {
+    const double x = std::abs(arguments.next()), logarithm = natural_logarithm(x);
+    ASSERT_NEAR(exponential(logarithm) / x, 1.0, 2.3e-16 * (std::abs(logarithm) + 2.0)) << x;
+  }
+}
+
 TEST(Elementary, HasTheCommittedBits) {
   std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a, by words
   const auto add = [&](double x) { hash = (hash ^ bits(x)) * 0x100000001b3; };
@@ -156,6 +175,8 @@ TEST(Elementary, HasTheCommittedBits) {
     add(natural_logarithm(std::abs(x)));
   }
   EXPECT_EQ(hash, 0xfe800621c9a9eb03);
+  for (int i = 0; i < 20000; ++i) add(exponential(std::remainder(arguments.next(), 700.0)));
+  EXPECT_EQ(hash, 0x96b3b7717817ed01);
 }
 
 }}  // namespace orispline::elementary

@@ -219,6 +219,8 @@ double Decimal::to_double() const {
   return coefficient_ < 0 ? -value : value;
 }
 
+int Decimal::decade() const noexcept { return exponent_ + digits_of(magnitude(coefficient_)) - 1; }
+
 Decimal Decimal::rounded(int decimals) const noexcept {
   if (-exponent_ <= decimals) return *this;
   const Integer tenths = cut(coefficient_, -exponent_ - decimals - 1);

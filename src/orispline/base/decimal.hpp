@@ -33,6 +33,8 @@ class ORISPLINE_EXPORT Decimal {
 
   /// The nearest double.
   [[nodiscard]] double to_double() const;
+  /// That of the first digit: 10^decade ≤ |number| < 10^(decade + 1). Of a number that is not zero.
+  [[nodiscard]] int decade() const noexcept;
   [[nodiscard]] bool is_whole() const noexcept { return exponent_ >= 0; }
   /// The nearest number of so many decimals, a whole one by default; halves go away from zero.
   [[nodiscard]] Decimal rounded(int decimals = 0) const noexcept;

@@ -165,7 +165,10 @@ double MotionBand::operator()(double t) const noexcept {
   const auto next = std::upper_bound(times_.begin() + 1, times_.end() - 1, t);
   const auto i = static_cast<std::size_t>(next - times_.begin()) - 1;
   const double x = std::clamp((t - times_[i]) / (times_[i + 1] - times_[i]), 0.0, 1.0);
-  const double width = segments_[i].middle * std::pow(4.0 * x * (1.0 - x), segments_[i].power[x < 0.5 ? 0 : 1]);
+  const double power = segments_[i].power[x < 0.5 ? 0 : 1];
+  const double narrowed =
+      power > 0.0 ? elementary::exponential(power * elementary::natural_logarithm(4.0 * x * (1.0 - x))) : 1.0;
+  const double width = segments_[i].middle * narrowed;
   return width * ((1.0 - x) * activity_[i] + x * activity_[i + 1]);
 }
 

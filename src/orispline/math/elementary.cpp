@@ -40,6 +40,9 @@ Sum exact_product(double a, double b) {
 std::uint64_t bits_of(double x) { return std::bit_cast<std::uint64_t>(x); }
 double with_sign_bit(double x, std::uint64_t sign) { return std::bit_cast<double>(bits_of(x) ^ sign); }
 
+/// 2^exponent, a normal number.
+double power_of_two(int exponent) { return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52); }
+
 /// What is left of an angle after quarter turns; only the last two bits of their number count.
 struct Reduced {
   Sum rest;  ///< [-π/4, π/4], or a rounding more
@@ -212,6 +215,20 @@ double natural_logarithm(double x) noexcept {
   const double terms = (a[0] + a[1] * z) + z2 * ((a[2] + a[3] * z) + z2 * ((a[4] + a[5] * z) + z2 * a[6]));
   const double rest = s * (half + z * terms) + e * log_of_two[1];
   return e * log_of_two[0] - ((half - rest) - f);
+}
+
+double exponential(double x) noexcept {
+  constexpr double beyond = 746.0;  // e^x is 0 or infinite
+  if (!(std::abs(x) < beyond)) return x > 0.0 ? std::numeric_limits<double>::infinity() : x < 0.0 ? 0.0 : x;
+  // x = n ln 2 + r, |r| ≤ ln(2)/2; with c = r - r² P(r²), e^r = 1 + r + r c/(2 - c).
+  const double rounded = x * (1.0 / log_of_two[0]) + round_to_even, n = rounded - round_to_even;
+  const double high = x - n * log_of_two[0], low = n * log_of_two[1];  // the first product is exact
+  const double r = high - low, z = r * r, z2 = z * z;
+  const auto& a = exponential_terms;
+  const double c = r - z * ((a[0] + a[1] * z) + z2 * ((a[2] + a[3] * z) + z2 * a[4]));
+  const double power = 1.0 + (high - (low - r * c / (2.0 - c)));
+  const auto exponent = static_cast<int>(n), half = exponent / 2;
+  return power * power_of_two(half) * power_of_two(exponent - half);  // the first one is exact
 }
 
 }}}  // namespace orispline::elementary

@@ -32,6 +32,11 @@ inline constexpr std::array<double, 7> logarithm_terms{
   0x1.39a1babe2a084p-3, 0x1.2f05634bdc572p-3,
 };
 
+/// r coth(r/2) = 2 + r² P(r²), |r| ≤ ln(2)/2.
+inline constexpr std::array<double, 5> exponential_terms{
+  0x1.555555555552dp-3, -0x1.6c16c16bda082p-9, 0x1.1566aac0a1a67p-14, -0x1.bbd3aafba8ec7p-20, 0x1.634913f687637p-25,
+};
+
 /// π/2 in two parts of 33 bits and a rest.
 inline constexpr std::array<double, 3> half_pi_parts{
   0x1.921fb54400000p+0, 0x1.0b4611a600000p-34, 0x1.3198a2e037073p-69,

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <numbers>
 
 #include <orispline/base/abi.hpp>
+#include <orispline/math/number.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -20,7 +20,8 @@ template <std::size_t N>
 [[nodiscard]] std::array<QuadratureNode, N> gauss_legendre() noexcept {
   std::array<QuadratureNode, N> rule{};
   for (std::size_t i = 0; i < N; ++i) {
-    double x = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.75) / (static_cast<double>(N) + 0.5));
+    const double angle = std::numbers::pi * (static_cast<double>(i) + 0.75) / (static_cast<double>(N) + 0.5);
+    double x = elementary::sine_cosine(angle).cosine;
     double slope = 1.0;
     for (int iteration = 0; iteration < 8; ++iteration) {  // Newton's method, quadratic from this start
       double before = 1.0, value = x;

@@ -28,6 +28,9 @@ struct SineCosine {
 /// Angle of the vector (x, y) from the x axis [rad], in [-π, π], with the sign of y.
 [[nodiscard]] ORISPLINE_EXPORT double arctangent(double y, double x) noexcept;
 
+/// e^x.
+[[nodiscard]] ORISPLINE_EXPORT double exponential(double x) noexcept;
+
 /// Logarithm to the base e.
 [[nodiscard]] ORISPLINE_EXPORT double natural_logarithm(double x) noexcept;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <orispline/curve/key_check.hpp>
+#include <orispline/math/number.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -148,7 +149,7 @@ class CubicSpans<P>::Fit {
 template <CurvePoint P>
 CubicSpans<P>::CubicSpans(const CubicTargets<P>& targets, double tolerance) : targets_(targets) {
   const bool is_angle = std::same_as<P, Eigen::Quaterniond>;
-  const double bound = is_angle ? std::sin(0.5 * std::min(tolerance, 3.0)) : tolerance;
+  const double bound = is_angle ? elementary::sine_cosine(0.5 * std::min(tolerance, 3.0)).sine : tolerance;
   square_bound_ = bound * bound;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <orispline/math/number.hpp>
+
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
@@ -33,7 +35,7 @@ void FeasibleRates::narrow(const Eigen::Vector3d& turn, double elapsed, double b
   least_ = std::max(least_, (norm * (1.0 - rounding_of_rate) - tolerance) / elapsed);
   if (!(angle < largest_angle)) return;
   const double half = 0.5 * angle;
-  const double radius = tolerance * (half / std::sin(half)) * (1.0 + rounding_of_rate) / elapsed;
+  const double radius = tolerance * (half / elementary::sine_cosine(half).sine) * (1.0 + rounding_of_rate) / elapsed;
   const Array along = directions * (turn / elapsed);
   lowest_ = lowest_.max(along - radius);
   highest_ = highest_.min(along + radius);

@@ -2,7 +2,6 @@
 #include <orispline/reduce/hermite_keys.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -11,6 +10,7 @@
 #include <orispline/curve/key_check.hpp>
 #include <orispline/families/hermite.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/math/number.hpp>
 #include <orispline/reduce/hermite_span.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -36,7 +36,8 @@ class HermiteChain {
         rates_(samples.size(), seam.value_or(Eigen::Vector3d::Zero())),
         spans_(samples.size()),
         may_be_spared_(samples.size(), true) {
-    const double bound = std::same_as<P, Eigen::Quaterniond> ? std::sin(0.5 * std::min(tolerance, 3.0)) : tolerance;
+    const double bound =
+        std::same_as<P, Eigen::Quaterniond> ? elementary::sine_cosine(0.5 * std::min(tolerance, 3.0)).sine : tolerance;
     square_bound_ = bound * bound;
   }
 

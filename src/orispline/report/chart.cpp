@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include <orispline/base/decimal.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/report/characters.hpp>
 
@@ -88,7 +89,8 @@ Range with_margin(Range range) {
 }
 
 std::vector<double> round_values(Range range) {
-  const double power = std::pow(10.0, std::floor(std::log10(range.extent() / 3.0)));
+  const double third = std::min(range.extent(), std::numeric_limits<double>::max()) / 3.0;
+  const double power = Decimal::power_of_ten(Decimal::from_double(third).decade()).to_double();
   double step = power;
   for (const double k : {2.0, 5.0})
     if (range.extent() / (k * power) >= 3.0) step = k * power;

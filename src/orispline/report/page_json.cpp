@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <orispline/base/abi.hpp>
+#include <orispline/base/decimal.hpp>
 #include <orispline/math/eigen.hpp>
 
 // The JSON of pages: numbers rounded to what a line on a screen can show, and texts that end no script.
@@ -192,7 +193,7 @@ constexpr double steps_of_largest =
 /// The largest of 1, 2 and 5 times a power of ten that is not larger; 1 where there is nothing to divide.
 double round_step(double step) {
   if (!(step > 0.0) || !std::isfinite(step)) return 1.0;
-  const double power = std::pow(10.0, std::floor(std::log10(step)));
+  const double power = Decimal::power_of_ten(Decimal::from_double(step).decade()).to_double();
   for (const double digit : {5.0, 2.0})
     if (digit * power <= step) return digit * power;
   return power;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <orispline/math/degrees.hpp>
+#include <orispline/math/number.hpp>
 #include <orispline/math/so3.hpp>
 #include <orispline/report/characters.hpp>
 
@@ -34,7 +35,9 @@ constexpr double pale = 0.45;
 
 Eigen::Vector3d on_globe(int longitude, int latitude) {
   const double lambda = longitude * radians_per_degree, phi = latitude * radians_per_degree;
-  return {std::cos(phi) * std::cos(lambda), std::cos(phi) * std::sin(lambda), std::sin(phi)};
+  const auto [sine, cosine] = elementary::sine_cosine(lambda);
+  const auto [height, radius] = elementary::sine_cosine(phi);
+  return {radius * cosine, radius * sine, height};
 }
 
 /// Parallels and meridians every 30 degrees.

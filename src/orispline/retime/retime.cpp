@@ -8,6 +8,7 @@
 
 #include <orispline/analysis/continuity.hpp>
 #include <orispline/base/counted.hpp>
+#include <orispline/base/decimal.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/motion.hpp>
@@ -180,7 +181,7 @@ Slowed as_given(const LimitedMotion& motion) { return {motion.given_times(), 1.0
 
 /// To the six digits that are shown: shown rounded down it would not do.
 double as_shown_or_more(double seconds) {
-  const double last_digit = std::pow(10.0, std::floor(std::log10(seconds)) - 5.0);
+  const double last_digit = Decimal::power_of_ten(Decimal::from_double(seconds).decade() - 5).to_double();
   return std::ceil(seconds / last_digit) * last_digit;
 }
 

@@ -14,7 +14,7 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-using elementary::natural_logarithm;
+using elementary::exponential, elementary::natural_logarithm;
 
 constexpr double first_relative_time = 0.5;      // τ over the interval, where the scan begins
 constexpr double shortest_relative_time = 0.1;   // which leaves 0.99 of what changes from sample to sample
@@ -83,7 +83,7 @@ class Scan {
     if (!inside(k - 1)) choice.edge = LambdaChoice::Edge::shortest;
     else if (!inside(k + 1)) choice.edge = LambdaChoice::Edge::longest;
     else if (!objective_.stopped())
-      time *= std::exp(natural_logarithm(scan_ratio) * parabola_minimum(value(k - 1), value(k), value(k + 1)));
+      time *= exponential(natural_logarithm(scan_ratio) * parabola_minimum(value(k - 1), value(k), value(k + 1)));
     choice.lambda = lambda(time);
     return choice;
   }
@@ -145,7 +145,7 @@ double lambda_of(double smoothing_time, Penalty penalty, double noise, double in
 }
 
 double smoothing_time_of(double lambda, Penalty penalty, double noise, double interval) {
-  return std::exp(natural_logarithm(lambda * noise * noise * interval) / (2.0 * order_of(penalty)));
+  return exponential(natural_logarithm(lambda * noise * noise * interval) / (2.0 * order_of(penalty)));
 }
 
 double StretchFits::data() const noexcept {

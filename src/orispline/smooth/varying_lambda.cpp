@@ -126,11 +126,11 @@ class Adaptation {
     double sum = 0.0, count = 0.0;
     for (std::size_t k = 0; k < problems_.size(); ++k)
       for (std::size_t i = 0; i + 1 < problems_[k].size(); ++i, ++count) sum += curves_[k](i);
-    objective_.lambda = std::exp(sum / count);
+    objective_.lambda = elementary::exponential(sum / count);
     for (std::size_t k = 0; k < problems_.size(); ++k) {
       problems_[k].relative_lambdas.resize(problems_[k].size() - 1);
       for (std::size_t i = 0; i + 1 < problems_[k].size(); ++i)
-        problems_[k].relative_lambdas[i] = std::exp(curves_[k](i) - sum / count);
+        problems_[k].relative_lambdas[i] = elementary::exponential(curves_[k](i) - sum / count);
     }
   }
 
@@ -185,7 +185,7 @@ double LogLambdaCurve::cost(std::span<const double> energies, std::span<const do
   double sum = 0.0;
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const double value = (*this)(i);
-    sum += std::exp(value) * energies[i] - freedoms[i] * value;
+    sum += elementary::exponential(value) * energies[i] - freedoms[i] * value;
   }
   for (std::size_t k = 0; k + 1 < values_.size(); ++k) {
     const double difference = values_[k + 1] - values_[k];
@@ -207,7 +207,7 @@ std::vector<double> LogLambdaCurve::newton_step(std::span<const double> energies
   }
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const auto& [knot, share] = places_[i];
-    const double energy = std::exp((*this)(i)) * energies[i], slope = freedoms[i] - energy;
+    const double energy = elementary::exponential((*this)(i)) * energies[i], slope = freedoms[i] - energy;
     diagonal[knot] += energy * (1.0 - share) * (1.0 - share);
     diagonal[knot + 1] += energy * share * share;
     beside[knot] += energy * share * (1.0 - share);

@@ -80,10 +80,10 @@ class EvenTimes {
 };
 
 Decimal StepRange::shortest() const {
-  const int first = static_cast<int>(std::floor(std::log10(most)));
+  const int first = Decimal::from_double(most).decade();
   for (int digits = 1; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
     const int exponent = first + 1 - digits;
-    const Decimal nearest = Decimal::from_double(std::round(middle() * std::pow(10.0, -exponent)));
+    const Decimal nearest = Decimal::from_double(std::round(middle() * Decimal::power_of_ten(-exponent).to_double()));
     if (const Decimal step = nearest * Decimal::power_of_ten(exponent); has(step.to_double())) return step;
   }
   return Decimal::from_double(middle());

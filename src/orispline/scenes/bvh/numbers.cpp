@@ -14,6 +14,7 @@
 #include <orispline/math/degrees.hpp>
 #include <orispline/math/eigen.hpp>
 #include <orispline/math/euler.hpp>
+#include <orispline/math/number.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 
@@ -76,9 +77,9 @@ class ThreeTurns {
 /// (w, q_i) = cos β (cos α, sin α) and (q_j, ε q_k) = sin β (cos α, sin α).
 std::array<double, 2> two_turns(int i, int j, const Eigen::Quaterniond& q) {
   const double w = q.w(), x = q.vec()[i], y = q.vec()[j], z = handedness_of(i, j) * q.vec()[3 - i - j];
-  const double first = std::hypot(w, x) >= std::hypot(y, z) ? std::atan2(x, w) : std::atan2(z, y);
-  const double cosine = std::cos(first), sine = std::sin(first);
-  return {2.0 * first, 2.0 * std::atan2(y * cosine + z * sine, w * cosine + x * sine)};
+  const double first = w * w + x * x >= y * y + z * z ? atan2_of(x, w) : atan2_of(z, y);
+  const auto [sine, cosine] = elementary::sine_cosine(first);
+  return {2.0 * first, 2.0 * atan2_of(y * cosine + z * sine, w * cosine + x * sine)};
 }
 
 bool makes(std::span<const int> turns, std::span<const double> angles, const Eigen::Quaterniond& wanted) {
@@ -96,7 +97,7 @@ std::optional<JointAngles> fewer_turns(std::span<const int> turns, std::span<con
   for (std::size_t i = 0; i < start.size(); ++i) before[i] = start[i] * radians_per_degree;
   for (const Eigen::Quaterniond& q : rotations) {
     const std::array angles = turns.size() == 2 ? two_turns(turns[0], turns[1], q)
-                                                : std::array{2.0 * std::atan2(q.vec()[turns[0]], q.w()), 0.0};
+                                                : std::array{2.0 * atan2_of(q.vec()[turns[0]], q.w()), 0.0};
     if (!makes(turns, angles, q)) return std::nullopt;
     for (std::size_t i = 0; i < turns.size(); ++i) {
       before[i] = nearest(angles[i], before[i]);
