@@ -2,7 +2,9 @@
 """What the wheel holds, and what importing it brings."""
 import importlib.metadata
 import importlib.resources
+import importlib.util
 import json
+import pathlib
 import re
 import shutil
 import subprocess
@@ -14,6 +16,14 @@ import pytest
 from conftest import ROOT, wheel
 
 OPTIONAL = {"scipy", "matplotlib", "pandas", "pyarrow", "duckdb", "polars", "pyspark", "IPython"}
+
+
+def oldest_system():
+    """tools/oldest_system.py, where the numbers are stated."""
+    spec = importlib.util.spec_from_file_location("oldest_system", ROOT / "tools" / "oldest_system.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 def printed(code):
@@ -75,3 +85,12 @@ def test_the_wheel_stands_alone_and_serves_every_python():
         tags = archive.read(f"orispline-{ori.__version__}.dist-info/WHEEL").decode()
     assert not [name for name in names if ".libs/" in name], "libraries beside the module"
     assert "Tag: cp310-abi3-manylinux_2_" in tags and "-cp310-abi3-manylinux_2_" in wheel().name
+    assert tuple(map(int, re.search(r"-manylinux_(\d+)_(\d+)_", wheel().name).groups())) <= oldest_system().TAG
+
+
+@pytest.mark.skipif(sys.platform != "linux" or not shutil.which("objdump"), reason="no objdump")
+def test_module_and_command_run_on_the_oldest_system():
+    package = pathlib.Path(str(importlib.resources.files("orispline")))
+    programs = [*package.glob("*.so"), package / "bin" / "orispline"]
+    assert len(programs) == 2
+    assert [breach for program in programs for breach in oldest_system().breaches("objdump", program)] == []
