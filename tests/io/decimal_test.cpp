@@ -92,6 +92,14 @@ TEST(Decimal, ProductsDoNotDependOnTheOrderOfTheFactors) {
   EXPECT_EQ(c * d, d * c);
 }
 
+TEST(Decimal, KnowsTheDecadeOfItsFirstDigit) {
+  for (const auto& [text, decade] :
+       {std::pair("1", 0), {"9.99", 0}, {"10", 1}, {"-1234.5", 3}, {"0.1", -1}, {"0.00999", -3}, {"1e-150", -150}})
+    EXPECT_EQ(decimal(text).decade(), decade) << text;
+  EXPECT_EQ(Decimal::from_double(std::numeric_limits<double>::max()).decade(), 308);
+  EXPECT_EQ(Decimal::from_double(std::numeric_limits<double>::denorm_min()).decade(), -324);
+}
+
 TEST(Decimal, CutsOnlyDigitsBeyondThe37th) {
   EXPECT_EQ((decimal("1e100") + decimal("1")).to_double(), 1e100);
   EXPECT_EQ((decimal("1") + decimal("1e-36")).to_string(), "1.000000000000000000000000000000000001");
