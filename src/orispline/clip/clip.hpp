@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -39,6 +40,15 @@ struct Channel {
 
   [[nodiscard]] std::size_t size() const noexcept { return times.size(); }
 };
+/// Where the keys of a channel are in memory, and how it goes between them: the same for channels that share all that.
+template <CurvePoint P>
+using PlacesOfKeys = std::tuple<ChannelInterpolation, const double*, const P*, const P*, const P*>;
+template <CurvePoint P>
+[[nodiscard]] PlacesOfKeys<P> places_of_keys(const Channel<P>& channel) noexcept {
+  return {channel.interpolation, channel.times.data(), channel.values.data(), channel.in_tangents.data(),
+          channel.out_tangents.data()};
+}
+
 using RotationChannel = Channel<Eigen::Quaterniond>;
 using VectorChannel = Channel<Eigen::Vector3d>;
 

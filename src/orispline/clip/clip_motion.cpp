@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 #include <utility>
 #include <variant>
@@ -262,6 +263,19 @@ class ChainBuilder {
   std::vector<double> times_;
 };
 
+/// Channels that share their keys share their curve.
+template <CurvePoint P>
+std::vector<ChannelCurve<P>> curves_of(const std::vector<Channel<P>>& channels) {
+  std::map<PlacesOfKeys<P>, std::size_t> known;
+  std::vector<ChannelCurve<P>> curves;
+  for (const Channel<P>& channel : channels) {
+    const auto [same, is_new] = known.try_emplace(places_of_keys(channel), curves.size());
+    if (is_new) curves.emplace_back(channel);
+    else curves.push_back(curves[same->second].of_joint(channel.joint));
+  }
+  return curves;
+}
+
 }  // namespace
 
 template <CurvePoint P>
@@ -291,9 +305,9 @@ template class ChannelCurve<Eigen::Vector3d>;
 
 ClipMotion::ClipMotion(const Skeleton& skeleton, const Clip& clip)
     : skeleton_(&skeleton),
-      rotations_(clip.rotations.begin(), clip.rotations.end()),
-      translations_(clip.translations.begin(), clip.translations.end()),
-      scales_(clip.scales.begin(), clip.scales.end()),
+      rotations_(curves_of(clip.rotations)),
+      translations_(curves_of(clip.translations)),
+      scales_(curves_of(clip.scales)),
       places_(skeleton.size()) {
   for (std::size_t i = 0; i < rotations_.size(); ++i) places_[rotations_[i].joint()].rotation = i + 1;
   for (std::size_t i = 0; i < translations_.size(); ++i) places_[translations_[i].joint()].translation = i + 1;

@@ -28,6 +28,12 @@ class ORISPLINE_EXPORT ChannelCurve {
   /// With its rates at time t [s]; at an interior key of the segment after it.
   [[nodiscard]] MotionOf<P> motion(double t) const noexcept;
   [[nodiscard]] const ErasedCurve<P>& curve() const noexcept { return curve_; }
+  /// The same curve for another joint; it shares its keys.
+  [[nodiscard]] ChannelCurve of_joint(std::size_t joint) const noexcept {
+    ChannelCurve other = *this;
+    other.joint_ = joint;
+    return other;
+  }
 
  private:
   ErasedCurve<P> curve_;

@@ -37,13 +37,6 @@ struct WrittenChannel {
   SharedList<float> outputs{};  ///< of splines with a tangent before and after each value
 };
 
-/// Where the keys of a channel are in memory: the same for channels that share them.
-template <CurvePoint P>
-auto places_of_keys(const Channel<P>& channel) {
-  return std::tuple(channel.interpolation, channel.times.data(), channel.values.data(), channel.in_tangents.data(),
-                    channel.out_tangents.data());
-}
-
 /// A channel of rotations as a file of the scene held it, to write the same bits again where they were not changed:
 /// `read` is `raw` normalised.
 struct RotationOfFile {
@@ -281,7 +274,7 @@ class Writer {
   [[nodiscard]] Expected<std::vector<WrittenChannel>> channels_of(const Clip& clip, const OldAnimation& old) {
     std::vector<WrittenChannel> channels;
     const auto append_to = [&]<CurvePoint P>(const std::vector<Channel<P>>& list, auto&& write) -> Expected<void> {
-      std::map<decltype(places_of_keys(list.front())), std::size_t> known;
+      std::map<PlacesOfKeys<P>, std::size_t> known;
       for (const Channel<P>& channel : list) {
         const auto [same, is_new] = known.try_emplace(places_of_keys(channel), channels.size());
         if (!is_new) {
