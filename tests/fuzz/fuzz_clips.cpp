@@ -140,7 +140,8 @@ void try_difference(FuzzInput& input, const Scene& scene) {
   if (!outcome) return claim_plain(outcome.error());
   claim_numbers(document_of(*outcome));
   claim(!summary_of(*outcome).empty(), "there is no summary");
-  claim(outcome->joints_only_in_first == 0, "{} joints without a counterpart", outcome->joints_only_in_first);
+  claim(outcome->counterparts.only_in_first == 0, "{} joints without a counterpart",
+        outcome->counterparts.only_in_first);
   for (const jobs::ClipDifference& clip : outcome->clips)
     for (const JointDifference& worst : clip.worst)
       claim(worst.angle.value == 0.0 && worst.translation.value == 0.0 && worst.distance.value == 0.0,

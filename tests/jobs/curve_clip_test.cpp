@@ -45,7 +45,7 @@ TEST(CurveClipJob, TakesSamplesWhereNoToleranceIsAsked) {
   const CurveClipOutcome outcome = curve_clip(request({}, {0.0, 0.25, 3.0}), curve());
   const RotationChannel& channel = outcome.clip.rotations.at(0);
   EXPECT_EQ(channel.times, (std::vector{0.0, 0.25, 3.0}));
-  EXPECT_EQ(channel.values.at(1).coeffs(), curve().orientation(0.25).normalized().coeffs());
+  EXPECT_EQ(channel.values[1].coeffs(), curve().orientation(0.25).normalized().coeffs());
   EXPECT_EQ(count(document_of(outcome), "keys_written"), 3u);
 }
 
