@@ -19,7 +19,7 @@ inline constexpr double one_axis_tolerance = 1e-6;
 inline constexpr double full_turn = 2.0 * std::numbers::pi;
 
 /// Whether rotation vectors [rad] have one axis.
-[[nodiscard]] ORISPLINE_EXPORT bool have_one_axis(std::span<const Eigen::Vector3d> turns) noexcept;
+[[nodiscard]] bool have_one_axis(std::span<const Eigen::Vector3d> turns) noexcept;
 
 /// Whether the logarithm wraps on the way from none to so wide a turn [rad].
 [[nodiscard]] inline bool wraps(const Eigen::Vector3d& turn) noexcept {
@@ -27,9 +27,8 @@ inline constexpr double full_turn = 2.0 * std::numbers::pi;
 }
 
 /// The increment from one orientation to another, as far round as an estimate of it about the same axis says.
-[[nodiscard]] ORISPLINE_EXPORT Eigen::Vector3d increment_near(const Eigen::Vector3d& estimate,
-                                                              const Eigen::Quaterniond& from,
-                                                              const Eigen::Quaterniond& to) noexcept;
+[[nodiscard]] Eigen::Vector3d increment_near(const Eigen::Vector3d& estimate, const Eigen::Quaterniond& from,
+                                             const Eigen::Quaterniond& to) noexcept;
 
 /// Between two rotation vectors of one axis; exactly the one or the other where `share` is 0 or 1.
 template <Number T>
