@@ -71,6 +71,11 @@ class Resampling:
     errors: str
     threads: int
 
+    @property
+    def stated(self) -> dict[str, Any]:
+        """All that the samples depend on, as JSON has it: one text for all ways to state the same."""
+        return {name: value for name, value in dataclasses.asdict(self).items() if name != "threads"}
+
     def check(self) -> None:
         """Raises what a method, a rate or a gap is refused by."""
         self.sampler()
