@@ -213,7 +213,8 @@ TEST(OutputFile, WritesTheFileBehindALink) {
 
 TEST(OutputFile, WritesTheFileThatALinkLeadsToThoughItIsNotThere) {
   const ScratchDirectory directory;
-  const std::string path = directory.file("out.csv"), link = directory.file("link.csv"), far = directory.file("far.csv");
+  const std::string path = directory.file("out.csv"), link = directory.file("link.csv"),
+                    far = directory.file("far.csv");
   std::filesystem::create_symlink("out.csv", link);
   std::filesystem::create_symlink(link, far);
 
