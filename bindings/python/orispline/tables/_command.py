@@ -113,6 +113,10 @@ class _Bar:
 class _Parser(argparse.ArgumentParser):
     """One that says in a line what it does not understand."""
 
+    def print_help(self, file: Any = None) -> None:
+        """As argparse does, which says nothing where it cannot."""
+        (file or sys.stdout).write(self.format_help())
+
     def error(self, message: str) -> NoReturn:
         self.exit(2, f"{self.prog}: {message} ({self.prog} --help lists all options)\n")
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import fractions
 from collections.abc import Callable, Generator, Iterable, Iterator
 from typing import Any
 
@@ -73,8 +74,9 @@ class Resampling:
 
     @property
     def stated(self) -> dict[str, Any]:
-        """All that the samples depend on, as JSON has it: one text for all ways to state the same."""
-        return {name: value for name, value in dataclasses.asdict(self).items() if name != "threads"}
+        """All that the samples depend on, as JSON has it: the same for all ways to state the same."""
+        all_members = {**dataclasses.asdict(self), "rate": str(fractions.Fraction(self.rate)), "method": _plain_method(self.method)}
+        return {name: value for name, value in all_members.items() if name != "threads"}
 
     def check(self) -> None:
         """Raises what a method, a rate or a gap is refused by."""
@@ -170,6 +172,19 @@ def sampled_names(layout: Layout, derivatives: int, world: bool) -> list[str]:
     linear = min(derivatives, 2) if layout.position else -1
     rates = _core.column_names(world, derivatives, linear)[5 + len(layout.position):]
     return [*layout.names, *rates]
+
+
+def _plain_method(text: str) -> str:
+    """`NAME:SETTING=VALUE:…` with the settings in one order, and each number in one way of writing it."""
+    def plain_number(word: str) -> str:
+        try:
+            return repr(float(word))
+        except ValueError:
+            return word
+
+    name, *settings = text.split(":")
+    stated = [setting.partition("=") for setting in settings]
+    return ":".join([name, *sorted(what + equals + ",".join(map(plain_number, value.split(","))) for what, equals, value in stated)])
 
 
 def _refusal(work: Callable[..., Any], *arguments: Any) -> str | None:
