@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import fractions
+import json
 from collections.abc import Callable, Generator, Iterable, Iterator
 from typing import Any
 
@@ -76,7 +77,8 @@ class Resampling:
     def stated(self) -> dict[str, Any]:
         """All that the samples depend on, as JSON has it: the same for all ways to state the same."""
         all_members = {**dataclasses.asdict(self), "rate": str(fractions.Fraction(self.rate)), "method": _plain_method(self.method)}
-        return {name: value for name, value in all_members.items() if name != "threads"}
+        members = {name: value for name, value in all_members.items() if name != "threads"}
+        return dict(json.loads(json.dumps(members)))
 
     def check(self) -> None:
         """Raises what a method, a rate or a gap is refused by."""
