@@ -194,6 +194,16 @@ def test_a_damaged_file_is_read_or_refused_in_a_line(tmp_path, assume_sorted):
     assert refused > 10
 
 
+@pytest.mark.parametrize("assume_sorted", [False, True])
+@pytest.mark.parametrize("kind", [pa.string(), pa.dictionary(pa.int32(), pa.string())], ids=str)
+def test_ids_that_are_not_utf8_are_a_fault_of_their_file(tmp_path, kind, assume_sorted):
+    latin = pa.compute.cast(pa.array([b"tr\xe4ck"] * 2), options=pa.compute.CastOptions(pa.string(), allow_invalid_utf8=True)).cast(kind)
+    table = pa.table({"track": latin, "t": [0.0, 1.0], **{name: [0.5, 0.5] for name in QUATERNION}})
+    pq.write_table(table, tmp_path / "keys.parquet")
+    with pytest.raises(ori.DataError, match="keys.parquet: found no sound Parquet file .*UTF8"):
+        tables.resample(tmp_path / "keys.parquet", assume_sorted=assume_sorted).read_all()
+
+
 def test_an_error_of_a_stream_comes_through_as_it_is():
     def batches():
         yield from GOOD.to_batches()

@@ -125,12 +125,17 @@ class _Scanned:
         names = list(self.columns or self.dataset.schema.names)
         for fragment in self.dataset.get_fragments():
             with telling_of(getattr(fragment, "path", "source")):
-                if isinstance(fragment, ds.ParquetFileFragment) and isinstance(fragment.filesystem, LocalFileSystem) \
-                        and set(names) <= set(fragment.physical_schema.names):
-                    yield from _bit_by_bit(fragment.path, names)
-                else:
-                    yield from fragment.to_batches(schema=self.dataset.schema, columns=names, batch_size=ROWS_AT_A_TIME,
-                                                   batch_readahead=1)
+                for batch in self._of(fragment, names):
+                    for column in batch.columns:
+                        if not pa.types.is_primitive(column.type):  # texts that are not UTF-8: pyarrow does not look
+                            column.validate(full=True)
+                    yield batch
+
+    def _of(self, fragment: Any, names: list[str]) -> Iterable[Any]:
+        if isinstance(fragment, ds.ParquetFileFragment) and isinstance(fragment.filesystem, LocalFileSystem) \
+                and set(names) <= set(fragment.physical_schema.names):
+            return _bit_by_bit(fragment.path, names)
+        return fragment.to_batches(schema=self.dataset.schema, columns=names, batch_size=ROWS_AT_A_TIME, batch_readahead=1)
 
 
 def _bit_by_bit(path: str, names: list[str]) -> Iterator[Any]:
