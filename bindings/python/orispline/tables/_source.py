@@ -131,11 +131,12 @@ class _Scanned:
                             column.validate(full=True)
                     yield batch
 
-    def _of(self, fragment: Any, names: list[str]) -> Iterable[Any]:
+    def _of(self, fragment: Any, names: list[str]) -> Iterator[Any]:
         if isinstance(fragment, ds.ParquetFileFragment) and isinstance(fragment.filesystem, LocalFileSystem) \
                 and set(names) <= set(fragment.physical_schema.names):
-            return _bit_by_bit(fragment.path, names)
-        return fragment.to_batches(schema=self.dataset.schema, columns=names, batch_size=ROWS_AT_A_TIME, batch_readahead=1)
+            yield from _bit_by_bit(fragment.path, names)
+        else:
+            yield from fragment.to_batches(schema=self.dataset.schema, columns=names, batch_size=ROWS_AT_A_TIME, batch_readahead=1)
 
 
 def _bit_by_bit(path: str, names: list[str]) -> Iterator[Any]:
