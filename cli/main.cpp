@@ -189,9 +189,9 @@ class CommandLine {
       const auto done =
           understood_words(commands_, {words.begin(), words.end()})
               .and_then([&](std::vector<std::string> understood) { return parsed(commands_, program(), understood); })
-              .and_then([](const Command* command) -> Expected<void> {
-                if (!command) return {};
-                return batch::forced_kernels().and_then([&](const batch::Kernels*) { return command->run(); });
+              .and_then([](const Wanted& user) {
+                if (!user.command) return print_document(user.text);
+                return batch::forced_kernels().and_then([&](const batch::Kernels*) { return user.command->run(); });
               });
       return done ? ExitCode::success : report(done.error());
     } catch (const std::bad_alloc&) {

@@ -27,7 +27,7 @@ string(JOIN " " link_options ${libraries} ${CMAKE_THREAD_LIBS_INIT})
 configure_file(cmake/orispline.pc.in ${PROJECT_BINARY_DIR}/orispline.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/orispline.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE NOTICE THIRD_PARTY DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(TARGET orispline-cli)
   install(TARGETS orispline-cli)
 endif()

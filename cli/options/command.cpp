@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "options/command.hpp"
 
+#include <sstream>
+
 #include <CLI/CLI.hpp>
 
 #include <orispline/base/formatted.hpp>
@@ -104,8 +106,7 @@ const Option* Command::find(std::string_view typed) const {
   return nullptr;
 }
 
-Expected<const Command*> parsed(const std::deque<Command>& commands, const Program& program,
-                                std::vector<std::string> words) {
+Expected<Wanted> parsed(const std::deque<Command>& commands, const Program& program, std::vector<std::string> words) {
   CLI::App app(program.description);
   app.name(program.name);
   app.footer(program.footer);
@@ -119,10 +120,11 @@ Expected<const Command*> parsed(const std::deque<Command>& commands, const Progr
     app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) return failure(ErrorCode::bad_argument, said_of(error, app, commands));
-    app.exit(error);  // the help or the version that was asked for
-    return nullptr;
+    std::ostringstream asked_for;
+    app.exit(error, asked_for, asked_for);
+    return Wanted{.text = asked_for.str()};
   }
-  return chosen;
+  return Wanted{.command = chosen};
 }
 
 }  // namespace orispline::cli

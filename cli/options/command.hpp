@@ -70,9 +70,14 @@ struct Program {
   std::string name, description, footer, version;
 };
 
-/// Takes the words behind the name of the program into the options of the command that it names, and says which that
-/// is; none where the help or the version was asked for, which is printed. Error: bad_argument.
-[[nodiscard]] Expected<const Command*> parsed(const std::deque<Command>& commands, const Program& program,
-                                              std::vector<std::string> words);
+/// What the user wants: a command, or else the text of the help or the version.
+struct Wanted {
+  const Command* command = nullptr;
+  std::string text{};
+};
+
+/// Takes the words behind the name of the program into the options of the command that it names. Error: bad_argument.
+[[nodiscard]] Expected<Wanted> parsed(const std::deque<Command>& commands, const Program& program,
+                                      std::vector<std::string> words);
 
 }  // namespace orispline::cli

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 /// Where a file is, or would be; as it stands where that cannot be said.
 fs::path place_of(const std::string& path) {
   std::error_code unknown;
-  auto place = fs::weakly_canonical(fs::absolute(path, unknown), unknown);
+  auto place = fs::weakly_canonical(fs::absolute(io::behind_links(path), unknown), unknown);
   return unknown ? fs::path(path) : place;
 }
 

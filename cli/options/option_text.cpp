@@ -65,7 +65,9 @@ Expected<Eigen::Vector3d> vector_in(OptionText option) {
 }
 
 Expected<std::size_t> count_in(OptionText option, std::size_t lowest) {
-  return said_of(option, typed::count(option.text, lowest));
+  return said_of(option, typed::count(option.text, lowest)).map([](std::uint64_t count) {
+    return static_cast<std::size_t>(count);
+  });
 }
 
 Expected<Fraction> fraction_in(OptionText option, std::string_view what) {

@@ -18,6 +18,7 @@
 #include "options/threads.hpp"
 #include "output/exit_code.hpp"
 #include "output/gathered_output.hpp"
+#include "output/interruption.hpp"
 #include "output/json_document.hpp"
 #include "output/output_folder.hpp"
 #include "output/standard_output.hpp"
@@ -52,8 +53,7 @@ class InOrder {
     for (const auto& [text, count] : warned_)
       if (count > 1) warn(formatted("{} more {}: {}", count - 1, count == 2 ? "input" : "inputs", text));
     if (failed_ > 0 && finishing_ == Finishing::with_the_others) return said(failed("nothing was written"));
-    for (const auto& finish_output : unfinished_)
-      if (auto finished = finish_output(); !finished) return finished;
+    if (auto finished = finish_outputs(); !finished) return finished;
     tell(told_);
     if (summary_.json)
       if (auto printed = print_document(document_ + (document_.empty() ? "[]\n" : "\n]\n")); !printed) return printed;
@@ -62,6 +62,14 @@ class InOrder {
   }
 
  private:
+  /// Those that wait for each other; an interruption comes before all of them or behind.
+  [[nodiscard]] Expected<void> finish_outputs() {
+    const InterruptionHeld held;
+    for (const auto& finish_output : unfinished_)
+      if (auto finished = finish_output(); !finished) return finished;
+    return {};
+  }
+
   void say(Turn& turn) {
     const std::string& input = turn.gathered.input;
     for (const std::string& warning : turn.gathered.warnings)

@@ -1,34 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/interruption.hpp"
 
-#include <algorithm>
 #include <array>
 #include <csignal>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 #include <unistd.h>
-
-#include <orispline/io/output_file.hpp>
 
 namespace orispline::cli {
 
 namespace {
 
-using Place = std::atomic<const char*>;  // a signal handler may touch nothing that locks or allocates
-static_assert(Place::is_always_lock_free);
+// A signal handler may touch nothing that locks or allocates.
+static_assert(std::atomic<const char*>::is_always_lock_free && std::atomic<NotedPath*>::is_always_lock_free);
 
 constexpr std::array polite{SIGINT, SIGTERM, SIGHUP};
 
-std::array<Place, 1000> unfinished{};  // null: nothing to remove
+std::atomic<NotedPath*> notes = nullptr;  // all there ever were, since a handler may be walking along them
 
-std::mutex noting;                 // of the threads that work side by side
-std::atomic<int> opening = 0;      // files that may be there without their note
+std::mutex noting;  // of the threads that work side by side
+std::vector<NotedPath*> free_notes;
+std::atomic<int> opening = 0;      // files that may be there without their note, or without those beside them
 std::atomic<int> postponed = 0;    // the signal that came meanwhile
 std::atomic<bool> ending = false;  // no file may come to be any more
 static_assert(std::atomic<int>::is_always_lock_free);
 
-bool is_free(const Place& place) { return place.load() == nullptr; }
+/// One that notes nothing yet. Call it with `noting` locked.
+NotedPath& free_note() {
+  if (free_notes.empty()) {
+    free_notes.push_back(new NotedPath{.before = notes.load()});
+    notes = free_notes.back();
+  }
+  NotedPath& note = *free_notes.back();
+  free_notes.pop_back();
+  return note;
+}
 
 void remove_and_end(int signal) {
   ending = true;
@@ -37,8 +45,8 @@ void remove_and_end(int signal) {
     ending = false;
     return;
   }
-  for (const Place& place : unfinished)
-    if (const char* path = place.load()) unlink(path);
+  for (const NotedPath* note = notes.load(); note; note = note->before)
+    if (const char* path = note->path.load()) unlink(path);
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -51,8 +59,7 @@ void watch_interruptions() {
 
 }  // namespace
 
-InterruptionHeld::InterruptionHeld(const std::string& output) : is_held_(!io::is_stream(output)) {
-  if (!is_held_) return;
+InterruptionHeld::InterruptionHeld() {
   sigset_t held;
   sigemptyset(&held);
   for (const int signal : polite) sigaddset(&held, signal);
@@ -66,24 +73,24 @@ InterruptionHeld::InterruptionHeld(const std::string& output) : is_held_(!io::is
 }
 
 InterruptionHeld::~InterruptionHeld() {
-  if (!is_held_) return;
   --opening;
   if (const int signal = postponed.exchange(0)) std::raise(signal);
   pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 
 RemovedWhenInterrupted::RemovedWhenInterrupted(const std::string& path) : path_(path) {
+  if (path_.empty()) return;
   const std::scoped_lock lock(noting);
-  const auto place = std::ranges::find_if(unfinished, is_free);
-  if (path_.empty() || place == unfinished.end()) return;
-  place_ = &*place;
-  *place_ = path_.c_str();
+  note_ = &free_note();
+  note_->path = path_.c_str();
 }
 
 RemovedWhenInterrupted::~RemovedWhenInterrupted() {
-  if (place_ == nullptr) return;
+  if (note_ == nullptr) return;
+  note_->path = nullptr;
+  while (ending) std::this_thread::yield();  // a handler that may have read the path
   const std::scoped_lock lock(noting);
-  *place_ = nullptr;
+  free_notes.push_back(note_);
 }
 
 }  // namespace orispline::cli

@@ -7,24 +7,29 @@
 
 namespace orispline::cli {
 
-/// While it lives, Ctrl-C and a polite kill wait: so nothing comes between a file and the note of it. Of pipes and
-/// devices there is no note, and they may take long to open: there nothing waits.
+/// While it lives, Ctrl-C and a polite kill wait: so nothing comes between a file and the note of it, or between
+/// outputs that appear all or none. Not for what may take long, as opening a pipe does.
 class InterruptionHeld {
  public:
-  explicit InterruptionHeld(const std::string& output);
+  InterruptionHeld();
   ~InterruptionHeld();
   InterruptionHeld(const InterruptionHeld&) = delete;
   InterruptionHeld& operator=(const InterruptionHeld&) = delete;
 
  private:
   sigset_t before_;
-  bool is_held_;
+};
+
+/// The path of a file that an interruption removes; null: none. Notes make a list, the last one first.
+struct NotedPath {
+  std::atomic<const char*> path{nullptr};
+  NotedPath* const before;
 };
 
 /// While it lives, Ctrl-C and a polite kill remove the file that is being written before they end the command.
 class RemovedWhenInterrupted {
  public:
-  /// `path` may be empty: nothing to remove. A thousand at a time; more are left.
+  /// `path` may be empty: nothing to remove.
   explicit RemovedWhenInterrupted(const std::string& path);
   ~RemovedWhenInterrupted();
   RemovedWhenInterrupted(const RemovedWhenInterrupted&) = delete;
@@ -32,7 +37,7 @@ class RemovedWhenInterrupted {
 
  private:
   std::string path_;
-  std::atomic<const char*>* place_ = nullptr;  // where the path is noted; none where there is nothing to remove
+  NotedPath* note_ = nullptr;
 };
 
 }  // namespace orispline::cli

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <orispline/base/formatted.hpp>
+
 namespace orispline::cli {
 
 namespace {
@@ -27,10 +29,23 @@ struct Writing {
 
 Nlohmann written(const Json& json) { return std::visit(Writing{}, json.value()); }
 
+/// DEL and C1 as `\u009b`, for terminals obey these too; nlohmann's escapes C0 alone. `json` is UTF-8.
+std::string with_controls_escaped(std::string_view json) {
+  std::string text;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(json[k]); };
+    const bool is_c1 = byte(i) == 0xC2 && byte(i + 1) < 0xA0;
+    if (is_c1) text += formatted("\\u{:04x}", byte(++i));
+    else if (byte(i) == 0x7F) text += "\\u007f";
+    else text += json[i];
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string document(const Json& json) {
-  return written(json).dump(2, ' ', false, Nlohmann::error_handler_t::replace) + "\n";
+  return with_controls_escaped(written(json).dump(2, ' ', false, Nlohmann::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace orispline::cli

@@ -11,6 +11,11 @@ namespace orispline::cli {
 
 namespace {
 
+/// Of pipes and devices there is no note, and they may take long to open: there nothing waits.
+std::unique_ptr<const InterruptionHeld> held_while_opening(const std::string& path) {
+  return io::is_stream(path) ? nullptr : std::make_unique<const InterruptionHeld>();
+}
+
 template <class File>
 Noted<File> noted(File file) {
   auto note = std::make_unique<RemovedWhenInterrupted>(file.part());
@@ -25,13 +30,13 @@ Expected<void> make_folder_of(const std::string& path) {
 }  // namespace
 
 Expected<Noted<io::OutputFile>> open_output(const std::string& path) {
-  const InterruptionHeld held(path);
+  const auto held = held_while_opening(path);
   return make_folder_of(path).and_then([&] { return io::OutputFile::open(path); }).map(noted<io::OutputFile>);
 }
 
 Expected<Noted<io::SampleWriter>> open_samples(const std::string& path, const io::SampleColumns& columns,
                                                std::size_t rows) {
-  const InterruptionHeld held(path);
+  const auto held = held_while_opening(path);
   return make_folder_of(path)
       .and_then([&] { return io::SampleWriter::open(path, columns, rows); })
       .map(noted<io::SampleWriter>);

@@ -72,13 +72,13 @@ std::string output_name(const InputFile& input, std::string_view extension, Scen
 
 Expected<void> make_folder(const std::string& folder) {
   std::error_code reason;
-  fs::create_directories(folder, reason);
+  fs::create_directories(io::behind_links(folder), reason);
   return made(folder, reason);
 }
 
 Expected<void> check_folder(const std::string& folder) {
   std::error_code reason;
-  fs::path missing, there = fs::absolute(folder, reason);
+  fs::path missing, there = fs::absolute(io::behind_links(folder), reason);
   for (; !reason && !fs::exists(there, reason) && there.has_relative_path(); there = there.parent_path())
     missing = there;
   if (fs::exists(there) && !fs::is_directory(there)) reason = std::make_error_code(std::errc::not_a_directory);

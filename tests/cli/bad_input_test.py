@@ -75,10 +75,12 @@ class BadAccess(CommandTest):
         self.assert_fails("sample keys.csv --rate 1 -o .", BAD_ACCESS, ".: cannot write: Is a directory")
 
     def test_a_standard_output_that_is_full(self):
-        with open("/dev/full", "w", encoding="utf-8") as full:
-            done = subprocess.run([COMMAND, "methods"], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
-        self.assertEqual((done.returncode, done.stderr),
-                         (BAD_ACCESS, "orispline: -: cannot write: No space left on device\n"))
+        for words in ("methods", "methods slerp", "tasks", "completion bash", "reproduce", "--help", "--version", "help", "help sample",
+                      "sample --help", "inspect keys.csv", "convert keys.csv", "sample keys.csv --rate 2 -o out.csv --json"):
+            with self.subTest(words), open("/dev/full", "w", encoding="utf-8") as full:
+                done = subprocess.run([COMMAND, *words.split()], cwd=self.folder, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+                self.assertEqual((done.returncode, done.stderr),
+                                 (BAD_ACCESS, "orispline: -: cannot write: No space left on device\n"))
 
 
 if __name__ == "__main__":

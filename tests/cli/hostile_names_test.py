@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Names of files and columns that would steer a terminal are shown without their control characters."""
+"""Names of files and columns that would steer a terminal are shown without their control characters, and as UTF-8."""
 import json
+import os
+import subprocess
 import unicodedata
 
-from command import BAD_ACCESS, SUCCESS, CommandTest, main
+from command import BAD_ACCESS, COMMAND, SUCCESS, CommandTest, main
+from small_scenes import gltf_document
 
 OUT = "b\x1b[2J\u009b31m.csv"
 NAME = "a\x1b[2J\u009b31mb\nc\r.csv"  # clears the terminal, colours it, ends the line
@@ -52,9 +55,37 @@ class HostileNames(CommandTest):
                 self.assertNotEqual(done.returncode, SUCCESS)
                 self.assert_printable(done.stdout + done.stderr)
 
+    def test_bytes_that_are_no_utf8_are_shown_as_question_marks(self):
+        folder, name = b"d\xff\x9b2J", b"k\xe9\xc2\x9b\xf4\x90\x80\x80.csv"  # C1 as a byte, Latin-1, C1, behind the last character
+        os.mkdir(os.fsencode(self.folder) + b"/" + folder)
+        path = folder + b"/" + name
+        with open(os.fsencode(self.folder) + b"/" + path, "wb") as file:
+            file.write(ROWS.encode().replace(b"\x07", b"\xb0\x9b"))
+        runs = [(command, path, *(word.encode() for word in options)) for command, *options in COMMANDS]
+        runs += [("sample", folder, b"--rate", b"2", b"--output-folder", folder + b"O"), ("sample", folder, b"--rate", b"2"),
+                 ("sample", path, b"--rate", path), ("sample", path, b"--" + folder), ("convert", path, b"-o", folder), (path,)]
+        for run in runs:
+            with self.subTest(run):
+                done = subprocess.run([COMMAND, *run], cwd=self.folder, capture_output=True, check=False)
+                said = (done.stdout + done.stderr).decode("utf-8")  # which raises where it is not
+                self.assert_printable(said)
+                if run[0] != "plot":
+                    self.assertRegex(said, r"k\?{6}\.csv|d\?\?2J")
+
+    def test_joints_become_files_whose_names_are_printable(self):
+        scene = gltf_document()
+        for node, name in zip(scene["nodes"], ("é\u009b2Jb", "c\x7f/\u0085d")):
+            node["name"] = name
+        scene["animations"][0]["name"] = "clip\u009b2J"
+        self.write("scene.gltf", json.dumps(scene))
+        self.output_of("sample scene.gltf --method stored --rate 2 --output-folder out --quiet")
+        self.assertEqual(os.listdir(self.folder / "out"), ["clip_2J"])
+        self.assertEqual(sorted(os.listdir(self.folder / "out/clip_2J")), ["c___d.csv", "é_2Jb.csv"])
+
     def test_json_has_them_as_they_are(self):
-        done = json.loads(self.output_of(["sample", NAME, "--rate", "2", "--json", "-o", "out.csv"]))
-        self.assertEqual(done["input"], NAME)
+        text = self.output_of(["sample", NAME, "--rate", "2", "--json", "-o", "out.csv"])
+        self.assertEqual(json.loads(text)["input"], NAME)
+        self.assert_printable(text)
 
     def test_columns_that_are_not_carried_over(self):
         self.write("keys.csv", KEYS)

@@ -3,7 +3,7 @@
 """Where outputs may go, and which format their names mean."""
 import os
 
-from command import BAD_USAGE, KEYS, CommandTest, main
+from command import BAD_ACCESS, BAD_USAGE, KEYS, CommandTest, main
 
 COMMANDS = ("sample {} --rate 2", "convert {}", "plot {}", "tune {} --method timed-c2", "retime {} --max-rate 1deg/s",
             "smooth {} --smoothing-time 1", "reduce {} --tolerance 1deg")
@@ -35,6 +35,28 @@ class Places(CommandTest):
             self.assert_refused(f"{command} {option} -o {path}",
                                 f"-o: found '{path}', wanted another file than that of {name}, which would be lost")
         self.assertEqual(self.read("times.csv"), "0.5\n")
+
+    def test_a_link_stays_and_the_file_that_it_leads_to_is_written(self):
+        whole = self.output_of("convert keys.csv")
+        (self.folder / "other").mkdir()
+        links = {"far.csv": "other/there.csv", "near.csv": "far.csv", "gone.csv": "other/no/there.csv", "circle.csv": "round.csv",
+                 "round.csv": "circle.csv", "folder": "other/new"}
+        for link, target in links.items():
+            os.symlink(target, self.folder / link)
+        for link in ("far.csv", "near.csv"):  # to nothing at first
+            self.output_of(f"convert keys.csv -o {link} --quiet")
+            self.assertEqual(self.read("other/there.csv"), whole)
+            (self.folder / "other/there.csv").unlink()
+        self.output_of("sample keys.csv --rate 2 --output-folder folder --quiet")
+        self.assertEqual(os.listdir(self.folder / "other/new"), ["keys.csv"])
+        self.assert_fails("convert keys.csv -o gone.csv", BAD_ACCESS, "gone.csv: cannot write: No such file or directory")
+        self.assert_fails("convert keys.csv -o circle.csv", BAD_ACCESS, "circle.csv: cannot write: Too many levels of symbolic links")
+        self.assertEqual({link: os.readlink(self.folder / link) for link in links}, links)
+
+    def test_no_two_outputs_go_into_one_file_that_is_not_there(self):
+        os.symlink("there.html", self.folder / "link.csv")
+        self.assert_refused("smooth keys.csv --smoothing-time 1 -o link.csv --report there.html",
+                            "--report: found 'there.html', wanted another file than that of -o")
 
     def test_a_folder_of_outputs_is_not_that_of_the_inputs(self):
         self.assert_refused("reduce keys.csv --tolerance 1deg --output-folder .",

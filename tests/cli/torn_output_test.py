@@ -67,6 +67,23 @@ class TornOutput(CommandTest):
                 self.assertEqual(process.wait(), -signal.SIGTERM)
         self.assertEqual({path.name: path.read_text("utf-8") for path in (self.folder / "out").iterdir()}, whole)
 
+    def test_a_signal_leaves_no_part_of_many_outputs_that_wait_for_each_other(self):
+        count, files = 1100, resource.getrlimit(resource.RLIMIT_NOFILE)[1]
+        if files < count + 100:
+            raise unittest.SkipTest(f"a process may have {files} open files")
+        (self.folder / "in").mkdir()
+        for i in range(count):
+            self.write(f"in/{i:04}.csv", keys(3))
+        os.mkfifo(self.folder / "waits.csv")
+        words = "sample in waits.csv --rate 2 --threads 2 --output-folder out --all-or-none --quiet".split()
+        with subprocess.Popen([COMMAND, *words], cwd=self.folder, stderr=subprocess.DEVNULL) as process:
+            with open(self.folder / "waits.csv", "w", encoding="utf-8"):  # opened as soon as it is read, which is at the end
+                while process.poll() is None and len(list((self.folder / "out").glob("*.part"))) < count:
+                    time.sleep(0.01)
+                process.send_signal(signal.SIGINT)
+                self.assertEqual(process.wait(), -signal.SIGINT)
+        self.assertEqual(list((self.folder / "out").iterdir()), [])
+
     def test_a_file_that_may_not_grow_leaves_the_old_one(self):
         def limited(handler):
             signal.signal(signal.SIGXFSZ, handler)

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What every list of fields promises, and that a field reads and writes the member that it stands for.
+#include <cstdint>
+#include <limits>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include <orispline/fields.hpp>
+#include <orispline/fields/field.hpp>
 
 namespace orispline { namespace {
 
@@ -50,6 +53,35 @@ void expect_options() {
 
 TEST(Fields, AreWholeAndStandForTheirMembers) {
   expect_options<SmoothOptions, TuneOptions, ReduceOptions, RetimeOptions, MeasureOptions, Decimation>();
+}
+
+/// Of these two one is std::uint64_t and none or the other is std::size_t: macOS and WebAssembly differ from Linux in
+/// that.
+template <class T>
+struct Seeded {
+  T seed = 3;
+};
+
+template <class T>
+void expect_a_count() {
+  const FieldInfo seed = field<&Seeded<T>::seed>({.name = "seed", .sentence = "Of random numbers"});
+  EXPECT_EQ(seed.type, FieldType::count);
+  Seeded<T> object;
+  EXPECT_EQ(seed.get(&object), FieldValue(std::uint64_t{3}));
+  const std::uint64_t greatest = std::numeric_limits<T>::max();
+  EXPECT_TRUE(seed.set(&object, greatest));
+  EXPECT_EQ(object.seed, std::numeric_limits<T>::max());
+  if (greatest < std::numeric_limits<std::uint64_t>::max()) {
+    EXPECT_FALSE(seed.set(&object, greatest + 1));
+    EXPECT_EQ(object.seed, std::numeric_limits<T>::max());
+  }
+}
+
+TEST(Fields, TakeWholeNumbersOfEveryType) {
+  expect_a_count<unsigned long>();
+  expect_a_count<unsigned long long>();
+  expect_a_count<unsigned>();
+  expect_a_count<int>();
 }
 
 TEST(Fields, OfResultsAreWhole) {

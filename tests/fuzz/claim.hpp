@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -13,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <orispline/base/expected.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/base/warning.hpp>
 
 namespace orispline::fuzz {
@@ -47,7 +47,7 @@ void claim(bool holds, fmt::format_string<T...> found, T&&... values) {
 
 /// Text that a terminal shows as one line.
 [[nodiscard]] inline bool is_one_printable_line(std::string_view text) {
-  return !text.empty() && std::ranges::none_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+  return !text.empty() && printable(text) == text;
 }
 
 /// A refusal in plain words.

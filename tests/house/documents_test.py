@@ -61,6 +61,10 @@ class Documents(unittest.TestCase):
     def setUpClass(cls):
         cls.methods = {method["name"]: method for method in registry()}
 
+    def test_the_changelog_says_nothing_twice(self):
+        entries = re.findall(r"(?m)^- (.{28})", (ROOT / "CHANGELOG.md").read_text("utf-8"))
+        self.assertEqual(sorted({entry for entry in entries if entries.count(entry) > 1}), [])
+
     def assert_continuity(self, names, cell):
         """A statement such as C² / C⁰ is the registry's; methods with an order of the user's choice state it in words."""
         stated = STATED.search(cell)

@@ -211,6 +211,29 @@ TEST(OutputFile, WritesTheFileBehindALink) {
   EXPECT_EQ(content_of(path), "new");
 }
 
+TEST(OutputFile, WritesTheFileThatALinkLeadsToThoughItIsNotThere) {
+  const ScratchDirectory directory;
+  const std::string path = directory.file("out.csv"), link = directory.file("link.csv"),
+                    far = directory.file("far.csv");
+  std::filesystem::create_symlink("out.csv", link);
+  std::filesystem::create_symlink(link, far);
+
+  auto file = OutputFile::open(far);
+  ASSERT_TRUE(file && file->write("new") && file->finish());
+
+  EXPECT_TRUE(std::filesystem::is_symlink(link) && std::filesystem::is_symlink(far));
+  EXPECT_FALSE(std::filesystem::is_symlink(path));
+  EXPECT_EQ(content_of(path), "new");
+}
+
+TEST(OutputFile, IsNoLinkInACircle) {
+  const ScratchDirectory directory;
+  const std::string link = directory.file("link.csv");
+  std::filesystem::create_symlink(link, link);
+  EXPECT_EQ(text_of(OutputFile::open(link).error()), "link.csv: cannot write: Too many levels of symbolic links");
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+}
+
 TEST(OutputFile, PassesByThePartsOfOthers) {
   const ScratchDirectory directory;
   const std::string path = directory.file("out.csv");

@@ -93,7 +93,7 @@ class Interface(unittest.TestCase):
         self.assertIn('INTERFACE_INCLUDE_DIRECTORIES "${_IMPORT_PREFIX}/include"', plain)
 
     def test_licence_and_notice_are_there(self):
-        self.assertEqual({file.name for file in (PREFIX / "share/doc/orispline").iterdir()}, {"LICENSE", "NOTICE"})
+        self.assertEqual({file.name for file in (PREFIX / "share/doc/orispline").iterdir()}, {"LICENSE", "NOTICE", "THIRD_PARTY"})
 
 
 if __name__ == "__main__":

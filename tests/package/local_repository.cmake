@@ -1,6 +1,6 @@
 # Commits what a user builds into a repository of its own: -Dsource= -Drepository=
 file(REMOVE_RECURSE ${repository})
-foreach(part CMakeLists.txt LICENSE NOTICE cmake src)
+foreach(part CMakeLists.txt LICENSE NOTICE THIRD_PARTY cmake src)
   file(COPY ${source}/${part} DESTINATION ${repository})
 endforeach()
 set(git git -C ${repository} -c user.name=tests -c user.email=tests@example.org)

@@ -58,7 +58,7 @@ def test_the_script_is_the_command():
 def test_the_files_of_the_package():
     files = {str(file) for file in importlib.metadata.files("orispline") or []}
     assert {"orispline/py.typed", "orispline/_core.pyi", "orispline/__init__.py", "orispline/_core.abi3.so"} <= files
-    assert any(name.endswith("licenses/LICENSE") for name in files) and any(name.endswith("licenses/NOTICE") for name in files)
+    assert all(any(name.endswith(f"licenses/{text}") for name in files) for text in ("LICENSE", "NOTICE", "THIRD_PARTY"))
 
 
 def test_what_the_examples_import_comes_with_all():

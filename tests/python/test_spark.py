@@ -2,6 +2,7 @@
 """Tables on a cluster: the rows of the same job on this machine, bit for bit."""
 import os
 import pickle
+import shutil
 import signal
 import subprocess
 import sys
@@ -154,6 +155,40 @@ def test_rounds_that_are_done_are_not_done_again(frame, spark, tmp_path):
     expect_equal(rows.sort_by([("track", "ascending"), ("t", "ascending")]), expected)
     with pytest.raises(ori.ArgumentError, match="made with .*rate.*50.*wanted .*rate.*60.*name another folder"):
         distributed.resample_to(keys, str(place), rounds=4, rate=60)
+
+
+def test_keys_that_change_between_rounds_are_noticed(spark, tmp_path, monkeypatch):
+    """Between two calls, and while a call makes its rounds: the file has the same size, and another number in it."""
+    from orispline import spark as distributed
+    from orispline.spark import _rounds
+    table = table_of(tracks(40))
+    changed = table.set_column(2, "qx", pa.array([table["qx"][0].as_py() + 1e-6, *table["qx"].to_pylist()[1:]]))
+    source, place = tmp_path / "keys.parquet", tmp_path / "rounds"
+
+    def put(keys):
+        pq.write_table(keys, source, use_dictionary=False, compression="none", write_statistics=False)
+
+    put(table)
+    distributed.resample_to(spark.read.parquet(str(source)), str(place), rounds=2, rate=50)
+    shutil.rmtree(place / "done/round=1")
+    for keys, count in ((changed, len(table)), (table.slice(1), len(table) - 1)):
+        put(keys)
+        with pytest.raises(ori.ArgumentError, match=f"found keys that have changed since .*{len(table)} rows then, {count} now.*name another folder"):
+            distributed.resample_to(spark.read.parquet(str(source)), str(place), rounds=2, rate=50)
+    put(pa.concat_tables([table.slice(30), table.slice(0, 30)]))  # the same rows in another order
+    distributed.resample_to(spark.read.parquet(str(source)), str(place), rounds=2, rate=50.0)
+    resample, calls = _rounds.resample, []
+
+    def changing(df, **options):
+        calls.append(df)
+        if len(calls) == 3:  # the check of the arguments and a round
+            put(changed)
+        return resample(df, **options)
+
+    put(table)
+    monkeypatch.setattr(_rounds, "resample", changing)
+    with pytest.raises(ori.ArgumentError, match="found keys that have changed"):
+        distributed.resample_to(spark.read.parquet(str(source)), str(tmp_path / "other"), rounds=2, rate=50)
 
 
 KILLED = """

@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Live streams: what comes out of several triggers is what the batch job gives, once."""
+import os
+import signal
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 from track_data import QUATERNION, columns, rows_of, table_of, tracks
@@ -20,6 +25,10 @@ class Stream:
         self._spark, self._folder, self._schema, self._options = spark, folder, schema, options
         self._files = 0
         (folder / "in").mkdir()
+
+    def arrived(self):
+        """One more file has come without a trigger."""
+        self._files += 1
 
     def trigger(self, table=None, least=0, **options):
         """All rows so far in order, when these keys have come, and there are so many rows or there have been many batches."""
@@ -104,6 +113,38 @@ def test_keys_that_come_late_are_rows_with_an_error(stream):
     assert all("wanted" in message for message in wrong["error"].to_pylist())
     rows = found.filter(found["error"].is_null())
     assert rows.cast(expected.schema).equals(expected)
+
+
+KILLED = """
+import os, sys
+sys.path.insert(0, {tests!r})
+from spark_cluster import killing_in_the_sixth_task, started
+spark = started("local[2]", **{{"spark.sql.streaming.noDataMicroBatches.enabled": "false"}})
+from orispline import spark as distributed
+keys = spark.readStream.schema(spark.read.parquet({like!r}).schema).parquet({folder!r} + "/in")
+samples = distributed.resample_stream(keys, rate=50, idle=0.01)
+samples = samples.mapInArrow(killing_in_the_sixth_task({mark!r}, os.getpgrp()), samples.schema)
+samples.writeStream.format("parquet").option("checkpointLocation", {folder!r} + "/notes").trigger(availableNow=True).start(
+    {folder!r} + "/out").awaitTermination()
+"""
+
+
+def test_a_killed_query_goes_on_where_it_was(stream, spark, tmp_path):
+    """All its processes, within the second trigger: some partitions are done then. Each sample is there once."""
+    table = table_of(tracks(60, least=3))
+    expected = tables.resample(table, rate=50).read_all()
+    live, mark = stream(table, rate=50), tmp_path / "mark"
+    spark.conf.set("spark.sql.shuffle.partitions", "8")  # as in the process that is killed: the notes keep it
+    first, second, third = thirds(table)
+    count = live.trigger(first).num_rows
+    pq.write_table(second, tmp_path / "in/1.parquet")
+    code = KILLED.format(tests=os.path.dirname(__file__), like=str(tmp_path / "like.parquet"), folder=str(tmp_path), mark=str(mark))
+    query = subprocess.run([sys.executable, "-c", code], start_new_session=True, capture_output=True, text=True, check=False)
+    assert query.returncode == -signal.SIGKILL and mark.exists(), query.stderr
+    live.arrived()
+    found = live.trigger(third, expected.num_rows, idle=0.01)
+    assert 0 < count < found.num_rows
+    assert found.cast(expected.schema).equals(expected)
 
 
 @pytest.mark.parametrize("errors", ["row", "drop"])

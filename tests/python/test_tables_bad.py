@@ -113,6 +113,7 @@ GOOD = table_of(tracks(2))
     (lambda: {"source": GOOD.append_column("s", pa.array(["x"] * GOOD.num_rows)), "quaternion": ["qx", "qy", "qz", "s"]},
      "found string in the column 's', wanted numbers"),
     (lambda: {"source": GOOD.append_column("l", pa.array([[1]] * GOOD.num_rows)), "by": "l"}, "wanted ids that can be put in order"),
+    (lambda: {"source": GOOD.append_column("h", pa.array(np.zeros(GOOD.num_rows, np.float16))), "by": "h"}, "wanted ids that can be put in order"),
     (lambda: {"source": GOOD, "rate": 0}, "rate: found 0, wanted"), (lambda: {"source": GOOD, "rate": float("nan")}, "rate: found nan"),
     (lambda: {"source": GOOD, "method": "squadd"}, "did you mean 'squad'"), (lambda: {"source": GOOD, "gap": -1.0}, "gap"),
     (lambda: {"source": GOOD, "align": "middle"}, "align: found 'middle', wanted 'start' or 'epoch'"),
@@ -173,6 +174,45 @@ def test_files_that_cannot_be_read(tmp_path):
         assert error.value.file and error.value.file.endswith("b.parquet") and "\n" not in str(error.value)
 
 
+def damaged(path, whole):
+    """The file with each of some of its bytes turned round, one at a time; nothing of it is said to be an end of the file."""
+    for at in np.random.default_rng(5).integers(4, len(whole) - 8, 60):
+        path.write_bytes(whole[:at] + bytes([whole[at] ^ 0x5A]) + whole[at + 1:])
+        yield int(at)
+
+
+@pytest.mark.parametrize("assume_sorted", [False, True])
+def test_a_damaged_file_is_read_or_refused_in_a_line(tmp_path, assume_sorted):
+    pq.write_table(GOOD, tmp_path / "keys.parquet")
+    refused = 0
+    for at in damaged(tmp_path / "keys.parquet", (tmp_path / "keys.parquet").read_bytes()):
+        try:
+            tables.resample(tmp_path / "keys.parquet", assume_sorted=assume_sorted).read_all()
+        except ori.Error as error:
+            assert "\n" not in str(error) and "Traceback" not in str(error), at
+            refused += isinstance(error, ori.DataError) and "keys.parquet" in str(error)
+    assert refused > 10
+
+
+@pytest.mark.parametrize("assume_sorted", [False, True])
+@pytest.mark.parametrize("kind", [pa.string(), pa.dictionary(pa.int32(), pa.string())], ids=str)
+def test_ids_that_are_not_utf8_are_a_fault_of_their_file(tmp_path, kind, assume_sorted):
+    latin = pa.compute.cast(pa.array([b"tr\xe4ck"] * 2), options=pa.compute.CastOptions(pa.string(), allow_invalid_utf8=True)).cast(kind)
+    table = pa.table({"track": latin, "t": [0.0, 1.0], **{name: [0.5, 0.5] for name in QUATERNION}})
+    pq.write_table(table, tmp_path / "keys.parquet")
+    with pytest.raises(ori.DataError, match="keys.parquet: found no sound Parquet file .*UTF8"):
+        tables.resample(tmp_path / "keys.parquet", assume_sorted=assume_sorted).read_all()
+
+
+def test_an_error_of_a_stream_comes_through_as_it_is():
+    def batches():
+        yield from GOOD.to_batches()
+        raise ZeroDivisionError("of a stranger")
+
+    with pytest.raises(ZeroDivisionError, match="of a stranger"):
+        tables.resample(pa.RecordBatchReader.from_batches(GOOD.schema, batches())).read_all()
+
+
 def test_a_memory_limit_that_is_none():
     reader = pa.RecordBatchReader.from_batches(GOOD.schema, iter(GOOD.to_batches()))
     with pytest.raises(ori.ArgumentError, match="memory_limit: found 'plenty'"):
@@ -199,6 +239,23 @@ def test_what_is_written_is_complete_or_not_there(tmp_path):
     assert place.read_bytes() == b"old"
     assert tables.write(tables.resample(table_of(good | bad)), place).errors == len(bad)
     assert os.listdir(tmp_path) == ["motion.parquet"]
+
+
+def test_a_link_stays_and_what_is_no_file_is_not_replaced(tmp_path):
+    links = {"link": "there.parquet", "circle": "circle"}
+    for link, target in links.items():
+        os.symlink(target, tmp_path / link)
+    for rows in (tables.resample(GOOD), tables.resample(GOOD, rate=10)):  # the file is not there at first
+        summary = tables.write(rows, tmp_path / "link")
+        assert pq.read_metadata(tmp_path / "there.parquet").num_rows == summary.rows
+        os.chmod(tmp_path / "there.parquet", 0o640)
+    assert (tmp_path / "there.parquet").stat().st_mode & 0o777 == 0o640
+    os.mkfifo(tmp_path / "pipe")
+    for name, reason in (("circle", "Too many levels of symbolic links"), ("pipe", "Invalid argument"), (".", "Is a directory")):
+        with pytest.raises(ori.AccessError, match=f"cannot be written: {reason}"):
+            tables.write(tables.resample(GOOD), tmp_path / name)
+    assert {link: os.readlink(tmp_path / link) for link in links} == links
+    assert (tmp_path / "pipe").is_fifo() and len(os.listdir(tmp_path)) == 4
 
 
 def test_a_disk_that_fills_leaves_the_old_file(tmp_path):

@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 from track_data import expect_samples_of_curves, shuffled, table_of, tracks
 
@@ -65,6 +66,110 @@ def test_files_are_made_once(tmp_path):
     assert [path.stat().st_mtime_ns == before for path, before in zip(sorted(out.iterdir()), times)] == [True, False, False]
     assert tables.resample_files(pattern, out, rate=10)[0].rows < first[0].rows, "another rate is another content"
     expect_samples_of_curves(pq.read_table(out / "day1.parquet"), {k: MADE[k] for k in range(10, 20)}, rate=10)
+
+
+def test_a_job_is_known_again_however_it_is_stated(tmp_path):
+    pq.write_table(table_of({3: MADE[3]}), tmp_path / "day.parquet")
+    out = tmp_path / "out"
+    first = tables.resample_files(tmp_path / "day.parquet", out, rate=10, gap=2, by="track")
+    made_at = (out / "day.parquet").stat().st_mtime_ns
+    for options in ({"rate": 10.0, "gap": 2.0, "progress": lambda share: None}, {"rate": "10", "gap": 2, "by": ["track"], "method": "auto"},
+                    {"rate": "20/2", "gap": 2, "quaternion": ("qx", "qy", "qz", "qw")},
+                    {"rate": 10, "gap": 2, "memory_limit": "2GB", "assume_sorted": True, "threads": 1}):
+        assert tables.resample_files([str(tmp_path / "day.parquet")], out, **options) == first
+        assert (out / "day.parquet").stat().st_mtime_ns == made_at, options
+    for options in ({"rate": 10}, {"rate": 10, "gap": 2, "derivatives": 2}, {"rate": 10, "gap": 2, "errors": "drop"}):
+        tables.resample_files(tmp_path / "day.parquet", out, **options)
+        assert (out / "day.parquet").stat().st_mtime_ns != made_at, options
+        made_at = (out / "day.parquet").stat().st_mtime_ns
+    tables.resample_files(tmp_path / "day.parquet", out, method="tcb", tension=0, bias=0.5)
+    made_at = (out / "day.parquet").stat().st_mtime_ns
+    tables.resample_files(tmp_path / "day.parquet", out, method="tcb:bias=0.50", tension=0.0)
+    assert (out / "day.parquet").stat().st_mtime_ns == made_at
+
+
+def test_a_damaged_output_is_made_again(keys, tmp_path):
+    out = tmp_path / "out"
+    first, = tables.resample_files(keys, out, rate=20)
+    whole, place = (out / "keys.parquet").read_bytes(), out / "keys.parquet"
+    assert first.errors == 1 and tables.resample_files(keys, out, rate=20) == [first]
+    for at in np.linspace(0, len(whole) - 1, 40).astype(int):
+        place.write_bytes(whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1:])
+        assert tables.resample_files(keys, out, rate=20) == [first]
+        assert place.read_bytes() == whole, f"byte {at}"
+    for content in (b"", whole[:-1], whole + b"0", b"no Parquet"):
+        place.write_bytes(content)
+        assert tables.resample_files(keys, out, rate=20) == [first] and place.read_bytes() == whole
+
+
+def test_a_name_with_brackets_is_a_name(tmp_path):
+    pq.write_table(table_of({3: MADE[3]}), tmp_path / "keys[1].parquet")
+    pq.write_table(table_of({4: MADE[4]}), tmp_path / "keys1.parquet")
+    (tmp_path / "days[2]").mkdir()
+    pq.write_table(table_of({5: MADE[5]}), tmp_path / "days[2]/a.parquet")
+    for name, track in (("keys[1].parquet", 3), ("keys1.parquet", 4), ("days[2]", 5)):
+        assert set(tables.resample(tmp_path / name).read_all()["track"].to_pylist()) == {track}
+    assert set(tables.resample(tmp_path / "key[st]1.parquet").read_all()["track"].to_pylist()) == {4}
+    summary, = tables.resample_files(tmp_path / "keys[1].parquet", tmp_path / "out")
+    assert summary.rows and os.listdir(tmp_path / "out") == ["keys[1].parquet"]
+
+
+@pytest.mark.parametrize("kind", [pa.float16(), pa.float32(), pa.int8()], ids=str)
+def test_numbers_of_other_types_are_the_same_from_files(kind, tmp_path):
+    table = table_of(MADE)
+    for name in ("qx", "qy", "qz", "qw"):
+        narrow = table[name].to_numpy() if kind != pa.int8() else np.where(name == "qw", 1.0, 0.0 * table[name].to_numpy())
+        narrow = pa.array(narrow.astype(kind.to_pandas_dtype()), kind)
+        table = table.set_column(table.schema.get_field_index(name), name, narrow)
+    pq.write_table(table, tmp_path / "keys.parquet")
+    found = tables.resample(tmp_path / "keys.parquet", rate=10).read_all()
+    assert found.equals(tables.resample(table, rate=10).read_all()) and found["error"].null_count == len(found)
+
+
+def test_ids_of_every_type_are_the_same_from_files(tmp_path):
+    table = table_of({k: MADE[k] for k in range(4)})
+    for kind in (pa.int8(), pa.uint64(), pa.float32(), pa.bool_(), pa.string(), pa.large_string(), pa.binary(), pa.date32(),
+                 pa.timestamp("ns", "UTC"), pa.duration("us"), pa.decimal128(25, 3), pa.time64("us")):
+        ids = [bool(k > 1) if kind == pa.bool_() else str(k) if kind in (pa.string(), pa.large_string()) else str(k).encode()
+               if kind == pa.binary() else k for k in table["track"].to_pylist()]
+        given = table.set_column(0, "track", pa.array(ids).cast(kind) if kind == pa.decimal128(25, 3) else pa.array(ids, kind))
+        pq.write_table(given, tmp_path / "keys.parquet")
+        assert tables.resample(tmp_path / "keys.parquet", rate=10).read_all().equals(tables.resample(given, rate=10).read_all()), kind
+
+
+def test_nothing_but_the_summary_goes_to_standard_output(tmp_path):
+    """DuckDB draws a bar there from two seconds on, where it is set to."""
+    pq.write_table(table_of(MADE), tmp_path / "keys.parquet")
+    code = f"""
+import duckdb
+from orispline import tables
+from orispline.tables import _source
+seen = []
+connect = duckdb.connect
+
+class Watched:
+    def __init__(self):
+        self._connection = connect()
+        self._connection.execute("SET enable_progress_bar = true")
+    def sql(self, text):
+        seen.extend(self._connection.sql("SELECT current_setting('enable_progress_bar')").fetchall()[0])
+        return self._connection.sql(text)
+    def __getattr__(self, name): return getattr(self._connection, name)
+
+duckdb.connect = Watched
+tables.resample({str(tmp_path / 'keys.parquet')!r}).read_all()
+print(seen)
+"""
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "[False]\n"
+
+
+def test_a_standard_output_that_is_full(keys, tmp_path):
+    for words in (["--help"], ["resample", "--help"], ["resample", str(keys), "-o", str(tmp_path / "motion.parquet")]):
+        code = "import sys; from orispline._command import tables; sys.exit(tables())"
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            done = subprocess.run([sys.executable, "-c", code, *words], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+        assert done.returncode == 3, done.stderr
+        assert done.stderr.splitlines()[-1] == "orispline-tables: standard output: cannot be written: No space left on device"
 
 
 def test_files_that_would_meet_are_refused(tmp_path):

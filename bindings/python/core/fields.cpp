@@ -18,7 +18,7 @@ namespace {
 /// What Python states, where it is no text; nothing where it is of another type.
 std::optional<FieldValue> value_of_object(const nb::handle& object) {
   if (nb::isinstance<nb::bool_>(object)) return nb::cast<bool>(object);
-  std::size_t count = 0;
+  std::uint64_t count = 0;
   double number = 0.0;
   std::vector<double> numbers;
   std::vector<std::string> names;
@@ -32,7 +32,7 @@ std::optional<FieldValue> value_of_object(const nb::handle& object) {
 /// Whole numbers are numbers too.
 bool set(const FieldInfo& field, void* options, const FieldValue& value) {
   if (field.set(options, value)) return true;
-  const std::size_t* count = std::get_if<std::size_t>(&value);
+  const std::uint64_t* count = std::get_if<std::uint64_t>(&value);
   return count && field.set(options, static_cast<double>(*count));
 }
 

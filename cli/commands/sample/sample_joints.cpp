@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/sample/sample_joints.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -23,9 +24,8 @@ namespace {
 class FileNames {
  public:
   [[nodiscard]] std::string unused(std::string_view name) {
-    std::string safe(name);
-    for (char& letter : safe)
-      if (letter == '/' || static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f) letter = '_';
+    std::string safe = printable(name, '_');
+    std::ranges::replace(safe, '/', '_');
     if (safe.empty() || safe.starts_with('.')) safe.insert(0, "_");
     safe.resize(length_within(safe, longest));
     std::size_t& number = next_.try_emplace(safe, 1).first->second;

@@ -3,24 +3,31 @@
 
 #include <algorithm>
 
+#include <orispline/base/utf8.hpp>
+
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
 bool continues_utf8(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
-bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20u || c == 0x7F; }
-bool leads_c1(char c) { return c == '\xC2'; }
-bool ends_c1(char c) { return static_cast<unsigned char>(c) >= 0x80u && static_cast<unsigned char>(c) < 0xA0u; }
+
+/// C0, DEL and C1, which is two bytes in UTF-8.
+bool is_control(std::string_view character) {
+  const auto at = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+  return character.size() == 1 ? at(0) < 0x20u || at(0) == 0x7Fu : at(0) == 0xC2u && at(1) < 0xA0u;
+}
 
 }  // namespace
 
-std::string printable(std::string_view text) {
+std::string printable(std::string_view text, char instead) {
   std::string shown;
   shown.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool c1 = leads_c1(text[i]) && i + 1 < text.size() && ends_c1(text[i + 1]);
-    shown += c1 || is_control(text[i]) ? '?' : text[i];
-    if (c1) ++i;
+  while (!text.empty()) {
+    const std::size_t bytes = character_bytes(text);
+    const std::string_view character = text.substr(0, std::max<std::size_t>(bytes, 1));
+    if (bytes == 0 || is_control(character)) shown += instead;
+    else shown += character;
+    text.remove_prefix(character.size());
   }
   return shown;
 }

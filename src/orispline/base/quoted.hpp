@@ -10,8 +10,8 @@
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Text of strangers, such as a name of a file or of a column, fit for one line of a terminal: control characters (C0,
-/// DEL and C1 in UTF-8, line ends among them) replaced by `?`.
-[[nodiscard]] std::string printable(std::string_view text);
+/// DEL and C1, line ends among them) and bytes that are not UTF-8 are replaced.
+[[nodiscard]] std::string printable(std::string_view text, char instead = '?');
 
 /// Text of a file as a message shows it: in quotes, cut after `longest` bytes, and printable.
 [[nodiscard]] std::string in_quotes(std::string_view text, std::size_t longest = 40);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <concepts>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <type_traits>
@@ -31,10 +33,19 @@ template <>
 struct FieldCodec<bool> : PlainCodec<bool, bool, FieldType::flag> {};
 template <>
 struct FieldCodec<double> : PlainCodec<double, double, FieldType::number> {};
-template <>
-struct FieldCodec<int> : PlainCodec<int, std::size_t, FieldType::count> {};
-template <>
-struct FieldCodec<std::size_t> : PlainCodec<std::size_t, std::size_t, FieldType::count> {};
+/// Of any whole number, whichever of them std::size_t and std::uint64_t are. One that the member cannot hold is none of
+/// its type.
+template <std::integral T>
+struct FieldCodec<T> {
+  static constexpr FieldType type = FieldType::count;
+  static FieldValue value(T member) { return static_cast<std::uint64_t>(member); }
+  static bool assign(T& member, const FieldValue& value) {
+    const std::uint64_t* count = std::get_if<std::uint64_t>(&value);
+    const bool fits = count && std::in_range<T>(*count);
+    if (fits) member = static_cast<T>(*count);
+    return fits;
+  }
+};
 template <class T>
 struct FieldCodec<std::vector<T>> : PlainCodec<std::vector<T>, std::vector<T>,
                                                std::is_same_v<T, std::size_t> ? FieldType::samples : FieldType::names> {

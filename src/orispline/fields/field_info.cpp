@@ -31,7 +31,7 @@ struct Shown {
 /// What a range is for.
 std::vector<double> numbers_of(const FieldValue& value) {
   if (const double* number = std::get_if<double>(&value)) return {*number};
-  if (const std::size_t* count = std::get_if<std::size_t>(&value)) return {static_cast<double>(*count)};
+  if (const std::uint64_t* count = std::get_if<std::uint64_t>(&value)) return {static_cast<double>(*count)};
   if (const Measured* measured = std::get_if<Measured>(&value)) return measured->numbers;
   return {};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <string>
@@ -20,7 +21,7 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// What the value of a field is.
 enum class FieldType {
   flag,              ///< bool
-  count,             ///< a whole number, std::size_t
+  count,             ///< a whole number, std::uint64_t
   number,            ///< double
   word,              ///< of the field's words, std::string
   names,             ///< std::vector<std::string>
@@ -29,7 +30,7 @@ enum class FieldType {
   limit,             ///< of a length, double or one number, or of x, y, z, std::vector<double>; or Measured
   symmetric_matrix,  ///< its diagonal and xy, xz, yz, or its diagonal alone, std::vector<double>
   recording,         ///< orientations at times: faces pass them in their own way
-  sample,            ///< the index of a sample of the recording, std::size_t
+  sample,            ///< the index of a sample of the recording, std::uint64_t
   samples,           ///< several of them, std::vector<std::size_t>
   runs,              ///< of successive samples, std::vector<SampleRun>
 };
@@ -46,7 +47,7 @@ struct Measured {
 };
 
 /// The value of any field; std::monostate where it is absent.
-using FieldValue = std::variant<std::monostate, bool, std::size_t, double, std::string, std::vector<std::size_t>,
+using FieldValue = std::variant<std::monostate, bool, std::uint64_t, double, std::string, std::vector<std::size_t>,
                                 std::vector<double>, std::vector<std::string>, std::vector<SampleRun>, Measured>;
 
 /// Finite numbers above 0.

@@ -45,7 +45,7 @@ void put_fields(Json& json, std::span<const FieldInfo> fields, const void* resul
                 Absent absent) {
   for (const FieldInfo& field : fields) {
     const FieldValue value = field.get(result);
-    const std::size_t* sample = field.type == FieldType::sample ? std::get_if<std::size_t>(&value) : nullptr;
+    const std::uint64_t* sample = field.type == FieldType::sample ? std::get_if<std::uint64_t>(&value) : nullptr;
     if (absent == Absent::left_out && is_absent(value)) continue;
     json[name_with_unit(field)] =
         sample ? Json(places.time(*sample).to_string()) : std::visit(ValueJson{field, places}, value);

@@ -14,7 +14,9 @@ namespace {
 
 constexpr std::string_view matrix_words = "three principal moments, or JXX,JYY,JZZ,JXY,JXZ,JYZ";
 
-std::size_t lowest_count(const FieldInfo& field) { return static_cast<std::size_t>(std::max(field.range.lowest, 0.0)); }
+std::uint64_t lowest_count(const FieldInfo& field) {
+  return static_cast<std::uint64_t>(std::max(field.range.lowest, 0.0));
+}
 
 std::string_view unit_of(const FieldInfo& field) { return field.quantity ? field.quantity->unit : ""; }
 

@@ -88,8 +88,8 @@ Expected<std::vector<double>> vector(std::string_view text) {
   return all;
 }
 
-Expected<std::size_t> count(std::string_view text, std::size_t lowest) {
-  std::size_t found = 0;
+Expected<std::uint64_t> count(std::string_view text, std::uint64_t lowest) {
+  std::uint64_t found = 0;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, found);
   if (error != std::errc{} || stop != end || found < lowest)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -30,7 +31,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace typed {
 /// Three finite numbers between commas.
 [[nodiscard]] Expected<std::vector<double>> vector(std::string_view text);
 /// A whole number from `lowest` on.
-[[nodiscard]] Expected<std::size_t> count(std::string_view text, std::size_t lowest);
+[[nodiscard]] Expected<std::uint64_t> count(std::string_view text, std::uint64_t lowest);
 /// A finite number above 0, or a fraction, with one of the units behind it, as in `0.1deg`, in the unit of the library;
 /// or `most` of them with commas between them and one unit, as in `90,60,120deg/s`.
 [[nodiscard]] Expected<Measured> measured(std::string_view text, std::span<const Unit> units, std::size_t most);

@@ -39,13 +39,6 @@ bool reached_disk(std::FILE* file) {
 #endif
 }
 
-/// The file behind symbolic links; the path itself where there is none.
-fs::path resolved(const std::string& path) {
-  std::error_code no_target;
-  fs::path target = fs::canonical(path, no_target);
-  return no_target ? fs::path(path) : target;
-}
-
 /// Why an existing file may not be replaced, if so.
 std::error_code write_protection(const std::string& path) {
   errno = 0;
@@ -69,16 +62,17 @@ Expected<OutputFile> OutputFile::open(const std::string& path) {
     output.file_.reset(stdout);
     return output;
   }
-  output.target_ = resolved(path).string();
-  std::error_code ignored;
-  const fs::file_status status = fs::status(output.target_, ignored);
+  output.target_ = behind_links(path);
+  std::error_code reason;
+  const fs::file_status status = fs::status(output.target_, reason);
+  if (!fs::status_known(status)) return no_access(path, reason);  // such as links in a circle
   if (fs::is_directory(status)) return no_access(path, std::make_error_code(std::errc::is_a_directory));
   errno = 0;
   if (fs::exists(status) && !fs::is_regular_file(status)) {
     output.file_.reset(std::fopen(output.target_.c_str(), "wb"));
   } else {
     if (fs::exists(status))
-      if (const std::error_code reason = write_protection(output.target_)) return no_access(path, reason);
+      if (const std::error_code protection = write_protection(output.target_)) return no_access(path, protection);
     output.open_part();
   }
   if (!output.file_) return no_access(path, last_error());
@@ -163,6 +157,17 @@ Expected<void> OutputFile::finish() {
   part_.clear();
   lock_ = {};
   return {};
+}
+
+std::string behind_links(const std::string& path) {
+  constexpr int most_links = 40;  // as of Linux
+  fs::path place = path;
+  std::error_code unknown;
+  for (int i = 0; i < most_links && !fs::exists(place, unknown) && fs::is_symlink(fs::symlink_status(place, unknown));
+       ++i)
+    place = place.parent_path() / fs::read_symlink(place, unknown);
+  const fs::path target = fs::canonical(place, unknown);  // of links to pipes, which the system names, there is none
+  return unknown ? place.string() : target.string();
 }
 
 bool is_stream(const std::string& path) {

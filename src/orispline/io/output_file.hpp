@@ -44,7 +44,7 @@ class ORISPLINE_EXPORT PartLock {
 /// Text goes to `<path>.part` beside the target, which `finish` renames. Destroyed before that, the part is removed and
 /// the target untouched. A part that was left by a process that was killed is removed by the next one that writes the
 /// same target; a lock tells it from one that is being written. Standard output (`-`), devices and pipes are written
-/// directly.
+/// directly. A symbolic link stays, and what it leads to is the target, also where that is not there yet.
 class ORISPLINE_EXPORT OutputFile {
  public:
   /// Error: bad_access.
@@ -82,6 +82,9 @@ class ORISPLINE_EXPORT OutputFile {
   std::unique_ptr<std::FILE, Close> file_;
   PartLock lock_;  // of the part once the file is closed
 };
+
+/// The path behind symbolic links, which may lead to what is not there yet; where that cannot be said the path itself.
+[[nodiscard]] ORISPLINE_EXPORT std::string behind_links(const std::string& path);
 
 /// Whether that is standard output (`-`), a device or a pipe.
 [[nodiscard]] ORISPLINE_EXPORT bool is_stream(const std::string& path);

@@ -17,7 +17,8 @@ try:
 except ImportError:
     raise ImportError("orispline.tables: found no pyarrow, wanted it installed: pip install 'orispline[tables]'", name="pyarrow") from None
 
-from ._files import Summary, resample_files, write
+from ._files import resample_files, write
 from ._jobs import compare, evaluate, reduce, resample, smooth
+from ._sealed import Summary
 
 __all__ = ["Summary", "compare", "evaluate", "reduce", "resample", "resample_files", "smooth", "write"]

@@ -26,6 +26,17 @@ _ARGUMENT = re.compile(r"(?<![\w'])([a-z_]+)=(?=[, ]|$)")  # as messages for Pyt
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command. What it ends with: 0, 1 for bad data, 2 for bad arguments, 3 for files, 130 after Ctrl-C."""
+    try:
+        try:
+            return _run(arguments)
+        finally:
+            sys.stdout.flush()
+    except OSError as error:  # of standard output, to which nothing more can go
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return _failed(AccessError(f"standard output: cannot be written: {error.strerror}"))
+
+
+def _run(arguments: Sequence[str] | None) -> int:
     options = vars(_parser().parse_args(arguments))
     command, output, partition_by, quiet = (options.pop(name) for name in ("command", "output", "partition_by", "quiet"))
     if os.path.lexists(output) and partition_by is None and os.path.isdir(output):
@@ -101,6 +112,10 @@ class _Bar:
 
 class _Parser(argparse.ArgumentParser):
     """One that says in a line what it does not understand."""
+
+    def print_help(self, file: Any = None) -> None:
+        """As argparse does, which says nothing where it cannot."""
+        (file or sys.stdout).write(self.format_help())
 
     def error(self, message: str) -> NoReturn:
         self.exit(2, f"{self.prog}: {message} ({self.prog} --help lists all options)\n")

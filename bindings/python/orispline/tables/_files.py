@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-import dataclasses
-import glob
+import errno
 import json
 import os
 import pathlib
@@ -19,24 +18,11 @@ import pyarrow.parquet as pq
 
 from .. import _core
 from .._errors import AccessError, ArgumentError, Error
+from ._sealed import Summary, close, seal, sealed
+from ._source import files_named
 
-MADE_BY = b"orispline"  # in the metadata of a file: of what it was made, and how
 ROWS_OF_A_GROUP = 1 << 17
 COMPRESSION = "zstd"
-
-
-@dataclasses.dataclass(frozen=True)
-class Summary:
-    """What was written: rows in all, those of them that are errors, the first few messages, and the file or folder."""
-
-    path: str
-    rows: int
-    errors: int
-    first_errors: tuple[str, ...] = ()
-
-    def __str__(self) -> str:
-        bad = f", {self.errors} of them error{'s' if self.errors != 1 else ''}" if self.errors else ""
-        return f"{self.path}: {self.rows} row{'s' if self.rows != 1 else ''}{bad}"
 
 
 class _Counted:
@@ -72,7 +58,7 @@ def write(reader: Any, path: Any, partition_by: str | Sequence[str] | None = Non
 
     With `partition_by`, one or several columns, as a folder of files such as `track=7/part-0.parquet`. It is written
     beside its place and renamed at the end: what was there stays until then, and for good if something goes wrong. A
-    folder must not be there before.
+    symbolic link stays, and the file that it leads to is written. A folder must not be there before.
 
     Raises AccessError for what cannot be written, and whatever the stream raises.
 
@@ -87,9 +73,9 @@ def write(reader: Any, path: Any, partition_by: str | Sequence[str] | None = Non
     return written(reader, path, partition_by)
 
 
-def written(reader: Any, path: Any, partition_by: str | Sequence[str] | None = None, metadata: dict[bytes, bytes] | None = None,
+def written(reader: Any, path: Any, partition_by: str | Sequence[str] | None = None, made_by: str | None = None,
             shown: Callable[[int], None] | None = None) -> Summary:
-    """The same, with metadata of the file's own and somebody who is told of the rows so far."""
+    """The same, with somebody who is told of the rows so far; a file that says by what it was made is sealed."""
     stream = reader if isinstance(reader, pa.RecordBatchReader) else pa.RecordBatchReader.from_stream(
         reader if hasattr(reader, "__arrow_c_stream__") else _no_stream(reader))
     place = os.fspath(path)
@@ -104,11 +90,13 @@ def written(reader: Any, path: Any, partition_by: str | Sequence[str] | None = N
 
     if partition_by is None:
         with _beside(place) as part:
-            schema = stream.schema.with_metadata({**(stream.schema.metadata or {}), **(metadata or {})})
-            with pq.ParquetWriter(part, schema, compression=COMPRESSION, use_dictionary=_repeated(schema)) as writer:
+            with pq.ParquetWriter(part, stream.schema, compression=COMPRESSION, use_dictionary=_repeated(stream.schema)) as writer:
                 for group in _groups(batches()):
-                    writer.write_table(pa.Table.from_batches(group, stream.schema).replace_schema_metadata(schema.metadata),
-                                       row_group_size=ROWS_OF_A_GROUP)
+                    writer.write_table(pa.Table.from_batches(group, stream.schema), row_group_size=ROWS_OF_A_GROUP)
+                if made_by is not None:
+                    writer.add_key_value_metadata(seal(made_by, counted.summary(place)))
+            if made_by is not None:
+                close(part)
     else:
         names = [partition_by] if isinstance(partition_by, str) else list(partition_by)
         for name in names:
@@ -148,8 +136,12 @@ def _groups(batches: Iterator[Any]) -> Iterator[list[Any]]:
 
 @contextlib.contextmanager
 def _beside(place: str) -> Iterator[str]:
-    """A place beside another, which it takes when all is done; else it is removed."""
-    folder, name = os.path.split(os.path.abspath(place))
+    """A place beside another, which it takes when all is done; else it is removed. Of a link, the place that it leads to."""
+    target = os.path.realpath(place)
+    refusal = _refusal(target)
+    if refusal is not None:
+        raise AccessError(f"{place}: cannot be written: {os.strerror(refusal)}")
+    folder, name = os.path.split(target)
     try:
         room = tempfile.mkdtemp(prefix=f".{name}.", dir=folder)
     except OSError as error:
@@ -158,13 +150,28 @@ def _beside(place: str) -> Iterator[str]:
     try:
         yield part
         _sync(part)
-        os.replace(part, place)
+        if os.path.exists(target):
+            shutil.copymode(target, part)
+        os.replace(part, target)
     except Error:
         raise
     except OSError as error:
         raise AccessError(f"{place}: cannot be written: {error.strerror or str(error).splitlines()[0]}") from None
     finally:
         shutil.rmtree(room, ignore_errors=True)
+
+
+def _refusal(target: str) -> int | None:
+    """Why what is there may not be replaced, if so."""
+    if os.path.islink(target):  # behind all links there is none, unless they go in a circle
+        return errno.ELOOP
+    if not os.path.exists(target):
+        return None
+    if os.path.isdir(target):
+        return errno.EISDIR
+    if not os.path.isfile(target):  # a device or a pipe, whose place no file may take
+        return errno.EINVAL
+    return None if os.access(target, os.W_OK) else errno.EACCES
 
 
 def _sync(part: str) -> None:
@@ -180,9 +187,9 @@ def _sync(part: str) -> None:
 def resample_files(paths: Any, folder: Any, **options: Any) -> list[Summary]:
     """Resamples files one by one: each becomes one of the same name in `folder`, which is made if need be.
 
-    `options` are those of `resample`. A track must not be spread over several files. A file that is there already, and was
-    made of the same content with the same options, is not made again: begun anew after an interruption, only what is
-    missing is made. A file that cannot be read ends the work.
+    `options` are those of `resample`. A track must not be spread over several files. A file that is there already, was made
+    of the same content with the same options, and has every byte that it had then is not made again: begun anew after an
+    interruption, only what is missing or damaged is made. A file that cannot be read ends the work.
 
     Examples
     --------
@@ -193,14 +200,9 @@ def resample_files(paths: Any, folder: Any, **options: Any) -> list[Summary]:
     >>> [summary.rows for summary in tables.resample_files(folder / "*.parquet", folder / "out", rate=10)]
     [11]
     """
-    from ._jobs import resample
+    from ._jobs import resample, resampling_of
     listed = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
-    inputs: list[str] = []
-    for path in [os.fspath(each) for each in listed]:
-        found = sorted(glob.glob(path, recursive=True)) if glob.has_magic(path) else [path]
-        if not found:
-            raise AccessError(f"{path}: found no such file")
-        inputs += found
+    inputs = [path for each in listed for path in files_named(os.fspath(each))]
     names = [os.path.basename(path) for path in inputs]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
@@ -212,30 +214,14 @@ def resample_files(paths: Any, folder: Any, **options: Any) -> list[Summary]:
         if os.path.exists(place) and os.path.samefile(path, place):
             raise ArgumentError(f"folder: found that of {path}, wanted another one: the keys would be lost")
         reader = resample(path, **options)
-        made_by = _made_by(path, options)
-        done = _complete(place, made_by)
-        summaries.append(done if done is not None else written(reader, place, metadata={MADE_BY: made_by}))
+        made_by = _made_by(path, resampling_of(options))
+        done = sealed(place, made_by)
+        summaries.append(done if done is not None else written(reader, place, made_by=made_by))
     return summaries
 
 
-def _made_by(path: str, options: dict[str, Any]) -> bytes:
+def _made_by(path: str, job: Any) -> str:
     """Of what a file is made and how, as text that is the same whenever these are."""
     state = os.stat(path)
-    numbers = {name: value for name, value in options.items() if name not in ("threads", "memory_limit")}
-    return json.dumps({"version": _core.version, "bytes": state.st_size, "changed": state.st_mtime_ns, "options": numbers},
-                      sort_keys=True, default=str).encode()
-
-
-def _complete(place: str, made_by: bytes) -> Summary | None:
-    """What a file holds that is there and was made so."""
-    try:
-        if (pq.read_schema(place).metadata or {}).get(MADE_BY) != made_by:
-            return None
-    except (OSError, pa.ArrowInvalid):
-        return None
-    counted = _Counted()
-    for batch in pq.ParquetFile(place).iter_batches():
-        counted.add(batch)
-    return counted.summary(place)
-
-
+    return json.dumps({"version": _core.version, "bytes": state.st_size, "changed": state.st_mtime_ns, "job": job.stated},
+                      sort_keys=True)

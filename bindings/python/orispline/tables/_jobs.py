@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import inspect
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -190,6 +191,15 @@ def resampling(columns: Layout, rate: Any, align: str, method: str, derivatives:
                      None if gap is None else real("gap", gap), _derivatives(derivatives), in_world(frame),
                      _errors(errors), thread_count(threads))
     return job
+
+
+def resampling_of(options: dict[str, Any]) -> Resampling:
+    """The job of `resample` with these options."""
+    given = inspect.signature(resample).bind(None, **options)
+    given.apply_defaults()
+    a = given.arguments
+    return resampling(layout(a["by"], a["time"], a["quaternion"], a["position"]), a["rate"], a["align"], a["method"],
+                      a["derivatives"], a["frame"], a["gap"], a["errors"], a["threads"], dict(a["settings"]))
 
 
 def smoothing(columns: Layout, rate: Any, derivatives: int, frame: str, errors: str, threads: int, options: dict[str, Any]) -> PerTrack:

@@ -83,7 +83,7 @@ def _names(argument: str, names: Any, count: int | None) -> tuple[str, ...]:
 
 def check_id_type(what: str, name: str, found: Any) -> None:
     """Ids are compared and put in order."""
-    if pa.types.is_nested(found) or pa.types.is_null(found):
+    if pa.types.is_nested(found) or pa.types.is_null(found) or pa.types.is_float16(found):
         raise ArgumentError(f"{what}: found {found} in the column {name!r}, wanted ids that can be put in order, such as numbers "
                             "or strings")
 

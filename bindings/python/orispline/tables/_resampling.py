@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+import fractions
+import json
 from collections.abc import Callable, Generator, Iterable, Iterator
 from typing import Any
 
@@ -70,6 +72,13 @@ class Resampling:
     world: bool
     errors: str
     threads: int
+
+    @property
+    def stated(self) -> dict[str, Any]:
+        """All that the samples depend on, as JSON has it: the same for all ways to state the same."""
+        all_members = {**dataclasses.asdict(self), "rate": str(fractions.Fraction(self.rate)), "method": _plain_method(self.method)}
+        members = {name: value for name, value in all_members.items() if name != "threads"}
+        return dict(json.loads(json.dumps(members)))
 
     def check(self) -> None:
         """Raises what a method, a rate or a gap is refused by."""
@@ -165,6 +174,19 @@ def sampled_names(layout: Layout, derivatives: int, world: bool) -> list[str]:
     linear = min(derivatives, 2) if layout.position else -1
     rates = _core.column_names(world, derivatives, linear)[5 + len(layout.position):]
     return [*layout.names, *rates]
+
+
+def _plain_method(text: str) -> str:
+    """`NAME:SETTING=VALUE:…` with the settings in one order, and each number in one way of writing it."""
+    def plain_number(word: str) -> str:
+        try:
+            return repr(float(word))
+        except ValueError:
+            return word
+
+    name, *settings = text.split(":")
+    stated = [setting.partition("=") for setting in settings]
+    return ":".join([name, *sorted(what + equals + ",".join(map(plain_number, value.split(","))) for what, equals, value in stated)])
 
 
 def _refusal(work: Callable[..., Any], *arguments: Any) -> str | None:

@@ -59,19 +59,26 @@ def _is_frame(given: Any) -> bool:
     return room in ("pandas", "polars") and type(given).__name__ == "DataFrame"
 
 
+def files_named(path: str) -> list[str]:
+    """Those that a path or a pattern names; the name of a file that is there is no pattern. Raises AccessError for none."""
+    if os.path.lexists(path) or not glob.has_magic(path):
+        return [path]
+    found = sorted(glob.glob(path, recursive=True))
+    if not found:
+        raise AccessError(f"{path}: found no such file")
+    return found
+
+
 def _files(given: Any, what: str) -> Source:
     """Paths, patterns and folders as one source. Every file is looked at before anything is read."""
     found: list[str] = []
     listed = [given] if isinstance(given, (str, os.PathLike)) else given
     for path in map(os.fspath, listed):
-        if "://" in path:
+        if "://" in path and not os.path.lexists(path):
             if len(listed) > 1:
                 raise ArgumentError(f"{what}: found {path!r} among several, wanted one address, or files of this machine")
             return _of_dataset(ds.dataset(path, format="parquet", partitioning="hive"))
-        inside = sorted(glob.glob(path, recursive=True)) if glob.has_magic(path) else [path]
-        if not inside:
-            raise AccessError(f"{path}: found no such file")
-        for each in inside:
+        for each in files_named(path):
             found += sorted(map(str, pathlib.Path(each).rglob("*.parquet"))) if os.path.isdir(each) else [each]
     if not found:
         raise AccessError(f"{os.fspath(listed[0])}: found no Parquet file in it")
@@ -118,12 +125,18 @@ class _Scanned:
         names = list(self.columns or self.dataset.schema.names)
         for fragment in self.dataset.get_fragments():
             with telling_of(getattr(fragment, "path", "source")):
-                if isinstance(fragment, ds.ParquetFileFragment) and isinstance(fragment.filesystem, LocalFileSystem) \
-                        and set(names) <= set(fragment.physical_schema.names):
-                    yield from _bit_by_bit(fragment.path, names)
-                else:
-                    yield from fragment.to_batches(schema=self.dataset.schema, columns=names, batch_size=ROWS_AT_A_TIME,
-                                                   batch_readahead=1)
+                for batch in self._of(fragment, names):
+                    for column in batch.columns:
+                        if not pa.types.is_primitive(column.type):  # texts that are not UTF-8: pyarrow does not look
+                            column.validate(full=True)
+                    yield batch
+
+    def _of(self, fragment: Any, names: list[str]) -> Iterator[Any]:
+        if isinstance(fragment, ds.ParquetFileFragment) and isinstance(fragment.filesystem, LocalFileSystem) \
+                and set(names) <= set(fragment.physical_schema.names):
+            yield from _bit_by_bit(fragment.path, names)
+        else:
+            yield from fragment.to_batches(schema=self.dataset.schema, columns=names, batch_size=ROWS_AT_A_TIME, batch_readahead=1)
 
 
 def _bit_by_bit(path: str, names: list[str]) -> Iterator[Any]:
@@ -170,9 +183,9 @@ def _by_duckdb(source: Source, order: Sequence[str], threads: int, memory_limit:
     except ImportError:
         raise ImportError("orispline.tables: found no duckdb, which puts files and streams in order, wanted it installed: "
                           "pip install 'orispline[tables]'") from None
-    schema = pa.schema([pa.field(f"c{i}", pa.int64() if _passes_as_integer(field.type) else field.type)
-                        for i, field in enumerate(source.schema)])
-    reader = pa.RecordBatchReader.from_batches(schema, _carried(source.batches, schema))
+    schema = pa.schema([pa.field(f"c{i}", _carrier(field.type)) for i, field in enumerate(source.schema)])
+    failures: list[BaseException] = []
+    reader = pa.RecordBatchReader.from_batches(schema, _carried(source.batches, schema, failures))
     folder = tempfile.mkdtemp(prefix="orispline-")
     connection = duckdb.connect()
     try:
@@ -182,6 +195,7 @@ def _by_duckdb(source: Source, order: Sequence[str], threads: int, memory_limit:
             raise ArgumentError(f"memory_limit: found {memory_limit!r}, wanted a size such as '1GB'") from None
         connection.execute("SET temp_directory = ?", [folder])
         connection.execute("SET preserve_insertion_order = false")
+        connection.execute("SET enable_progress_bar = false")  # it would go to standard output
         if threads:
             connection.execute("SET threads = ?", [threads])
         connection.register("given", reader)
@@ -192,17 +206,32 @@ def _by_duckdb(source: Source, order: Sequence[str], threads: int, memory_limit:
         for batch in rows:
             yield pa.RecordBatch.from_arrays([column.cast(field.type) for column, field in zip(batch.columns, source.schema)],
                                              schema=source.schema)
-    except duckdb.OutOfMemoryException:
-        raise ArgumentError(f"memory_limit: found {memory_limit!r}, which does not do to put these rows in order, wanted more") from None
+    except Exception as error:
+        if failures:
+            raise failures[0] from None
+        if isinstance(error, duckdb.OutOfMemoryException):
+            raise ArgumentError(f"memory_limit: found {memory_limit!r}, which does not do to put these rows in order, wanted "
+                                "more") from None
+        if isinstance(error, duckdb.Error):  # such as a disk that is full
+            raise AccessError(f"{folder}: cannot put the rows in order there: {str(error).splitlines()[0]}") from None
+        raise
     finally:
         connection.close()
         shutil.rmtree(folder, ignore_errors=True)
 
 
-def _passes_as_integer(kind: Any) -> bool:
-    return bool(pa.types.is_timestamp(kind) or pa.types.is_duration(kind))
+def _carrier(kind: Any) -> Any:
+    """The type as which DuckDB takes a column: the same wherever it can hold and order it."""
+    if pa.types.is_timestamp(kind) or pa.types.is_duration(kind):
+        return pa.int64()
+    return pa.float32() if pa.types.is_float16(kind) else kind
 
 
-def _carried(batches: Iterable[Any], schema: Any) -> Iterator[Any]:
-    for batch in batches:
-        yield pa.RecordBatch.from_arrays([column.cast(field.type) for column, field in zip(batch.columns, schema)], schema=schema)
+def _carried(batches: Iterable[Any], schema: Any, failures: list[BaseException]) -> Iterator[Any]:
+    """For DuckDB, which makes a text of an exception: it is kept in `failures`."""
+    try:
+        for batch in batches:
+            yield pa.RecordBatch.from_arrays([column.cast(field.type) for column, field in zip(batch.columns, schema)], schema=schema)
+    except BaseException as failure:
+        failures.append(failure)
+        raise
