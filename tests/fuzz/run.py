@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-MOST_MEMORY, LONGEST = 4096, 4096  # [MB] of an input, [bytes]
+MOST_MEMORY = 4096  # [MB] of an input
 
 
 def options_of(target):
