@@ -83,7 +83,7 @@ def state_seeds():
 
 def recording(count, noise, outliers=False, gyro=False, still=False):
     """The bytes of fuzzed_recording()."""
-    return bytes([1 + 2 * outliers + 4 * gyro + 8 * still, count - 20, 7, noise])
+    return bytes([1 + 2 * outliers + 4 * gyro + 8 * still, 2 * (count - 20), 7, noise])
 
 
 def recorded_seeds():
@@ -96,7 +96,7 @@ def recorded_seeds():
     yield "1_torque", bytes([1, 0, 3, 1]) + bytes(29) + walk + bytes(4) + bytes([0b1100])
     yield "1_rests", bytes([1, 1, 3, 0]) + bytes(29) + KEY_SEEDS["repeated"] + bytes(4) + bytes([0b110000, 1])
     for name, flags in (("adapt", 0), ("sigma", 2), ("gyro", 4), ("gap", 8)):
-        yield f"2_{name}", head[2] + walk + recording(200, 2, True, name == "gyro", True) + bytes([flags, 6])
+        yield f"2_{name}", head[2] + walk + recording(140, 2, True, name == "gyro", True) + bytes([flags, 6])
     yield "2_tukey_jerk", bytes([2, 0b111]) + bytes(31) + poses + recording(90, 1, True) + bytes([32, 4])
     for other in (1, 2, 3):
         yield f"3_other_{other}", head[3] + walk + bytes(4) + bytes([other, other % 2])

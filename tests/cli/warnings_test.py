@@ -37,6 +37,16 @@ class Warnings(CommandTest):
         done = self.run_command("sample half.csv keys.csv --rate 2 --output-folder out --json --threads 2")
         self.assertEqual([len(one["warnings"]) for one in json.loads(done.stdout)], [1, 0])
 
+    def test_what_an_output_leaves_out_has_a_code_too(self):
+        rows = "".join(f"{k},{0.9 if k % 2 else 1},{0.43588989435 if k % 2 else 0},0,0,1,2,3\n" for k in range(30))
+        self.write("rates.csv", "t,qw,qx,qy,qz,wx,wy,wz\n" + rows)
+        for line, code in (("retime rates.csv --max-rate 1deg/s --method timed-c2 -o slow.csv", "columns_left_out"),
+                           ("smooth rates.csv --noise 0.1rad --rate 2 -o smooth.tum", "rates_not_written")):
+            with self.subTest(line):
+                warnings = json.loads(self.output_of(f"{line} --json"))["warnings"]
+                self.assertIn(code, [warning["code"] for warning in warnings])
+                self.assertNotIn("", [warning["code"] for warning in warnings])
+
 
 if __name__ == "__main__":
     main()

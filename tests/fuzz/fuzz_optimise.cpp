@@ -24,7 +24,7 @@ void claim_finite(const DistanceStatistics& statistics) {
 void try_tune(TaskInput& input) {
   constexpr std::array names{"timed-c2", "timed-c1",           "timed-c3", "timed-sextic",
                              "quintic",  "hermite-cumulative", "nu-exact"};
-  jobs::TuneRequest request{.keys = input.track};
+  jobs::TuneRequest request{.keys = input.keys};
   TuneOptions& options = request.options;
   options.objective =
       std::array{Objective::acceleration, Objective::jerk, Objective::linearised}[input.options.below(3)];
@@ -32,7 +32,7 @@ void try_tune(TaskInput& input) {
   const std::size_t other = input.more.below(4);
   if (other > 0) options.objective = std::array{Objective::torque, Objective::curvature, Objective::fit}[other - 1];
   if (options.objective == Objective::torque) options.inertia = Eigen::Vector3d(1.0, 1.5, 2.0).asDiagonal();
-  if (options.objective == Objective::fit) request.reference = input.track;
+  if (options.objective == Objective::fit) request.reference = input.recording;
   if (input.more.below(2) == 1) options.bounds = Interval{-0.5, 1.0};
   const Situation situation([&] {
     return fmt::format("tune {}, objective {}", text_of(request.method.method), static_cast<int>(options.objective));
@@ -50,7 +50,7 @@ void try_tune(TaskInput& input) {
 }
 
 void try_compare(TaskInput& input) {
-  const Keyframes& all = input.keys();
+  const Keyframes& all = input.recording->keys;
   const Decimation decimation{
       .keep_every = 1 + input.options.below(8),
       .spacing = std::array{Spacing::even, Spacing::jittered, Spacing::random}[input.options.below(3)],
@@ -80,7 +80,8 @@ void try_compare(TaskInput& input) {
 void try_inspect(TaskInput& input) {
   const auto families = families_info();
   const FamilyInfo& family = families[input.options.below(families.size())];
-  jobs::InspectRequest request{.keys = input.track, .methods = {fuzzed_method(input.options, family, input.fuzzed)}};
+  jobs::InspectRequest request{.keys = input.recording,
+                               .methods = {fuzzed_method(input.options, family, input.fuzzed)}};
   const Situation situation([&] { return fmt::format("inspect {}", text_of(request.methods.front())); });
   const Stopwatch stopwatch;
   const auto outcome = jobs::inspect(request);
@@ -103,7 +104,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   FuzzInput of_recording = input.part(4);
   const auto recording = fuzzed_recording(of_recording, *keys);
   if (!recording) return claim_plain(recording.error()), 0;
-  TaskInput of_task{options, input, std::make_shared<const Track>(*recording), fuzzed};
+  TaskInput of_task{options, input, fuzzed, std::make_shared<const Track>(*keys),
+                    std::make_shared<const Track>(*recording)};
   const Situation situation([&] { return told("auto", fuzzed); });
   tasks[task](of_task);
   return 0;

@@ -7,12 +7,12 @@
 
 namespace orispline::fuzz {
 
-/// The motion through the keys as a sensor records it: 20 to 275 even samples with noise, some of them astray, with the
+/// The motion through the keys as a sensor records it: 20 to 147 even samples with noise, some of them astray, with the
 /// rates of a gyro that has a bias. The bytes of no recording are zeros; then the keys are the samples themselves.
 [[nodiscard]] inline Expected<Keyframes> fuzzed_recording(FuzzInput& input, const Keyframes& keys) {
   Flags flags(input);
   const bool records = flags.next(), has_outliers = flags.next(), has_gyro = flags.next(), is_still = flags.next();
-  const std::size_t count = 20 + input.byte(), seed = input.byte();
+  const std::size_t count = 20 + input.byte() / 2u, seed = input.byte();
   const double noise = std::pow(10.0, -static_cast<double>(input.below(9)));  // [rad]
   if (!records || keys.size() < 2) return keys;
   return make_pose_curve(default_method, keys).and_then([&](const PoseCurve& curve) {

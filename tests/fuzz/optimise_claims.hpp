@@ -14,10 +14,9 @@ namespace orispline::fuzz {
 /// What a task is tried on.
 struct TaskInput {
   FuzzInput options, more;  ///< bytes before the keys and behind them
-  std::shared_ptr<const Track> track;
   const FuzzedKeys& fuzzed;
-
-  [[nodiscard]] const Keyframes& keys() const { return track->keys; }
+  std::shared_ptr<const Track> keys;       ///< those
+  std::shared_ptr<const Track> recording;  ///< many samples of the motion through them, or the keys again
   /// A method of the list.
   template <std::size_t N>
   [[nodiscard]] Method chosen(const std::array<const char*, N>& names) {

@@ -37,7 +37,7 @@ void try_reduce(TaskInput& input) {
   if (flags.next()) options.values = KeyValues::refitted;
   if (flags.next()) options.tolerance.position = 0.1;
   jobs::ReduceRequest request{
-      .recordings = {input.track}, .methods = {input.chosen(names)}, .options = options, .threads = 1};
+      .recordings = {input.recording}, .methods = {input.chosen(names)}, .options = options, .threads = 1};
   Flags more(input.more);
   if (more.next()) request.smoothing = SmoothOptions{.adapt = more.next()};
   if (more.next()) request.methods.emplace_back("hermite-c1");

@@ -125,7 +125,7 @@ void try_retime(TaskInput& input) {
   if (more.next()) options.shorten_rests = size;
   const Situation situation([&] { return fmt::format("retime {} to {}", text_of(method), text_of(options.limits)); });
   const Stopwatch stopwatch;
-  const auto outcome = jobs::retime({.keys = input.track, .method = {.method = method}, .options = options});
+  const auto outcome = jobs::retime({.keys = input.keys, .method = {.method = method}, .options = options});
   if (!outcome) return claim_plain(outcome.error());
   claim_told(*outcome);
   const Retiming& retiming = outcome->retiming;
@@ -133,7 +133,7 @@ void try_retime(TaskInput& input) {
   claim_within(*outcome);
   if (!per_interval) return;
   options.slowing = Slowing::per_interval;
-  const auto each = retime(*input.track, method, options);
+  const auto each = retime(*input.keys, method, options);
   if (!each) return claim_plain(each.error());
   claim(each->time_scale <= retiming.time_scale * (1.0 + slack_of_retiming), "interval by interval {} times, else {}",
         each->time_scale, retiming.time_scale);

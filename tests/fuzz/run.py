@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Runs every fuzz target for a time: run.py FOLDER SECONDS [--jobs N] [--only TARGET].
+"""Runs every fuzz target for a time: run.py FOLDER SECONDS [--jobs N] [--only TARGET] [--slowest S].
 
 FOLDER holds the targets, linked with libFuzzer. What they learn stays in FOLDER/grown, so that the next run goes on from
 there; what breaks a claim lies in FOLDER/findings. Prints the executions of every target, and exits with 1 if there are
@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-SLOWEST, MOST_MEMORY, LONGEST = 25, 4096, 4096  # [s] and [MB] of an input, [bytes]
+MOST_MEMORY = 4096  # [MB] of an input
 
 
 def options_of(target):
@@ -23,7 +23,7 @@ def options_of(target):
     return [f"-{line.replace(' ', '')}" for line in text.splitlines() if "=" in line and not line.startswith("dict")]
 
 
-def fuzzed(program, seconds):
+def fuzzed(program, seconds, slowest):
     """Its name, the executions and the findings of one target."""
     target, folder = program.name, program.parent
     grown, findings = folder / "grown" / target, folder / "findings"
@@ -32,7 +32,7 @@ def fuzzed(program, seconds):
     known = set(findings.glob(f"{target}-*"))
     memory = pathlib.Path("/dev/shm")  # where files cost nothing
     environment = os.environ | ({"TMPDIR": str(memory)} if memory.is_dir() else {})
-    command = [program, f"-max_total_time={seconds}", f"-timeout={SLOWEST}", f"-report_slow_units={SLOWEST}",
+    command = [program, f"-max_total_time={seconds}", f"-timeout={slowest}", f"-report_slow_units={slowest}",
                f"-rss_limit_mb={MOST_MEMORY}", f"-dict={HERE / 'orispline.dict'}",
                f"-artifact_prefix={findings}/{target}-", "-print_final_stats=1",
                *options_of(target), grown, HERE / "corpus" / target]
@@ -52,13 +52,15 @@ def main():
     parser.add_argument("seconds", type=int)
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--only", help="one target, such as fuzz_keys")
+    parser.add_argument("--slowest", type=int, default=25, metavar="S",
+                        help="so many seconds of an input are a finding (default %(default)s); more on a busy machine")
     arguments = parser.parse_args()
     programs = sorted(path for path in arguments.folder.resolve().glob("fuzz_*")
                       if path.is_file() and path.suffix == "" and arguments.only in (None, path.name))
     if not programs:
         sys.exit(f"no fuzz targets in {arguments.folder}")
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        results = list(pool.map(lambda program: fuzzed(program, arguments.seconds), programs))
+        results = list(pool.map(lambda program: fuzzed(program, arguments.seconds, arguments.slowest), programs))
     for target, executions, findings in results:
         print(f"{target:15} {executions:12,} executions", *findings, sep="\n  " if findings else "")
     print(f"{'all':15} {sum(executions for _, executions, _ in results):12,} executions")

@@ -58,7 +58,7 @@ void try_smooth(TaskInput& input) {
                        options.gap.value_or(0.0));
   });
   const Stopwatch stopwatch;
-  const auto outcome = jobs::smooth({.recording = input.track, .options = options});
+  const auto outcome = jobs::smooth({.recording = input.recording, .options = options});
   if (!outcome) return claim_plain(outcome.error());
   claim_told(*outcome);
   const Smoothing& smoothing = outcome->smoothing;
