@@ -87,10 +87,11 @@ class HierarchyReader {
   Expected<void> joint() {
     const std::string_view name = text_.rest_of_line();
     if (name.empty()) return text_.fault("found a joint without a name, wanted its name on the line of its keyword");
-    if (printable(name) != name)
+    std::string unicode = text_of_unicode(name);
+    if (printable(unicode) != unicode)
       return text_.fault(
-          formatted("found the name {} with a control character, wanted a name without", in_quotes(name)));
-    return open(text_of_unicode(name), {});
+          formatted("found the name {} with a control character, wanted a name without", in_quotes(unicode)));
+    return open(std::move(unicode), {});
   }
 
   Expected<void> end_site() {
