@@ -52,9 +52,9 @@ def test_names_of_files_that_are_not_utf_8(tmp_path):
     ori.tune(ori.read(tmp_path / f"motion {LATIN}.csv"), "quintic")
     with pytest.raises(ori.AccessError) as missing:
         ori.read(tmp_path / f"no {LATIN}.csv")
-    assert missing.value.file == str(tmp_path / f"no {LATIN}.csv") and r"caf\xe9.csv: cannot open" in str(missing.value)
+    assert missing.value.file == str(tmp_path / f"no {LATIN}.csv") and "caf?.csv: cannot open" in str(missing.value)
     (tmp_path / f"{LATIN} broken.csv").write_bytes(b"t,qw,qx,qy,qz\n0,1,0,0\n")
-    with pytest.raises(ori.DataError, match=r"caf\\xe9 broken.csv") as broken:
+    with pytest.raises(ori.DataError, match=r"caf\? broken.csv") as broken:
         ori.read(tmp_path / f"{LATIN} broken.csv")
     assert broken.value.file == str(tmp_path / f"{LATIN} broken.csv")
 
