@@ -5,7 +5,6 @@
 
 #include <orispline/clip/clip_difference.hpp>
 #include <orispline/clip/clip_motion.hpp>
-#include <orispline/clip/counterparts.hpp>
 #include <orispline/clip/cubic_channel.hpp>
 #include <orispline/scenes/scene_file.hpp>
 #include <orispline/scenes/scene_tracks.hpp>

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <orispline/analysis/comparison.hpp>
-#include <orispline/base/better.hpp>
 #include <orispline/base/decimal.hpp>
+#include <orispline/fields/quantity.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/clip/counterparts.hpp>
+#include <orispline/clip/clip_difference.hpp>
 
 #include <algorithm>
 #include <functional>

@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include <orispline/base/abi.hpp>
 #include <orispline/math/degrees.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -77,5 +78,8 @@ inline constexpr Quantity time{"time", "s", "s"};
 inline constexpr Quantity duration{"time", "s", "s", units::time, "20s"};
 inline constexpr Quantity frequency{"frequency", "Hz", "hz"};
 }  // namespace quantities
+
+/// Which of two values of a measure is the better one.
+enum class Better { less, more, neither };
 
 }}  // namespace orispline

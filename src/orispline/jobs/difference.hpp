@@ -7,7 +7,6 @@
 
 #include <orispline/base/warning.hpp>
 #include <orispline/clip/clip_difference.hpp>
-#include <orispline/clip/counterparts.hpp>
 #include <orispline/fields/json.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {

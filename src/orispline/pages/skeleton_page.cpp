@@ -12,7 +12,6 @@
 #include <orispline/base/parallel.hpp>
 #include <orispline/base/version.hpp>
 #include <orispline/clip/clip_difference.hpp>
-#include <orispline/clip/counterparts.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
 #include <orispline/reduce/reduce.hpp>

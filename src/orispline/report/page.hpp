@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <orispline/base/abi.hpp>
-#include <orispline/base/better.hpp>
+#include <orispline/fields/quantity.hpp>
 #include <orispline/math/eigen.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
