@@ -88,13 +88,39 @@ def sampling(track: Track, wanted: dict[str, float]) -> list[Question]:
 def single(track: Track, calls: int) -> list[Question]:
     """What is asked of a track of a thousand keys only."""
     curve, spline, many, t = track.curves["auto"], track.spline, len(track.even), float(track.rising[0])
+    twin = ori.RotationSpline(track.times, track.rotations)
     return [
         Question("q, ω and α, even times, 1000 keys, `auto`", 90, lambda: curve.sample(count=many, derivatives=2),
                  lambda: (spline(track.even).as_quat(), spline(track.even, 1), spline(track.even, 2))),
         Question("`curve(t)`, times in no order, 1000 keys, `auto`", 12, lambda: curve(track.no_order),
                  lambda: spline(track.no_order).as_quat()),
+        Question("`RotationSpline` of ours, one time as a `Rotation`, 1000 keys", 5, lambda: twin(t), lambda: spline(t), (5 * calls, calls)),
         Question("`curve(t)`, one time, 1000 keys, `auto`", 50, lambda: curve(t), lambda: spline(t).as_quat(), (20 * calls, calls)),
     ]
+
+
+def grids(track: Track) -> list[Question]:
+    """Even times from a first one that has all digits, as NumPy's random numbers do."""
+    many, times, spline = len(track.even), track.times + 0.8371612345678912, track.spline
+    curve = ori.Curve(times, track.rotations, "rotation-spline")
+    rate = max(1, round(many / (times[-1] - times[0])))
+    return [
+        Question(f"`sample(rate={rate})` from 0.83716… s, {track.count} keys, `rotation-spline`", 75, lambda: curve.sample(rate=rate),
+                 lambda: spline(track.even).as_quat()),
+        Question(f"`sample(count={many})` from 0.83716… s, {track.count} keys, `rotation-spline`", 75, lambda: curve.sample(count=many),
+                 lambda: spline(track.even).as_quat()),
+    ]
+
+
+def sparse(count: int, calls: int) -> list[Question]:
+    """A thousand times on as many keys or more: one a segment, or fewer."""
+    times, rotations = keys_of(count)
+    few = np.sort(np.random.default_rng(8).uniform(*times[[0, -1]], 1000))
+    shuffled = np.random.default_rng(9).permutation(few)
+    curve, theirs = ori.Curve(times, rotations, "slerp"), Slerp(times, rotations)
+    _hold(f"slerp of {count} keys beside Slerp", (curve.rotation(few).inv() * theirs(few)).magnitude(), LARGEST_DIFFERENCE[0])
+    return [Question(f"`curve(t)`, 1000 {order} times, {count} keys, `slerp`", 10, lambda t=t: curve(t), lambda t=t: theirs(t).as_quat(),
+                     (calls, max(1, calls // 5))) for order, t in (("rising", few), ("shuffled", shuffled))]
 
 
 def making(count: int, wanted: dict[str, float], calls: int) -> list[Question]:
@@ -110,6 +136,7 @@ def questions(sizes: str) -> tuple[list[Question], int]:
     samples, rounds, calls = SIZES[sizes]
     short, long = Track(1000, samples), Track(1000 if sizes == "smoke" else 10_000, samples)
     rows = [*sampling(short, {"rising": 80, "even": 110, "slerp": 55}), *sampling(long, {"rising": 60, "even": 75, "slerp": 35}),
+            *grids(short), *sparse(1000, calls), *([] if sizes == "smoke" else [*sparse(10_000, calls), *sparse(100_000, calls)]),
             *single(short, calls), *making(10, {"rotation-spline": 20}, calls * 5),
             *making(1000, {"auto": 11, "timed-c2": 100, "rotation-spline": 3}, calls * 5)]
     if sizes != "smoke":
