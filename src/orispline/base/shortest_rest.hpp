@@ -57,6 +57,12 @@ template <class V>
   return x < 0.0 ? -x : x;
 }
 
+/// NaN where there is a doubt, else x.
+template <class V, class Condition>
+[[gnu::always_inline]] inline V unsure_where(const Condition& doubt, V x) noexcept {
+  return doubt ? V{} + __builtin_nan("") : x;
+}
+
 /// A whole number as near to x as the unit of 2^52 + |x| allows, from which x is an exact double away.
 template <class V>
 [[gnu::always_inline]] inline V whole(V x) noexcept {
@@ -110,10 +116,10 @@ template <class V>
   const V rest16 = part16 * decade.inverse16, rest17 = part17 * decade.inverse17;
   const V from15 = size_of(rest15) - half_unit, from16 = size_of(rest16) - half_unit;
   const V rest = from15 < 0.0 ? rest15 : from16 < 0.0 ? rest16 : rest17;
-  const auto is_doubtful = ((bits & mantissa_bits) == 0) |  // below a power of two the unit is smaller
-                           (size_of(from15) < margin * half_unit) | (size_of(from16) < margin * half_unit) |
-                           (size_of(part16) > nearly_half) | (size_of(part17) > nearly_half);
-  return is_doubtful ? V{} + __builtin_nan("") : rest;
+  const V no_power = unsure_where((bits & mantissa_bits) == 0, rest);  // whose unit is smaller below
+  const V clear15 = unsure_where(size_of(from15) < margin * half_unit, no_power);
+  const V clear16 = unsure_where(size_of(from16) < margin * half_unit, clear15);
+  return unsure_where(size_of(part16) > nearly_half, unsure_where(size_of(part17) > nearly_half, clear16));
 }
 
 /// The double nearest to high + low and the shortest decimal of an offset together; NaN where that is not sure.
@@ -126,7 +132,7 @@ template <class V>
   const V all = error + (low + rest);
   const V doubt = 0x1p-49 * (size_of(error) + size_of(V{} + low) + size_of(rest));
   const V least = sum + (all - doubt), most = sum + (all + doubt);
-  return least == most ? least : V{} + __builtin_nan("");
+  return unsure_where(least != most, least);
 }
 
 }}}  // namespace orispline
