@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/shortest_rest.hpp>
@@ -156,11 +155,13 @@ void SampleGrid::fill_by_decades(const batch::DecimalTimes& wanted, std::uint64_
                                  std::span<double> times) const {
   const std::uint64_t end = first + times.size();
   const auto begin_of = [&](int exponent) {  // the first sample of that decade or of a higher one
-    const auto is_before = [&](std::uint64_t k) {
-      return static_cast<double>(k) * wanted.factor / wanted.divisor < least_of_decade(exponent);
-    };
-    const auto all = std::views::iota(first, end);
-    return first + static_cast<std::uint64_t>(std::ranges::partition_point(all, is_before) - all.begin());
+    std::uint64_t low = first, high = end;
+    while (low < high) {
+      const std::uint64_t middle = low + (high - low) / 2;
+      if (static_cast<double>(middle) * wanted.factor / wanted.divisor < least_of_decade(exponent)) low = middle + 1;
+      else high = middle;
+    }
+    return low;
   };
   const auto one_by_one = [&](std::uint64_t from, std::uint64_t to) {
     for (std::uint64_t k = from; k < to; ++k) times[static_cast<std::size_t>(k - first)] = (*this)[k].t;

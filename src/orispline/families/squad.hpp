@@ -2,6 +2,7 @@
 #pragma once
 
 #include <orispline/curve/catmull_rom_path.hpp>
+#include <orispline/curve/curve_through.hpp>
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/handle_rates.hpp>
 #include <orispline/curve/keyframe.hpp>
