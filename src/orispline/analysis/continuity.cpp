@@ -106,10 +106,13 @@ std::optional<int> ShapeContinuity::order_in_motion() const noexcept {
 std::optional<int> ShapeContinuity::order() const noexcept { return rests > 0 ? std::nullopt : order_in_motion(); }
 
 ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam) {
-  double fastest = 0.0;
-  const auto widen = [&](const Motion& motion) { fastest = std::max(fastest, motion.angular_velocity.norm()); };
+  return shape_continuity_at_keys(curve, seam, continuity_at_keys(curve, seam));
+}
+
+ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam, const Continuity& in_time) {
+  const double fastest = in_time.angular_velocity.magnitude;
   ShapeContinuity found;
-  found.broken = look_between_keys(curve, widen).angle > 0.0;
+  found.broken = in_time.orientation.angle > 0.0;
   for_each_joint(curve, seam, [&](const Joint& joint) {
     ++found.joints;
     if (rests(joint, fastest)) {

@@ -85,5 +85,8 @@ struct ORISPLINE_EXPORT ShapeContinuity {
 /// One-sided shapes compared at every interior key and, of a loop, at its seam (key 0). A body rests where its rate is
 /// at most `continuity_tolerance` times the largest one. Jumps that the rounding of the rates explains are rounding.
 [[nodiscard]] ORISPLINE_EXPORT ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam = Seam::open);
+/// For callers who have what continuity_at_keys() says of the curve, which is half the work.
+[[nodiscard]] ORISPLINE_EXPORT ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam,
+                                                                        const Continuity& in_time);
 
 }}  // namespace orispline

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include <orispline/analysis/continuity.hpp>
-#include <orispline/analysis/orientation_jump.hpp>
 
 // The places where segments of a curve meet, with the rates on both sides, and what lies between them.
 
@@ -28,6 +29,20 @@ void for_each_joint(const AnyCurve& curve, Seam seam, Look&& look) {
   const std::size_t last = t.size() - 1;
   look(Joint{0, std::min(t[1] - t[0], t[last] - t[last - 1]), curve.motion(t[last]), curve.motion(t[0])});
 }
+
+/// How a curve moves at a time.
+struct TimedMotion {
+  double time;
+  Motion motion;
+};
+
+/// On one segment: at its ends and at three places between them.
+[[nodiscard]] std::array<TimedMotion, 5> probes_of(const AnyCurve& curve, std::size_t segment) noexcept;
+
+/// The first jump of a segment, looked for between neighbouring probes where the orientations lie farther apart than
+/// the rates between them allow. One that is smaller than 1e-6 rad is rounding.
+[[nodiscard]] OrientationJump jump_between(std::span<const TimedMotion> probes, const AnyCurve& curve,
+                                           std::size_t segment) noexcept;
 
 /// Calls `look` with motions that show how fast the curve is: at the ends and at three points of each segment. Gives
 /// the largest jump of the orientation between its keys.

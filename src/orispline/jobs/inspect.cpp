@@ -21,8 +21,9 @@ Expected<InspectOutcome> inspect(InspectRequest request) {
     if (!shaped) return tl::unexpected(std::move(shaped.error()));
     const AnyCurve& curve = shaped->curve.orientation;
     const Seam seam = method.options.loop ? Seam::closed : Seam::open;
-    outcome.methods.push_back({method.name, continuity_at_keys(curve, seam), shape_continuity_at_keys(curve, seam),
-                               std::move(shaped->findings)});
+    const Continuity continuity = continuity_at_keys(curve, seam);
+    outcome.methods.push_back(
+        {method.name, continuity, shape_continuity_at_keys(curve, seam, continuity), std::move(shaped->findings)});
     std::ranges::move(shaped->warnings, std::back_inserter(outcome.warnings));
   }
   return outcome;

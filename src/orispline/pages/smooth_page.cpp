@@ -87,7 +87,7 @@ report::PageMethod method_of(const Source& source, const CurvePage& page, ShownC
   auto shape = shape_of({.method = std::string(method), .keys = shown.keys}, source.smoothing.stretches);
   if (!shape) return {.name = std::move(shown.name), .failure = describe(shape.error())};
   shown.measures.continuity = continuity_at_keys(shown.curve.orientation);
-  shown.measures.shape = shape_continuity_at_keys(shown.curve.orientation);
+  shown.measures.shape = shape_continuity_at_keys(shown.curve.orientation, Seam::open, shown.measures.continuity);
   shown.measures.energies = shape->energies;
   shown.measures.peaks = shape->peaks;
   report::PageMethod result = method_of(page, shown);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/analysis/orientation_jump.hpp>
+#include <orispline/analysis/joints.hpp>
 
 #include <algorithm>
 #include <cmath>
