@@ -24,6 +24,12 @@ def keys(count):
     return "t,qw,qx,qy,qz\n" + "".join(f"{t},1,0,{t % 7 / 9e4},{t % 3 / 9e4}\n" for t in range(count))
 
 
+def wait_for(process, happened):
+    """Until it has happened, or the process has ended; how long that takes does not matter."""
+    while process.poll() is None and not happened():
+        time.sleep(0.01)
+
+
 class TornOutput(CommandTest):
     def setUp(self):
         super().setUp()
@@ -38,8 +44,7 @@ class TornOutput(CommandTest):
                               stderr=subprocess.DEVNULL) as process:
             process.stdin.write(keys(40000).encode())
             process.stdin.flush()
-            while process.poll() is None and not (part.exists() and part.stat().st_size > 0):
-                time.sleep(0.01)
+            wait_for(process, lambda: part.exists() and part.stat().st_size > 0)
             yield process, part
 
     def test_a_signal_leaves_the_old_file_and_the_next_run_removes_the_part_of_a_killed_one(self):
@@ -61,8 +66,7 @@ class TornOutput(CommandTest):
         done = [self.folder / "out" / name for name in whole]
         with subprocess.Popen([COMMAND, *words], cwd=self.folder, stderr=subprocess.DEVNULL) as process:
             with open(self.folder / "waits.csv", "w", encoding="utf-8"):  # opened as soon as it is read
-                while process.poll() is None and not all(path.exists() for path in done):
-                    time.sleep(0.01)
+                wait_for(process, lambda: all(path.exists() for path in done))
                 process.send_signal(signal.SIGTERM)
                 self.assertEqual(process.wait(), -signal.SIGTERM)
         self.assertEqual({path.name: path.read_text("utf-8") for path in (self.folder / "out").iterdir()}, whole)
@@ -78,8 +82,7 @@ class TornOutput(CommandTest):
         words = "sample in waits.csv --rate 2 --threads 2 --output-folder out --all-or-none --quiet".split()
         with subprocess.Popen([COMMAND, *words], cwd=self.folder, stderr=subprocess.DEVNULL) as process:
             with open(self.folder / "waits.csv", "w", encoding="utf-8"):  # opened as soon as it is read, which is at the end
-                while process.poll() is None and len(list((self.folder / "out").glob("*.part"))) < count:
-                    time.sleep(0.01)
+                wait_for(process, lambda: len(list((self.folder / "out").glob("*.part"))) == count)
                 process.send_signal(signal.SIGINT)
                 self.assertEqual(process.wait(), -signal.SIGINT)
         self.assertEqual(list((self.folder / "out").iterdir()), [])
