@@ -83,9 +83,10 @@ fuzz:
 	tests/fuzz/run.py build/fuzz/tests/fuzz $(SECONDS) --jobs $(JOBS)
 
 # What is too long for every change; docs/testing.md tells what each part finds. Ten minutes a target are an hour of fuzzing.
-nightly: check test-more tidy random sweep
+nightly: check test-more random sweep
 	$(MAKE) fuzz SECONDS=600
 	$(MAKE) mutants
+	$(MAKE) tidy
 
 # The properties, each on many random cases from a seed that is new every time; it is printed to have them again.
 random: CASES = 5000
