@@ -82,6 +82,8 @@ class SharedList {
   }
 
  private:
+  /// In the place of std::shared_ptr, whose use_count() synchronises with nobody: an owner that finds itself the last
+  /// one has to see what the others did.
   struct Block {
     std::atomic<std::size_t> owners;
     std::vector<T> entries;
@@ -92,8 +94,9 @@ class SharedList {
   }
 
   [[nodiscard]] const std::vector<T>& entries() const noexcept {
-    static const std::vector<T> none;
-    return block_ ? block_->entries : none;
+    if (block_) return block_->entries;
+    static const std::vector<T> none;  // behind the return, so that its guard is not asked for every entry
+    return none;
   }
 
   [[nodiscard]] std::vector<T>& own() {
