@@ -70,7 +70,7 @@ TEST(ShapeContinuity, OfOnePathAtTwoSpeedsIsTheSame) {
   EXPECT_LE((a.curvature_rate - b.curvature_rate).norm(), 1e-15);
 }
 
-TEST(ShapeContinuity, IsUndefinedWhereTheBodyRests) {
+TEST(ShapeContinuity, IsUndefinedWhereTheBodyStandsStill) {
   auto keys = tumbling_keys({1.0, 1.0, 1.0, 1.0});
   KeyframeData data{.times = {0.0, 1.0, 2.0, 3.0, 4.0}};
   for (const std::size_t i : {0, 1, 1, 2, 3}) data.orientations.push_back(keys.orientations()[i]);
@@ -78,8 +78,86 @@ TEST(ShapeContinuity, IsUndefinedWhereTheBodyRests) {
       make_curve(Method{"auto", {.parameters = {{"hold", {1.0}}}}}, Keyframes::make(std::move(data)).value()).value());
   EXPECT_EQ(shape.rests, 2u);  // both ends of the rest
   EXPECT_EQ(shape.first_rest, 1u);
+  EXPECT_EQ(shape.stands, 2u);
   EXPECT_FALSE(shape.order());
   EXPECT_EQ(shape.order_in_motion(), 2);
+}
+
+Keyframes even_tumbling_keys() { return tumbling_keys({1.0, 1.0, 1.0, 1.0}); }
+
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+// Without tensions the quintic leaves a key about the increment behind it, and comes to it about the one before.
+TEST(ShapeContinuity, OfAQuinticWithoutTensionsHasCornersBetweenItsIncrements) {
+  const Keyframes keys = even_tumbling_keys();
+  const auto increment = [&](std::size_t i) {
+    return log<double>(keys.orientations()[i].conjugate() * keys.orientations()[i + 1]);
+  };
+  double widest = 0.0;
+  for (std::size_t i = 0; i + 2 < keys.size(); ++i)
+    widest = std::max(widest, angle_between(increment(i), increment(i + 1)));
+  const auto curve = make_curve(Method{"quintic", {.parameters = {{"tension", {0.0}}}}}, keys);
+  const ShapeContinuity shape = shape_continuity_at_keys(curve.value());
+  EXPECT_EQ(continuity_at_keys(*curve).order(), 2);
+  EXPECT_EQ(shape.order(), 0);
+  EXPECT_FALSE(shape.order_in_motion());
+  EXPECT_EQ(shape.rests, keys.size() - 2);
+  EXPECT_EQ(shape.stands, 0u);
+  EXPECT_NEAR(shape.corner().first, widest, 1e-12);
+}
+
+TEST(ShapeContinuity, OfAQuinticWithoutTensionAtAKeyHasACornerThereOnly) {
+  const auto curve =
+      make_curve(Method{"quintic", {.parameters = {{"tension", {0.35, 0.35, 0.0, 0.35, 0.35}}}}}, even_tumbling_keys());
+  const ShapeContinuity shape = shape_continuity_at_keys(curve.value());
+  EXPECT_EQ(shape.order(), 0);
+  EXPECT_EQ(shape.order_in_motion(), 2);
+  EXPECT_EQ(shape.rests, 1u);
+  EXPECT_EQ(shape.corner().second, 2u);
+  EXPECT_GT(shape.corner().first, 0.1);
+}
+
+// Its acceleration is 5/2 (b - a)/h² on both sides, so that it comes to rest and goes back.
+TEST(ShapeContinuity, OfASexticWithoutTensionAtAKeyIsACusp) {
+  const auto curve =
+      make_curve(Method{"sextic", {.parameters = {{"tension", {0.08, 0.08, 0.0, 0.08, 0.08}}}}}, even_tumbling_keys());
+  const ShapeContinuity shape = shape_continuity_at_keys(curve.value());
+  EXPECT_EQ(continuity_at_keys(*curve).order(), 3);
+  EXPECT_EQ(shape.order(), 0);
+  EXPECT_EQ(shape.order_in_motion(), 3);
+  EXPECT_NEAR(shape.corner().first, M_PI, 1e-7);
+}
+
+TEST(ShapeContinuity, CannotBeToldWhereTheBodyNearlyRests) {
+  const auto curve =
+      make_curve(Method{"sextic", {.parameters = {{"tension", {0.08, 0.08, 1e-5, 0.08, 0.08}}}}}, even_tumbling_keys());
+  const ShapeContinuity shape = shape_continuity_at_keys(curve.value());
+  EXPECT_TRUE(shape.is_hidden());
+  EXPECT_EQ(shape.hidden_at, 2u);
+  EXPECT_EQ(shape.order(), 1);
+  EXPECT_EQ(shape.rests, 0u);
+}
+
+TEST(ShapeContinuity, IsToldOnShortSlowPaths) {
+  KeyframeData data{.times = {0.0, 1.0, 2.0, 3.0, 4.0}};
+  for (const double x : {0.0, 1.0, 2.1, 3.3, 4.0})
+    data.orientations.push_back(exp<double>({1e-5 * x, 1e-5 * x * x, 0.0}));
+  const ShapeContinuity shape = shape_of("sextic", Keyframes::make(std::move(data)).value());
+  EXPECT_FALSE(shape.is_hidden());
+  EXPECT_EQ(shape.order(), 3);
+}
+
+TEST(ShapeContinuity, IsG1WhereTheBodyRestsAndGoesOnInTheSameDirection) {
+  const auto about_z = [](double angle) { return exp<double>({0.0, 0.0, angle}); };
+  const auto keys =
+      Keyframes::make({.times = {0.0, 1.0, 2.0}, .orientations = {about_z(0.0), about_z(0.5), about_z(1.5)}}).value();
+  const ShapeContinuity shape =
+      shape_continuity_at_keys(make_curve(Method{"quintic", {.parameters = {{"tension", {0.0}}}}}, keys).value());
+  EXPECT_EQ(shape.rests, 1u);
+  EXPECT_EQ(shape.order(), 1);
+  EXPECT_FALSE(shape.order_in_motion());
 }
 
 TEST(ShapeContinuity, OfACurveThatNeverMovesIsUndefined) {

@@ -118,13 +118,13 @@ class Continuity(CommandTest):
         text = self.output_of("inspect - --method quintic", input=keys)
         self.assertRegex(text, r"\nquintic +C0 .*\n(.*\n)*quintic +G2 ")
 
-    def test_the_shape_is_undefined_where_the_body_rests(self):
+    def test_the_shape_is_undefined_where_the_body_stands_still(self):
         keys = turning_keys([1] * 6).splitlines()
         keys.insert(4, "2.5," + keys[3].split(",", 1)[1])  # the third key once more
         given = "\n".join(keys) + "\n"
         method, = self.methods_of("--method auto --set hold=1", given)
         self.assertEqual((method["shape_order"], method["shape_order_in_motion"], method["rests_at_keys"]), (None, 2, 2))
-        self.assertIn("\nauto rests at key 2 (line 4, 2 s) and 1 more: its shape is undefined there; at the other keys it is G2\n",
+        self.assertIn("\nauto stands still beside key 2 (line 4, 2 s) and 1 more: its shape is undefined there; at the other keys it is G2\n",
                       self.output_of("inspect - --method auto --set hold=1", input=given))
 
     def test_a_curve_that_winds_beside_a_rest_jumps_nowhere(self):

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <orispline/analysis/joints.hpp>
 #include <orispline/analysis/rounding.hpp>
@@ -63,9 +64,61 @@ void compare_sides(ShapeJump& jump, std::size_t key, const Eigen::Vector3d& left
   if (found > rounding) jump.relative = std::max(jump.relative, found / std::max({1.0, left.norm(), right.norm()}));
 }
 
+/// The smaller turn of the segments beside a joint [rad], at most 1: in this unit its path is to be judged.
+double turn_beside(const AnyCurve& curve, const Joint& joint) {
+  const auto t = curve.knots().times();
+  const Eigen::Quaterniond& here = joint.right.orientation;
+  const std::size_t before = joint.key > 0 ? joint.key - 1 : t.size() - 2;
+  return std::min({1.0, angular_distance(here, curve(t[before])), angular_distance(here, curve(t[joint.key + 1]))});
+}
+
+/// The order up to which a jump that matters would not be taken for rounding.
+int told_order(const AnyCurve& curve, const Joint& joint, const Rounding& rounding) {
+  constexpr double share = 1e-3;
+  if (std::max({rounding.direction, rounding.curvature, rounding.curvature_rate}) <= share) return 3;
+  const double turn = turn_beside(curve, joint);
+  if (rounding.direction > share) return 0;
+  if (rounding.curvature * turn > share) return 1;
+  return rounding.curvature_rate * turn * turn > share ? 2 : 3;
+}
+
 bool rests(const Joint& joint, double fastest) {
   const double slowest = std::min(joint.left.angular_velocity.norm(), joint.right.angular_velocity.norm());
   return slowest <= std::max(continuity_tolerance * fastest, rounding_of_rates(joint.spacing, 1));
+}
+
+/// The direction in which a body leaves a rest, or comes to it, and its rounding.
+struct RestDirection {
+  Eigen::Vector3d direction;
+  double rounding;
+};
+
+/// The limit of ω/‖ω‖ on one side: near the rest ω is ατ, or jτ²/2 where α vanishes too. Absent where both do.
+std::optional<RestDirection> direction_at_rest(const Motion& motion, Side side, double spacing,
+                                               const Continuity& in_time) {
+  const auto along = [&](const Eigen::Vector3d& rate, int order, double largest) -> std::optional<RestDirection> {
+    const double rounding = rounding_of_rates(spacing, order), norm = rate.norm();
+    if (norm <= std::max(continuity_tolerance * largest, rounding)) return std::nullopt;
+    const double sign = side == Side::left && order == 2 ? -1.0 : 1.0;
+    return RestDirection{sign / norm * rate, rounding / norm};
+  };
+  if (const auto first = along(motion.angular_acceleration, 2, in_time.angular_acceleration.magnitude)) return first;
+  return along(motion.angular_jerk, 3, in_time.angular_jerk.magnitude);
+}
+
+void look_at_rest(ShapeContinuity& found, const Joint& joint, const Continuity& in_time) {
+  if (found.rests++ == 0) found.first_rest = joint.key;
+  const auto left = direction_at_rest(joint.left, Side::left, joint.spacing, in_time);
+  const auto right = direction_at_rest(joint.right, Side::right, joint.spacing, in_time);
+  if (left && right)
+    compare_sides(found.direction, joint.key, left->direction, right->direction, left->rounding + right->rounding);
+  else if (found.stands++ == 0) found.first_stand = joint.key;
+}
+
+int order_without_jumps(const ShapeContinuity& shape) noexcept {
+  if (shape.direction_in_motion.relative > continuity_tolerance) return 0;
+  if (shape.curvature.relative > continuity_tolerance) return 1;
+  return shape.curvature_rate.relative > continuity_tolerance ? 2 : 3;
 }
 
 }  // namespace
@@ -98,12 +151,20 @@ PathShape path_shape(const Motion& motion) noexcept {
 
 std::optional<int> ShapeContinuity::order_in_motion() const noexcept {
   if (broken || (joints > 0 && rests == joints)) return std::nullopt;
-  if (direction.relative > continuity_tolerance) return 0;
-  if (curvature.relative > continuity_tolerance) return 1;
-  return curvature_rate.relative > continuity_tolerance ? 2 : 3;
+  return std::min(order_without_jumps(*this), told);
 }
 
-std::optional<int> ShapeContinuity::order() const noexcept { return rests > 0 ? std::nullopt : order_in_motion(); }
+std::optional<int> ShapeContinuity::order() const noexcept {
+  if (broken || stands > 0) return std::nullopt;
+  const int at_rests = rests == 0 ? 3 : direction.relative > continuity_tolerance ? 0 : 1;
+  return std::min(at_rests, order_in_motion().value_or(at_rests));
+}
+
+std::pair<double, std::size_t> ShapeContinuity::corner() const noexcept {
+  return {2.0 * std::asin(std::min(1.0, direction.largest / 2.0)), direction.key};
+}
+
+bool ShapeContinuity::is_hidden() const noexcept { return order() == told && order_without_jumps(*this) > told; }
 
 ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam) {
   return shape_continuity_at_keys(curve, seam, continuity_at_keys(curve, seam));
@@ -115,13 +176,15 @@ ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam, const
   found.broken = in_time.orientation.angle > 0.0;
   for_each_joint(curve, seam, [&](const Joint& joint) {
     ++found.joints;
-    if (rests(joint, fastest)) {
-      if (found.rests++ == 0) found.first_rest = joint.key;
-      return;
-    }
+    if (rests(joint, fastest)) return look_at_rest(found, joint, in_time);
     const PathShape left = path_shape(joint.left), right = path_shape(joint.right);
     const Rounding rounding = rounding_of(joint);
-    compare_sides(found.direction, joint.key, left.direction, right.direction, rounding.direction);
+    if (const int told = told_order(curve, joint, rounding); told < found.told) {
+      found.told = told;
+      found.hidden_at = joint.key;
+    }
+    for (ShapeJump* jump : {&found.direction, &found.direction_in_motion})
+      compare_sides(*jump, joint.key, left.direction, right.direction, rounding.direction);
     compare_sides(found.curvature, joint.key, left.curvature, right.curvature, rounding.curvature);
     compare_sides(found.curvature_rate, joint.key, left.curvature_rate, right.curvature_rate, rounding.curvature_rate);
   });

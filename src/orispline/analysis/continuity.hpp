@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include <orispline/curve/curve.hpp>
 
@@ -65,25 +66,39 @@ struct ShapeJump {
 };
 
 /// The geometric continuity G^k that a curve really has on its keys: that of its PathShape, which does not depend on
-/// the time scale of a segment. Where the body rests it is not defined.
+/// the time scale of a segment. At a rest the direction is the limit from either side, which goes by the first rate
+/// that does not vanish; the curvature has none in general, so that a key where the body rests is G1 at most.
 struct ORISPLINE_EXPORT ShapeContinuity {
-  ShapeJump direction{};       ///< of e [1]
-  ShapeJump curvature{};       ///< of κ [1/rad]
-  ShapeJump curvature_rate{};  ///< of dκ/ds [1/rad²]
-  std::size_t joints = 0;      ///< keys that were looked at
-  std::size_t rests = 0;       ///< of them those at which the body rests
-  std::size_t first_rest = 0;  ///< the first of these, if there is one
-  bool broken = false;         ///< the orientation jumps between keys, so that there is no path
+  ShapeJump direction{};            ///< of e [1], at rests of its limits
+  ShapeJump direction_in_motion{};  ///< of e [1], at the keys at which the body moves
+  ShapeJump curvature{};            ///< of κ [1/rad], at these
+  ShapeJump curvature_rate{};       ///< of dκ/ds [1/rad²], at these
+  std::size_t joints = 0;           ///< keys that were looked at
+  std::size_t rests = 0;            ///< of them those at which the body rests
+  std::size_t first_rest = 0;       ///< the first of these, if there is one
+  std::size_t stands = 0;           ///< of the rests those with no direction on one side, where the body stands still
+  std::size_t first_stand = 0;      ///< the first of these, if there is one
+  /// The order up to which a jump that matters could not hide in the rounding of the rates, at the keys at which the
+  /// body moves.
+  int told = 3;
+  std::size_t hidden_at = 0;  ///< the first key at which more cannot be told, if there is one
+  bool broken = false;        ///< the orientation jumps between keys, so that there is no path
 
-  /// The largest k up to 3 for which nothing of order k or lower jumps by more than `continuity_tolerance` at the keys
-  /// at which the body moves; absent where it rests at all of them, or the orientation jumps.
+  /// The largest k up to `told` for which nothing of order k or lower jumps by more than `continuity_tolerance` at the
+  /// keys at which the body moves; absent where it rests at all of them, or the orientation jumps.
   [[nodiscard]] std::optional<int> order_in_motion() const noexcept;
-  /// The largest such k of all keys; absent also where the body rests at one of them, since it is undefined there.
+  /// The largest such k of all keys, 1 at most where the body rests at one of them; absent where it stands still
+  /// beside a key, since no direction is defined there.
   [[nodiscard]] std::optional<int> order() const noexcept;
+  /// The largest angle between the directions on both sides of a key [rad], and the key.
+  [[nodiscard]] std::pair<double, std::size_t> corner() const noexcept;
+  /// Whether the order may be higher than order() says, which double precision cannot tell.
+  [[nodiscard]] bool is_hidden() const noexcept;
 };
 
 /// One-sided shapes compared at every interior key and, of a loop, at its seam (key 0). A body rests where its rate is
-/// at most `continuity_tolerance` times the largest one. Jumps that the rounding of the rates explains are rounding.
+/// at most `continuity_tolerance` times the largest one. Jumps that the rounding of the rates explains are rounding; an
+/// order is told where a jump of a thousandth of its unit, or of the turns beside the key if these are smaller, is not.
 [[nodiscard]] ORISPLINE_EXPORT ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam = Seam::open);
 /// For callers who have what continuity_at_keys() says of the curve, which is half the work.
 [[nodiscard]] ORISPLINE_EXPORT ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam,

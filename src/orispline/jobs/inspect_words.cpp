@@ -57,6 +57,11 @@ void add_shape(Json& method, const ShapeContinuity& shape) {
   method["shape_order"] = order ? Json(*order) : Json(nullptr);
   method["shape_order_in_motion"] = order_in_motion ? Json(*order_in_motion) : Json(nullptr);
   method["rests_at_keys"] = shape.rests;
+  method["stands_at_keys"] = shape.stands;
+  method["shape_order_hidden"] = shape.is_hidden();
+  const auto [corner, key] = shape.corner();
+  method["corner_max_deg"] = corner * degrees;
+  method["corner_max_key"] = key;
   add_shape_jump(method, "direction", "", shape.direction);
   add_shape_jump(method, "curvature", "_per_rad", shape.curvature);
   add_shape_jump(method, "curvature_rate", "_per_rad2", shape.curvature_rate);
@@ -157,17 +162,44 @@ std::string methods_table(const InspectOutcome& outcome) {
   return table;
 }
 
-std::string order_cell(std::optional<int> order) { return order ? formatted("G{}", *order) : "–"; }
+std::string order_text(std::optional<int> order) { return order ? formatted("G{}", *order) : "–"; }
 
-/// Why a method has no order, or nothing.
+std::string order_cell(const ShapeContinuity& shape) {
+  return order_text(shape.order()) + (shape.is_hidden() ? "?" : "");
+}
+
+/// `and 2 more` keys than the first.
+std::string others(std::size_t keys) { return keys > 1 ? formatted(" and {} more", keys - 1) : ""; }
+
+/// What a rest makes of the shape, or nothing.
 std::string rest_line(const InspectOutcome& outcome, const InspectedMethod& method) {
   const ShapeContinuity& shape = method.shape;
   if (shape.rests == 0) return "";
-  const std::string others = shape.rests > 1 ? formatted(" and {} more", shape.rests - 1) : "";
-  const std::string elsewhere =
-      shape.order_in_motion() ? formatted("; at the other keys it is {}", order_cell(shape.order_in_motion())) : "";
-  return formatted("{} rests at {}{}: its shape is undefined there{}\n", method.name, place(outcome, shape.first_rest),
-                   others, elsewhere);
+  const auto in_motion = shape.order_in_motion();
+  const std::string elsewhere = in_motion ? formatted("; at the other keys it is {}", order_text(in_motion)) : "";
+  if (shape.stands > 0)
+    return formatted("{} stands still beside {}{}: its shape is undefined there{}\n", method.name,
+                     place(outcome, shape.first_stand), others(shape.stands), elsewhere);
+  const std::string rest =
+      formatted("{} rests at {}{}", method.name, place(outcome, shape.first_rest), others(shape.rests));
+  if (shape.order() == 0) return formatted("{}{}\n", rest, elsewhere);
+  return formatted("{} and goes on in the same direction: it is G1 there, and has no finite curvature in general{}\n",
+                   rest, elsewhere);
+}
+
+/// How wide the widest corner is, or nothing.
+std::string corner_line(const InspectOutcome& outcome, const InspectedMethod& method) {
+  if (method.shape.order() != 0 || method.shape.is_hidden()) return "";
+  const auto [corner, key] = method.shape.corner();
+  return formatted("{} has a corner of {:.1f}° at {}\n", method.name, corner * degrees, place(outcome, key));
+}
+
+/// Where the rates are too small for their shape, or nothing.
+std::string hidden_line(const InspectOutcome& outcome, const InspectedMethod& method) {
+  const ShapeContinuity& shape = method.shape;
+  if (!shape.is_hidden()) return "";
+  return formatted("{} is {} at least: double precision cannot tell more at {}, where it nearly rests\n", method.name,
+                   order_text(shape.order()), place(outcome, shape.hidden_at));
 }
 
 std::string shapes_table(const InspectOutcome& outcome) {
@@ -177,9 +209,10 @@ std::string shapes_table(const InspectOutcome& outcome) {
       "{:>20}  {:>20}  {:>20}\n",
       "method", "shape", "direction", "curvature [1/rad]", "its change [1/rad²]");
   for (const auto& [method, continuity, s, findings] : outcome.methods)
-    table += formatted("{:20}{:>5}  {}  {}  {}\n", method, order_cell(s.order()), jump_cell(s.direction),
+    table += formatted("{:20}{:>5}  {}  {}  {}\n", method, order_cell(s), jump_cell(s.direction),
                        jump_cell(s.curvature), jump_cell(s.curvature_rate));
-  for (const InspectedMethod& method : outcome.methods) table += rest_line(outcome, method);
+  for (const InspectedMethod& method : outcome.methods)
+    table += rest_line(outcome, method) + corner_line(outcome, method) + hidden_line(outcome, method);
   return table;
 }
 
