@@ -132,7 +132,7 @@ TEST(ShapeContinuity, OfASexticWithoutTensionAtAKeyIsACusp) {
 
 TEST(ShapeContinuity, CannotBeToldWhereTheBodyNearlyRests) {
   const auto curve =
-      make_curve(Method{"sextic", {.parameters = {{"tension", {0.08, 0.08, 1e-5, 0.08, 0.08}}}}}, even_tumbling_keys());
+      make_curve(Method{"sextic", {.parameters = {{"tension", {0.08, 0.08, 1e-6, 0.08, 0.08}}}}}, even_tumbling_keys());
   const ShapeContinuity shape = shape_continuity_at_keys(curve.value());
   EXPECT_TRUE(shape.is_hidden());
   EXPECT_EQ(shape.hidden_at, 2u);

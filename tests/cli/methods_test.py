@@ -7,7 +7,7 @@ import re
 
 from command import BAD_USAGE, EXPECTED, SUCCESS, CommandTest, main
 
-FIELDS = ["name", "title", "source", "interpolates", "continuity_uniform", "continuity_uneven",
+FIELDS = ["name", "title", "source", "interpolates", "continuity_uniform", "continuity_uneven", "continuity_of_shape",
           "keeps_constant_rate_uniform", "keeps_constant_rate_uneven", "support_keys", "min_keys", "closes",
           "rate_orders", "parameters", "choices", "ends"]
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contract: a curve is as smooth in time as its family declares, and not one order smoother.
 #include <contract/family_contract.hpp>
+#include <contract/random_parameters.hpp>
 #include <support/relative_jumps.hpp>
 
 namespace orispline::contract { namespace {
@@ -20,23 +21,6 @@ void expect_continuous_to_exactly(int order, const std::array<double, Orders>& j
 /// Steps on uneven times [rad]: with spacing ratios of 10 the handles of a squad are some five times as long, and a
 /// handle longer than a full turn has no logarithm of its own any more.
 constexpr double moderate_step = 0.8;
-
-/// Every parameter random per key within a moderate range: continuity may not depend on them but as declared. Kept are
-/// the degree or order, which decides on it, β₁, which is the very ratio of the rates at a joint, where joints are
-/// truly G2 β₂, which is the very jump of the acceleration, and the `continuity` of Kochanek–Bartels, which makes the
-/// rates differ.
-CurveOptions random_parameters(const FamilyInfo& family, std::size_t keys, std::uint64_t seed) {
-  Dice dice(seed);
-  CurveOptions options;
-  for (const Parameter& parameter : family.parameters) {
-    if (!parameter.per_key || parameter.name == "beta1" || parameter.name == "continuity") continue;
-    if (family.name == "beta-g2" && parameter.name == "beta2") continue;
-    std::vector<double> values(keys);
-    for (double& value : values) value = parameter.initial + dice.between(0.05, 0.4);
-    options.parameters[std::string(parameter.name)] = values;
-  }
-  return options;
-}
 
 template <class F>
 std::size_t keys_for(std::size_t segments) {

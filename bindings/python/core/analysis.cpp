@@ -148,7 +148,7 @@ void torques(const Rows3& angular_velocities, const Rows3& angular_accelerations
 
 /// What shapes the curve: numbers, one or one per key, and words.
 nb::dict settings_of(const PythonCurve& curve) {
-  const FamilyInfo& family = *value_of(find_family(curve.method().name));
+  const FamilyInfo& family = *value_of(family_of_method(curve.method()));
   const CurveOptions& given = curve.method().options;
   nb::dict settings;
   for (const Parameter& parameter : family.parameters) {

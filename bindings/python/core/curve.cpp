@@ -24,7 +24,7 @@ PythonCurve::PythonCurve(Keys keys, const std::string& method_text)
     : keys_(std::move(keys)),
       method_([&] {
         Method method = value_of(method_from_text(method_text));
-        const FamilyInfo& family = *value_of(find_family(method.name));
+        const FamilyInfo& family = *value_of(family_of_method(method));
         return completed(std::move(method), family, *keys_.track);
       }()),
       pose_([this] {

@@ -101,7 +101,7 @@ Expected<io::TrackFile> read_keys(const std::string& path, io::Reading reading) 
   const bool is_whole = file && (!has_more_than_motion(*file) || file->repairs.invalid_dropped == 0);
   if (is_whole || path == io::standard_stream) return file;
   std::vector<const FamilyInfo*> named;
-  if (*method) named.push_back(*find_family((*method)->name));
+  if (*method) named.push_back(*family_of_method(**method));
   auto plain = io::read_track(path, read_for(named, std::move(reading.options)), reading.signs);
   if (!plain || (file && file->track.keys.size() == plain->track.keys.size())) return file ? file : plain;
   plain->warnings.push_back(

@@ -28,7 +28,7 @@ constexpr int highest_order = 3;  // of rates that keys may have
 /// The keys as those of a method's curve, with what it has of its own for each of them as columns.
 Expected<Track> for_method(Track track, const std::string& text) {
   return method_from_text(text).and_then([&](Method method) {
-    return find_family(method.name).map([&](const FamilyInfo* family) {
+    return family_of_method(method).map([&](const FamilyInfo* family) {
       method = completed(std::move(method), *family, track);
       track.settings = settings_per_key(method, track.keys.size());
       track.recipe = recipe_for(method, track);

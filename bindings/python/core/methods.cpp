@@ -49,6 +49,7 @@ nb::typed<nb::dict, nb::str, nb::any> info_of(const FamilyInfo& family) {
   info["interpolates"] = family.interpolates;
   info["continuity_uniform"] = family.continuity_uniform;
   info["continuity_uneven"] = family.continuity_uneven;
+  info["continuity_of_shape"] = family.shape_order();
   info["is_local"] = !family.is_global();
   info["min_keys"] = family.min_keys;
   info["parameters"] = parameters_of(family);

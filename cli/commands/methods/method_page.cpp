@@ -14,10 +14,20 @@ std::string line(std::string_view label, std::string_view words) {
   return wrapped(formatted("  {:{}}", label, label_width), words);
 }
 
+/// Where the path is less smooth than stated, or nothing.
+std::string corners_of(const FamilyInfo& family) {
+  for (const Parameter& p : family.parameters)
+    if (p.rests_at_zero)
+      return formatted(" Where {} is 0 the body rests at the key, and its path may have a corner there.", p.name);
+  return "";
+}
+
 std::string continuity_of(const FamilyInfo& family) {
   const int even = family.continuity_uniform, uneven = family.continuity_uneven;
-  if (even == uneven) return formatted("C{} in time, on any key times.", even);
-  return formatted("C{} in time on evenly spaced keys, C{} on uneven ones.", even, uneven);
+  const std::string in_time = even == uneven
+                                  ? formatted("C{} in time, on any key times.", even)
+                                  : formatted("C{} in time on evenly spaced keys, C{} on uneven ones.", even, uneven);
+  return formatted("{} Its path is G{} on any key times.", in_time, family.shape_order()) + corners_of(family);
 }
 
 std::string keys_of(const FamilyInfo& family) {

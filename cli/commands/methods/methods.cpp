@@ -32,9 +32,10 @@ std::string labelled(std::string_view label, std::string_view words) {
 
 std::string promises_of(const FamilyInfo& family) {
   const int even = family.continuity_uniform, uneven = family.continuity_uneven;
-  std::string text = even == uneven
-                         ? formatted("C{} on any keys; a segment depends on ", even)
-                         : formatted("C{} on even keys, C{} on uneven ones; a segment depends on ", even, uneven);
+  std::string text =
+      even == uneven ? formatted("C{} on any keys", even)
+                     : formatted("C{} on even keys, C{} and G{} on uneven ones", even, uneven, family.shape_order());
+  text += "; a segment depends on ";
   text += family.support_keys == all_keys ? "all keys" : formatted("{} keys", family.support_keys);
   if (family.min_keys > 2) text += formatted("; needs {} keys", family.min_keys);
   if (family.closes) text += "; can be closed";

@@ -40,6 +40,7 @@ Json method(const FamilyInfo& family) {
           {"interpolates", family.interpolates},
           {"continuity_uniform", family.continuity_uniform},
           {"continuity_uneven", family.continuity_uneven},
+          {"continuity_of_shape", family.shape_order()},
           {"keeps_constant_rate_uniform", family.keeps_constant_rate_uniform},
           {"keeps_constant_rate_uneven", family.keeps_constant_rate_uneven},
           {"support_keys", family.support_keys == all_keys ? Json(nullptr) : Json(family.support_keys)},

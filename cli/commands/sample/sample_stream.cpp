@@ -255,7 +255,7 @@ bool goes_in_pieces(const SampleRequest& request, const io::KeyReader& keys) {
   // A header that counts the rows stands before them; in a pipe that cannot be done later.
   const bool counts_later = !request.columns.format->writing.counts_rows || !io::is_stream(request.output);
   if (!keys.columns() || !is_rate || !only_held || !counts_later || request.truth || request.band ||
-      request.input.read.sort || can_overwind(request.method.name) || writes_into_input(request))
+      request.input.read.sort || can_overwind(request.method) || writes_into_input(request))
     return false;
   const auto sampler = TrackSampler::make(with_columns(request.method, *keys.columns()), {});
   return sampler && !sampler->is_global();

@@ -72,14 +72,15 @@ double turn_beside(const AnyCurve& curve, const Joint& joint) {
   return std::min({1.0, angular_distance(here, curve(t[before])), angular_distance(here, curve(t[joint.key + 1]))});
 }
 
+constexpr double largest_hidden_turn = 1e-3;  // [rad]
+
 /// The order up to which a jump that matters would not be taken for rounding.
 int told_order(const AnyCurve& curve, const Joint& joint, const Rounding& rounding) {
-  constexpr double share = 1e-3;
-  if (std::max({rounding.direction, rounding.curvature, rounding.curvature_rate}) <= share) return 3;
+  if (rounding.direction > largest_hidden_turn) return 0;
+  if (rounding.curvature <= 1.0 && rounding.curvature_rate <= 1.0) return 3;
   const double turn = turn_beside(curve, joint);
-  if (rounding.direction > share) return 0;
-  if (rounding.curvature * turn > share) return 1;
-  return rounding.curvature_rate * turn * turn > share ? 2 : 3;
+  if (rounding.curvature * turn > 1.0) return 1;
+  return rounding.curvature_rate * turn * turn > 1.0 ? 2 : 3;
 }
 
 bool rests(const Joint& joint, double fastest) {

@@ -97,8 +97,9 @@ struct ORISPLINE_EXPORT ShapeContinuity {
 };
 
 /// One-sided shapes compared at every interior key and, of a loop, at its seam (key 0). A body rests where its rate is
-/// at most `continuity_tolerance` times the largest one. Jumps that the rounding of the rates explains are rounding; an
-/// order is told where a jump of a thousandth of its unit, or of the turns beside the key if these are smaller, is not.
+/// at most `continuity_tolerance` times the largest one. Jumps that the rounding of the rates explains are rounding. An
+/// order is told where this is too small to hide a corner of 1e-3 rad, or a jump of 1 in 1/rad or 1/rad², by the turns
+/// beside the key where these are smaller than 1 rad.
 [[nodiscard]] ORISPLINE_EXPORT ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam = Seam::open);
 /// For callers who have what continuity_at_keys() says of the curve, which is half the work.
 [[nodiscard]] ORISPLINE_EXPORT ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam,

@@ -111,13 +111,19 @@ class CumulativeCurve {
 
   /// The segment as polynomials, where it is of at most three factors of degree 7 at most.
   [[nodiscard]] SegmentForm form(std::size_t segment) const noexcept requires std::same_as<P, Eigen::Quaterniond> {
-    if constexpr (B::increments > 3 || B::degree < 1 || B::degree > static_cast<int>(form_degree)) return {};
+    constexpr bool is_stored = requires { basis_.forms(segment); };
+    if constexpr (B::increments > 3 || (!is_stored && B::degree < 1) || B::degree > static_cast<int>(form_degree))
+      return {};
     else {
       CumulativeForm form{.degree = static_cast<std::size_t>(B::degree),
                           .base = polygon_.bases[segment],
                           .increments = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()},
                           .blending = {}};
-      if constexpr (requires { basis_.coefficients(knots_.span(segment)); }) {
+      if constexpr (is_stored) {
+        form.degree = basis_.stored_degree();
+        if (form.degree > form_degree) return {};
+        form.blending = basis_.forms(segment);
+      } else if constexpr (requires { basis_.coefficients(knots_.span(segment)); }) {
         const auto rows = basis_.coefficients(knots_.span(segment));
         for (std::size_t k = 0; k < rows.size(); ++k) std::ranges::copy(rows[k], form.blending[k].coefficients.begin());
       } else {

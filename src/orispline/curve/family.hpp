@@ -46,12 +46,19 @@ struct Parameter {
   bool per_key = true;     ///< one value for all keys or one per key; else one value only
   int ghosts = 0;  ///< keys beyond either end that may be given values of their own, before and after the others
   bool tunable = false;
-  bool tensor = false;  ///< or a symmetric matrix in the body frame: its diagonal, or that and xy, xz, yz
+  bool tensor = false;         ///< or a symmetric matrix in the body frame: its diagonal, or that and xy, xz, yz
+  bool rests_at_zero = false;  ///< at 0 the body rests at the key, where the path may have a corner
 };
 
 /// One whose values tuning can choose.
 [[nodiscard]] constexpr Parameter tunable(Parameter parameter) {
   parameter.tunable = true;
+  return parameter;
+}
+
+/// One that is the share of the rate at its key.
+[[nodiscard]] constexpr Parameter resting_at_zero(Parameter parameter) {
+  parameter.rests_at_zero = true;
   return parameter;
 }
 
@@ -92,6 +99,7 @@ enum class EndRule {
 inline constexpr int all_keys = 0;
 
 struct FamilySettings;
+class OwnFamily;
 
 /// What a family says about itself: all that is known of it elsewhere. Continuity is the order in **time** for non-zero
 /// tensions; constant rates are kept at the default parameters, with natural ends where the family has them.
@@ -99,10 +107,13 @@ struct FamilyInfo {
   std::string_view name;     ///< that it is chosen by, as in make_curve
   std::string_view alias{};  ///< a former name, taken for it too
   std::string_view title;
-  std::string_view source;                   ///< paper and equation, or the section of our own derivation
-  bool interpolates = true;                  ///< passes through every key
-  int continuity_uniform = 0;                ///< on evenly spaced key times
-  int continuity_uneven = 0;                 ///< on any key times
+  std::string_view source;     ///< paper and equation, or the section of our own derivation
+  bool interpolates = true;    ///< passes through every key
+  int continuity_uniform = 0;  ///< on evenly spaced key times
+  int continuity_uneven = 0;   ///< on any key times
+  /// Order of the shape (G^k), whatever the speed, on any key times and where the body moves at a key.
+  /// Absent: that in time on even ones, which is what it is where uneven times only change the speed.
+  std::optional<int> continuity_of_shape{};
   bool keeps_constant_rate_uniform = false;  ///< equal increments on even times give constant ω
   bool keeps_constant_rate_uneven = false;   ///< a constant rate on uneven times stays constant
   int support_keys = 2;                      ///< keys whose orientations one segment depends on, or all_keys
@@ -115,7 +126,9 @@ struct FamilyInfo {
   KeyUse key_use{};
   /// Where settings change what a segment depends on: the keys on either side, or none for all. Null: as above.
   std::optional<std::size_t> (*keys_beside)(const FamilySettings& settings) = nullptr;
+  const OwnFamily* own = nullptr;  ///< what it is of, where it is not in the registry
 
+  [[nodiscard]] constexpr int shape_order() const noexcept { return continuity_of_shape.value_or(continuity_uniform); }
   [[nodiscard]] constexpr bool is_global() const noexcept { return support_keys == all_keys; }
   [[nodiscard]] constexpr bool passes_through(std::size_t key) const noexcept {
     return interpolates || (key_use.stride > 1 && key % key_use.stride == 0);

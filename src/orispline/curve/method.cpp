@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/method.hpp>
 
+#include <orispline/curve/own_family.hpp>
+
 namespace orispline { inline namespace ORISPLINE_ABI {
+
+OwnFamily::~OwnFamily() = default;
+
+Method::Method(const FamilyInfo& family, CurveOptions given)
+    : name(family.name), options(std::move(given)), own(family.own ? family.own->shared_from_this() : nullptr) {}
+
+Method::Method(std::shared_ptr<const OwnFamily> family, CurveOptions given)
+    : name(family->info().name), options(std::move(given)), own(std::move(family)) {}
 
 Method Method::at(std::span<const std::size_t> indices, std::size_t keys) const {
   Method picked = *this;

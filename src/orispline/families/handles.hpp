@@ -9,6 +9,6 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Whether the curves of a method have handles that may turn too far, which overwound_tangent() looks for.
 /// Precondition: there is such a method.
-[[nodiscard]] bool can_overwind(std::string_view method);
+[[nodiscard]] bool can_overwind(const Method& method);
 
 }}  // namespace orispline

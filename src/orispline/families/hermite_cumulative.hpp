@@ -13,7 +13,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 /// The rates are the keys' angular velocities where they have them, else those of the parabola through three keys, at
 /// the ends the secants; the tension scales them.
 struct HermiteCumulative {
-  static constexpr std::array parameters{tunable({"tension", 1.0, -100.0, 100.0})};
+  static constexpr std::array parameters{tunable(resting_at_zero({"tension", 1.0, -100.0, 100.0}))};
   static constexpr FamilyInfo info{.name = "hermite-cumulative",
                                    .title = "Cumulative cubic Hermite curve",
                                    .source = "Kim, Kim & Shin 1995; docs/families/hermite-cumulative.md",

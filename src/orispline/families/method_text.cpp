@@ -104,7 +104,7 @@ Expected<EndRule> end_rule_in(const FamilyInfo& family, std::string_view name) {
 }  // namespace
 
 Expected<Method> with_setting(Method method, std::string_view setting, std::string_view value) {
-  const auto family = find_family(method.name);
+  const auto family = family_of_method(method);
   if (!family) return tl::unexpected(family.error());
   const std::string name(setting);
   CurveOptions& options = method.options;
@@ -121,7 +121,7 @@ Expected<Method> with_setting(Method method, std::string_view setting, std::stri
 }
 
 Expected<Method> with_ends(Method method, std::string_view rules) {
-  const auto family = find_family(method.name);
+  const auto family = family_of_method(method);
   if (!family) return tl::unexpected(family.error());
   const auto names = pieces_of(rules, ',');
   if (names.size() > 2) return bad_option(ends, formatted("found '{}', wanted RULE or START,END", rules));
@@ -139,7 +139,7 @@ Expected<Method> with_ends(Method method, std::string_view rules) {
 
 Expected<Method> with_end_rate(Method method, CurveEnd end, const Eigen::Vector3d& rate) {
   const std::string_view option = end == CurveEnd::start ? start_rate : end_rate;
-  const auto family = find_family(method.name);
+  const auto family = family_of_method(method);
   if (!family) return tl::unexpected(family.error());
   End& changed = end == CurveEnd::start ? method.options.start : method.options.end;
   if (changed.rule != EndRule::none && changed.rule != EndRule::clamped)
@@ -151,7 +151,7 @@ Expected<Method> with_end_rate(Method method, CurveEnd end, const Eigen::Vector3
 }
 
 Expected<Method> with_loop(Method method, Loop loop) {
-  const auto family = find_family(method.name);
+  const auto family = family_of_method(method);
   if (!family) return tl::unexpected(family.error());
   if (!(*family)->closes)
     return failure(ErrorCode::bad_argument,

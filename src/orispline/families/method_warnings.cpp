@@ -153,7 +153,7 @@ std::vector<Warning> warnings_of(const KeyframeReport& keys) {
 std::vector<Warning> warnings_of(const Method& method, const Track& track) {
   std::vector<Warning> warnings;
   for (Warning& warning : warnings_of(track.keys.report())) warnings.push_back(track.located(std::move(warning)));
-  const auto family = find_family(method.name);
+  const auto family = family_of_method(method);
   if (!family) return warnings;
   const Method shaped = completed(method, **family, track);
   for (const auto& warning :

@@ -11,7 +11,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 /// With the increments a before and b after a key the angular velocity there is α (a + b)/h and the angular
 /// acceleration α (b - a)/h² + α² a×b/h²: α = 0 stops the motion at the key, a negative α turns back there.
 struct Quintic {
-  static constexpr std::array parameters{tunable({"tension", 0.5, -100.0, 100.0})};
+  static constexpr std::array parameters{tunable(resting_at_zero({"tension", 0.5, -100.0, 100.0}))};
   static constexpr FamilyInfo info{.name = "quintic",
                                    .title = "Tan's quintic G2 spline with tension",
                                    .source = "Tan, Xing, Fan & Hong 2018, (3.2) and (3.6)",

@@ -6,6 +6,7 @@
 #include <orispline/base/suggestion.hpp>
 #include <orispline/curve/key_check.hpp>
 #include <orispline/curve/one_axis.hpp>
+#include <orispline/curve/own_family.hpp>
 #include <orispline/families/build.hpp>
 #include <orispline/families/families.hpp>
 #include <orispline/families/handles.hpp>
@@ -50,20 +51,22 @@ Expected<std::size_t> index_of(std::string_view name) {
   return failure(ErrorCode::bad_argument, unknown_word("method", name, names));
 }
 
-/// A family's place in the list with the options settled for the keys that its curve goes through.
+/// A family, in the list or one's own, with the options settled for the keys that its curve goes through.
 struct Settled {
-  std::size_t index;
+  std::size_t index;  ///< in the list
+  const OwnFamily* own;
   Keyframes keys;
   FamilySettings settings;
 
   [[nodiscard]] Expected<AnyCurve> curve() const {
     if (keys.size() == 1) return AnyCurve(ConstantCurve(keys.times()[0], keys.orientations()[0]));
-    return entries[index].curve(keys, settings);
+    return own ? own->curve(keys, settings) : entries[index].curve(keys, settings);
   }
   [[nodiscard]] Expected<AnyPath> path() const {
     if (keys.size() == 1) return AnyPath(ConstantCurve(keys.times()[0], keys.positions()[0]));
-    return entries[index].path(keys, settings);
+    return own ? own->path(keys, settings) : entries[index].path(keys, settings);
   }
+  [[nodiscard]] WidestHandle widest_handle() const { return own ? nullptr : entries[index].widest_handle; }
 };
 
 /// Per-key values of a loop: those of the distinct keys, and the first once more for its return.
@@ -78,17 +81,17 @@ void wrap_around(FamilySettings& settings, std::size_t keys) {
 }
 
 Expected<Settled> choose(const Method& method, const Keyframes& keys) {
-  const auto index = index_of(method.name);
+  const auto index = method.own ? Expected<std::size_t>(0) : index_of(method.name);
   if (!index) return tl::unexpected(index.error());
-  auto settings = settle(infos[*index], method.options, keys.size());
+  auto settings = settle(method.own ? method.own->info() : infos[*index], method.options, keys.size());
   if (!settings) return tl::unexpected(std::move(settings.error()));
   // Keys that were left out of others may be more uneven than these.
   if (auto error = check_times(keys.times())) return tl::unexpected(std::move(*error));
-  if (!method.options.loop) return Settled{*index, keys, std::move(*settings)};
+  if (!method.options.loop) return Settled{*index, method.own.get(), keys, std::move(*settings)};
   return closed_keys(keys, *method.options.loop).map([&](const ClosedKeys& closed) {
     settings->closure = closed.closure;
     wrap_around(*settings, closed.keys.size());
-    return Settled{*index, closed.keys, std::move(*settings)};
+    return Settled{*index, method.own.get(), closed.keys, std::move(*settings)};
   });
 }
 
@@ -100,15 +103,21 @@ Expected<const FamilyInfo*> find_family(std::string_view name) {
   return index_of(name).map([](std::size_t i) { return &infos[i]; });
 }
 
+Expected<const FamilyInfo*> family_of_method(const Method& method) {
+  return method.own ? &method.own->info() : find_family(method.name);
+}
+
 Expected<AnyCurve> make_curve(const Method& method, const Keyframes& keys) {
   return choose(method, keys).and_then([](const Settled& settled) { return settled.curve(); });
 }
 
-bool can_overwind(std::string_view method) { return entries[index_of(method).value()].widest_handle != nullptr; }
+bool can_overwind(const Method& method) {
+  return !method.own && entries[index_of(method.name).value()].widest_handle != nullptr;
+}
 
 Expected<std::optional<HandleTurn>> overwound_tangent(const Method& method, const Keyframes& keys) {
   return choose(method, keys).map([](const Settled& settled) -> std::optional<HandleTurn> {
-    const WidestHandle widest_handle = entries[settled.index].widest_handle;
+    const WidestHandle widest_handle = settled.widest_handle();
     if (!widest_handle || settled.keys.size() == 1) return std::nullopt;
     const HandleTurn widest = widest_handle(settled.keys, settled.settings);
     return widest.turn >= full_turn ? std::optional(widest) : std::nullopt;

@@ -20,6 +20,9 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// The family of that name or alias; an unknown name is an error (bad_argument) that lists the known ones.
 [[nodiscard]] ORISPLINE_EXPORT Expected<const FamilyInfo*> find_family(std::string_view name);
 
+/// The family of a method, of the registry or one's own. Error: that of the name.
+[[nodiscard]] ORISPLINE_EXPORT Expected<const FamilyInfo*> family_of_method(const Method& method);
+
 /// Builds the curve of a method through (or near) the keys: `make_curve("auto", keys)`.
 ///
 /// One key gives a constant curve. Errors: bad_argument for an unknown name or options that the method does not accept;

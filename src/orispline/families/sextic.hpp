@@ -10,7 +10,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 ///
 /// β = 0 stops the motion at a key but keeps an angular acceleration there; β = 5/96 is Xing's quintic of 2018.
 struct Sextic {
-  static constexpr std::array parameters{tunable({"tension", 1.0 / 12.0, -100.0, 100.0})};
+  static constexpr std::array parameters{tunable(resting_at_zero({"tension", 1.0 / 12.0, -100.0, 100.0}))};
   static constexpr FamilyInfo info{.name = "sextic",
                                    .title = "6th-degree G3 spline with tension",
                                    .source =

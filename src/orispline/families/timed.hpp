@@ -21,7 +21,7 @@ namespace timed {
   return {{2.0 * tension * after / (before * both)}, {2.0 * tension * before / (after * both)}};
 }
 
-inline constexpr Parameter tension_1{"tension", 0.5, -100.0, 100.0};
+inline constexpr Parameter tension_1 = resting_at_zero({"tension", 0.5, -100.0, 100.0});
 inline constexpr Parameter tension_2{"tension2", 1.0, -100.0, 100.0};
 inline constexpr Parameter tension_3{"tension3", 0.0, -100.0, 100.0};
 

@@ -17,7 +17,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 /// m. Order 2 with equal tensions is Tan's quintic; order 3 with (6β, 5/2, 30 - 360β) the 6th-degree spline.
 struct UniformFamily {
   static constexpr std::array parameters{
-      Parameter{"order", 2.0, 1.0, 5.0, false},      tunable({"tension1", 0.5, -100.0, 100.0}),
+      Parameter{"order", 2.0, 1.0, 5.0, false},      tunable(resting_at_zero({"tension1", 0.5, -100.0, 100.0})),
       tunable({"tension2", 1.0, -100.0, 100.0}),     tunable({"tension3", 0.0, -1000.0, 1000.0}),
       Parameter{"tension4", 0.0, -10000.0, 10000.0}, Parameter{"tension5", 0.0, -100000.0, 100000.0}};
   static constexpr FamilyInfo info{.name = "uniform",

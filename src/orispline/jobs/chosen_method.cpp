@@ -41,7 +41,7 @@ Expected<ChosenMethod> chosen_method(const std::optional<Method>& named, const T
   });
 }
 
-const FamilyInfo& family_of(const Method& method) { return **find_family(method.name); }
+const FamilyInfo& family_of(const Method& method) { return **family_of_method(method); }
 
 Error placed(const Track& keys, Error error) {
   const bool concerns_file = error.code != ErrorCode::bad_argument || error.where.key;

@@ -30,7 +30,7 @@ std::string energy_line(const TuneOutcome& outcome) {
 
 }  // namespace
 
-bool has_tensions(const FamilyInfo& family) { return !tunable_parameters(family.name).empty(); }
+bool has_tensions(const FamilyInfo& family) { return !tunable_parameters(family).empty(); }
 
 const std::vector<double>& TuneOutcome::values(const std::string& parameter) const {
   return tuning.method.options.parameters.find(parameter)->second;

@@ -12,12 +12,13 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-std::optional<Error> check_method(std::string_view method) {
-  const auto family = find_family(method);
+std::optional<Error> check_method(const Method& method) {
+  const auto family = family_of_method(method);
   if (family && (!(*family)->is_global() || (*family)->keys_beside)) return std::nullopt;
-  return Error{ErrorCode::bad_argument,
-               formatted("method '{}' has no online curve, wanted one of {}", method, joined(online_methods(), ", ")),
-               {}};
+  return Error{
+      ErrorCode::bad_argument,
+      formatted("method '{}' has no online curve, wanted one of {}", method.name, joined(online_methods(), ", ")),
+      {}};
 }
 
 }  // namespace
@@ -31,11 +32,11 @@ OnlineCurve::OnlineCurve(StreamMethod method, std::size_t capacity, Signs signs)
 }
 
 Expected<OnlineCurve> OnlineCurve::make(const Method& method, std::size_t capacity, Signs signs) {
-  if (auto error = check_method(method.name)) return tl::unexpected(std::move(*error));
+  if (auto error = check_method(method)) return tl::unexpected(std::move(*error));
   if (capacity < least_capacity || capacity > greatest_capacity)
     return failure(ErrorCode::bad_argument,
                    formatted("the capacity is {} keys, wanted {} to {}", capacity, least_capacity, greatest_capacity));
-  auto made = StreamMethod::make(method.name, method.options);
+  auto made = StreamMethod::make(method);
   if (!made) return tl::unexpected(std::move(made.error()));
   if (!made->keys_beside)
     return failure(ErrorCode::bad_argument,

@@ -316,7 +316,7 @@ constexpr auto local_names = []<class... F>(std::tuple<F...>*) {
 }  // namespace
 
 std::unique_ptr<OnlineSegments> segments_in_place(const StreamMethod& method, std::size_t places) {
-  if (!method.per_key.empty()) return nullptr;
+  if (!method.per_key.empty() || method.own) return nullptr;
   const auto settings = settle(*method.family, method.options, RecentKeys::most);
   if (!settings) return nullptr;
   return std::ranges::find(makers, method.family->name, &Maker::name)->in_place(places, *settings);

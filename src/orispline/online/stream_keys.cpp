@@ -110,7 +110,7 @@ Expected<PoseCurve> StreamKeys::curve_from(std::uint64_t key, const StreamMethod
                                 .angular_jerks = part(data_.angular_jerks)},
                                Signs::as_given)
                    .and_then([&](const Keyframes& keys) {
-                     return make_pose_curve({method.family->name, options}, keys);
+                     return make_pose_curve({*method.family, options}, keys);
                    });
   if (curve || !curve.error().where.key) return curve;
   Error error = std::move(curve.error());

@@ -63,7 +63,7 @@ Expected<AnyCurve> trial_curve(const FamilyInfo& family, const CurveOptions& opt
     data.orientations.push_back(Eigen::Quaterniond::Identity());
   }
   auto curve = Keyframes::make(std::move(data)).and_then([&](const Keyframes& keys) {
-    return make_curve({family.name, options}, keys);
+    return make_curve({family, options}, keys);
   });
   if (!curve) curve.error().where = {};
   return curve;
@@ -100,18 +100,19 @@ Expected<Eigen::Quaterniond> checked_orientation(std::uint64_t index, const Stre
   return normalised(key.orientation, *norm);
 }
 
-Expected<StreamMethod> StreamMethod::make(std::string_view method, const CurveOptions& options) {
-  const auto found = find_family(method);
+Expected<StreamMethod> StreamMethod::make(const Method& method) {
+  const auto found = family_of_method(method);
   if (!found) return tl::unexpected(found.error());
   const FamilyInfo& family = **found;
-  if (auto error = check_options(family, options)) return tl::unexpected(std::move(*error));
+  if (auto error = check_options(family, method.options)) return tl::unexpected(std::move(*error));
   StreamMethod made{.family = &family,
-                    .options = options,
+                    .options = method.options,
                     .per_key = {},
                     .keys_beside = {},
                     .first_key = 0,
                     .keys_at_start = 0,
-                    .keys_at_end = 0};
+                    .keys_at_end = 0,
+                    .own = method.own};
   made.per_key = taken_per_key(family, made.options);
   const auto trial = trial_curve(family, made.options);
   if (!trial) return tl::unexpected(trial.error());

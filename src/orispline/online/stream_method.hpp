@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <orispline/base/expected.hpp>
-#include <orispline/curve/family.hpp>
+#include <orispline/curve/method.hpp>
 #include <orispline/math/eigen.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -55,12 +55,13 @@ struct ORISPLINE_EXPORT StreamMethod {
   std::size_t first_key;                   ///< where the curve begins; it ends as many before the last
   std::size_t keys_at_start;               ///< that must have come before any segment is final
   std::size_t keys_at_end;                 ///< the last ones, on which the end depends
+  std::shared_ptr<const OwnFamily> own;    ///< keeps the family, where it is not in the registry
 
-  /// Options as for make_curve(); a parameter without values has them with the keys.
+  /// As for make_curve(); a parameter without values has them with the keys.
   ///
   /// Errors (bad_argument): an unknown method, a loop, parameters per key, options that the family does not accept or
   /// with which no end can have the given rate.
-  [[nodiscard]] static Expected<StreamMethod> make(std::string_view method, const CurveOptions& options);
+  [[nodiscard]] static Expected<StreamMethod> make(const Method& method);
 
   /// That so many keys make a curve: bad_data for fewer than the end rules need or another count than the method takes.
   /// Success allocates nothing.

@@ -93,9 +93,8 @@ Expected<TrackSampler> TrackSampler::make(const Method& method, const TrackGrid&
     return failure(ErrorCode::bad_argument, formatted("the rate is {} Hz, wanted more than 0", rate->per_second()));
   if (options.gap && !(*options.gap > 0.0))
     return failure(ErrorCode::bad_argument, formatted("the gap is {} s, wanted more than 0", *options.gap));
-  return StreamMethod::make(method.name, method.options).map([&](StreamMethod made) {
-    return TrackSampler(method, std::move(made), grid, options);
-  });
+  return StreamMethod::make(method).map(
+      [&](StreamMethod made) { return TrackSampler(method, std::move(made), grid, options); });
 }
 
 Expected<void> TrackSampler::append(StreamKey key) {

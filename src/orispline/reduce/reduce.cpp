@@ -24,7 +24,7 @@ constexpr double usual_curves = 100.0;        // that are tried
 constexpr double smallest_tolerance = 1e-12;  // [rad]: far above the rounding of orientations
 
 Expected<LocalMethod> local_method(const Method& given, const Track& recording) {
-  const auto family = find_family(given.name);
+  const auto family = family_of_method(given);
   if (!family) return tl::unexpected(family.error());
   const FamilyInfo& info = **family;
   const auto refused = [&](std::string_view what) {

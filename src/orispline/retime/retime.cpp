@@ -240,7 +240,7 @@ std::vector<Warning> warnings_of(const Retiming& retiming, const MotionLimits& l
 }  // namespace
 
 Method holding_rests(Method method, const Keyframes& keys) {
-  const auto family = find_family(method.name);
+  const auto family = family_of_method(method);
   if (!family || std::ranges::find((*family)->parameters, "hold", &Parameter::name) == (*family)->parameters.end())
     return method;
   if (!keys.rests().empty()) method.options.parameters.insert({"hold", {1.0}});
@@ -266,7 +266,7 @@ Expected<void> check(const RetimeOptions& options) {
 
 Expected<Retiming> retime(const Track& track, const Method& given, const RetimeOptions& options,
                           const Progress& progress) {
-  const auto family = find_family(given.name);
+  const auto family = family_of_method(given);
   if (!family) return tl::unexpected(family.error());
   const Method method = completed(given, **family, track);
   const MotionLimits& limits = options.limits;

@@ -59,7 +59,7 @@ std::vector<std::vector<std::size_t>> variables_in_reach(const std::vector<Varia
 Expected<ConstructionModel> construction_model(const FamilyInfo& family, const Keyframes& keys,
                                                const CurveOptions& options,
                                                const std::vector<std::string>& parameters) {
-  const auto settings = make_curve({family.name, options}, keys).and_then([&](const AnyCurve&) {
+  const auto settings = make_curve({family, options}, keys).and_then([&](const AnyCurve&) {
     return settle(family, options, keys.size());
   });
   if (!settings) return tl::unexpected(settings.error());

@@ -80,7 +80,7 @@ using Probe = std::vector<TensionSegment>;
 
 Expected<Probe> cumulative_probe(const FamilyInfo& family, const Keyframes& keys, const CurveOptions& options,
                                  const OpenEndedWork& work) {
-  return make_curve({family.name, options}, keys).and_then([&](const AnyCurve& curve) -> Expected<Probe> {
+  return make_curve({family, options}, keys).and_then([&](const AnyCurve& curve) -> Expected<Probe> {
     Probe probe;
     for (std::size_t i = 0; i < curve.knots().segments(); ++i) {
       if (work.stopped()) return cancellation();
@@ -276,11 +276,10 @@ CurveOptions TensionModel::with(const std::vector<double>& values) const {
   return changed;
 }
 
-std::vector<std::string> tunable_parameters(std::string_view method) {
+std::vector<std::string> tunable_parameters(const FamilyInfo& family) {
   std::vector<std::string> names;
-  if (const auto family = find_family(method))
-    for (const Parameter& parameter : (*family)->parameters)
-      if (parameter.tunable) names.emplace_back(parameter.name);
+  for (const Parameter& parameter : family.parameters)
+    if (parameter.tunable) names.emplace_back(parameter.name);
   return names;
 }
 

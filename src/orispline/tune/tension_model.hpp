@@ -68,7 +68,7 @@ struct TensionModel {
 [[nodiscard]] BernsteinForm correction_form();
 
 /// The parameters of a family that tuning can free, in the order of the family; empty for other families.
-[[nodiscard]] std::vector<std::string> tunable_parameters(std::string_view method);
+[[nodiscard]] std::vector<std::string> tunable_parameters(const FamilyInfo& family);
 
 /// The model of a family that is affine in the parameters named, as all are that are not constructed.
 ///

@@ -27,7 +27,7 @@ constexpr double expected_steps = 8.0;
 
 /// The parameters to vary.
 Expected<std::vector<std::string>> parameters_of(const FamilyInfo& family, const TuneOptions& options) {
-  std::vector<std::string> tunable = tunable_parameters(family.name);
+  std::vector<std::string> tunable = tunable_parameters(family);
   if (tunable.empty())
     return bad_option("method",
                       formatted("{} has no tensions to tune, wanted one of {}", family.name, tunable_methods()));
@@ -164,7 +164,7 @@ Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, cons
   if (!is_least && !is_closed) tuning.stationarity = stationarity_of(search, minimum.values, tuning);
   if (search.work.stopped()) return cancellation();
   tuning.iterations = minimum.iterations;
-  tuning.method = {family.name, model.with(minimum.values)};
+  tuning.method = {family, model.with(minimum.values)};
   if (tuning.stationarity <= wanted_stationarity) return tuning;
   if (tuning.energy_after < tuning.energy_before) {
     tuning.warnings.push_back(not_at_rest(family.name, tuning));
@@ -221,12 +221,12 @@ Expected<void> check(const TuneOptions& options) {
 std::string tunable_methods() {
   std::vector<std::string_view> names;
   for (const FamilyInfo& family : families_info())
-    if (!tunable_parameters(family.name).empty()) names.push_back(family.name);
+    if (!tunable_parameters(family).empty()) names.push_back(family.name);
   return joined(names, ", ");
 }
 
 Expected<Tuning> tune(const Track& track, const Method& given, const TuneOptions& options, const Progress& progress) {
-  const auto info = find_family(given.name);
+  const auto info = family_of_method(given);
   if (!info) return tl::unexpected(info.error());
   if (auto checked = check(options); !checked) return tl::unexpected(std::move(checked.error()));
   const Method method = completed(given, **info, track);
