@@ -162,7 +162,8 @@ std::optional<int> ShapeContinuity::order() const noexcept {
 }
 
 std::pair<double, std::size_t> ShapeContinuity::corner() const noexcept {
-  return {2.0 * std::asin(std::min(1.0, direction.largest / 2.0)), direction.key};
+  const double half = direction.largest / 2.0;
+  return {2.0 * atan2_of(half, std::sqrt(std::max(0.0, 1.0 - half * half))), direction.key};
 }
 
 bool ShapeContinuity::is_hidden() const noexcept { return order() == told && order_without_jumps(*this) > told; }
