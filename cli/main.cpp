@@ -208,6 +208,7 @@ class CommandLine {
   void add_methods_options(Command& app) {
     app.footer = methods_footer;
     app.add_option("METHOD", methods_.name, "Method to describe [list them all]")->type_name(method_type);
+    add_blending_option(app, methods_.blending);
     app.add_flag("--json", methods_.json, "Print one JSON array");
   }
 

@@ -37,7 +37,7 @@ BELOW_JOBS = {  # header or folder below -> why a face needs it still; the exper
     "report/": "pages and pictures as files",
     "pages/": "the head of pages, and those of one curve in Python",
 }
-GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/options/command.cpp", "nlohmann/": ("cli/output/json_document.cpp", "src/orispline/scenes/gltf/"),
+GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/options/command.cpp", "nlohmann/": ("cli/output/json_document.cpp", "src/orispline/io/blending_file.cpp", "src/orispline/scenes/gltf/"),
           "assimp/": "src/orispline/scenes/assimp.cpp", "benchmark/": "benchmarks/", "glm/": "benchmarks/",
           "smooth/so3": "benchmarks/", "smooth/spline/": "benchmarks/", "sophus/": "benchmarks/", "basalt/": "benchmarks/"}  # third party -> its only room
 ROOMS = ("src", "cli", "papers", "tests", "examples", "tools", "bindings", "benchmarks")

@@ -29,8 +29,18 @@ void add_reading_options(Command& app, InputOptions& o, std::string_view default
   }
 }
 
+void add_blending_option(Command& app, std::vector<std::string>& files) {
+  app.add_option("--blending", files,
+                 "JSON file with blending functions of your own, which are a method by the name that it says; "
+                 "docs/own-blending.md")
+      ->repeated()
+      ->type_name("FILE")
+      ->group("Shape of the curve");
+}
+
 void add_method_options(Command& app, MethodOptions& o) {
   const std::string group = "Shape of the curve";
+  add_blending_option(app, o.blending);
   app.add_option("--tension", o.tension, "Short for --set tension=X[,X...]")->type_name("X[,X...]")->group(group);
   app.add_option("--set", o.settings,
                  "Setting of the method: a number, one number per key with commas, or a word; 'orispline methods "

@@ -28,6 +28,8 @@ void add_report_option(Command& app, ReportOptions& options);
 
 /// The settings, ends and rates that shape a curve, part of several commands.
 void add_method_options(Command& app, MethodOptions& options);
+/// `--blending FILE`, which those have too.
+void add_blending_option(Command& app, std::vector<std::string>& files);
 /// Whether it is a loop.
 void add_loop_options(Command& app, MethodOptions& options);
 

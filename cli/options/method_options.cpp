@@ -7,7 +7,9 @@
 #include <span>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/families/blending/blending_family.hpp>
 #include <orispline/families/method_text.hpp>
+#include <orispline/io/blending_file.hpp>
 
 #include "options/option_text.hpp"
 
@@ -112,10 +114,26 @@ std::string_view first_given(const MethodOptions& o) {
   return first == given.end() ? "" : first->second;
 }
 
+Expected<std::vector<std::shared_ptr<const OwnFamily>>> own_families(const std::vector<std::string>& files) {
+  std::vector<std::shared_ptr<const OwnFamily>> families;
+  for (const std::string& file : files) {
+    auto family = io::read_blending(file).and_then(BlendingFamily::make);
+    if (!family) {
+      if (family.error().where.file.empty()) family.error().where.file = file;
+      return tl::unexpected(std::move(family.error()));
+    }
+    const std::string_view name = (*family)->info().name;
+    if (std::ranges::find(families, name, [](const auto& other) { return other->info().name; }) != families.end())
+      return usage_failure(formatted("--blending: found the name '{}' twice, wanted each once", name));
+    families.push_back(std::move(*family));
+  }
+  return families;
+}
+
 Expected<Method> method_request(std::string_view text, const MethodOptions& options) {
-  return said_by("--method", method_from_text(text)).and_then([&](Method method) {
-    return shaped(std::move(method), options, AskedBy::user);
-  });
+  return own_families(options.blending)
+      .and_then([&](const auto& own) { return said_by("--method", method_from_text(text, own)); })
+      .and_then([&](Method method) { return shaped(std::move(method), options, AskedBy::user); });
 }
 
 Expected<std::optional<Method>> named_method(const std::optional<std::string>& text, const MethodOptions& options) {

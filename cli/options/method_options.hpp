@@ -19,12 +19,17 @@ namespace orispline::cli {
 struct MethodOptions {
   std::vector<std::string> settings;  ///< NAME=X[,X…] or NAME=WORD
   std::optional<std::string> tension, ends, start_rate, end_rate, period;
+  std::vector<std::string> blending;  ///< files of methods of the user's own
   bool closed = false;
 };
 
 /// The first option that is given, such as `--tension`; empty if there is none.
 [[nodiscard]] std::string_view first_given(const MethodOptions& options);
 [[nodiscard]] inline bool any_given(const MethodOptions& options) { return !first_given(options).empty(); }
+
+/// The families that files state.
+[[nodiscard]] Expected<std::vector<std::shared_ptr<const OwnFamily>>> own_families(
+    const std::vector<std::string>& files);
 
 /// `NAME` or `NAME:SETTING=VALUE:…`, shaped by the other options as well. Every error names its option.
 [[nodiscard]] Expected<Method> method_request(std::string_view method, const MethodOptions& options);

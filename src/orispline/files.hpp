@@ -3,6 +3,7 @@
 
 // Files of keyframes and of samples (ORISPLINE_IO).
 
+#include <orispline/io/blending_file.hpp>
 #include <orispline/io/file_option.hpp>
 #include <orispline/io/key_reader.hpp>
 #include <orispline/io/sample_writer.hpp>

@@ -8,6 +8,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/path.hpp>
 #include <orispline/curve/track.hpp>
+#include <orispline/families/blending/blending_family.hpp>
 #include <orispline/families/key_findings.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/method_warnings.hpp>

@@ -16,6 +16,7 @@ struct CompareArguments {
   InputOptions input;                   ///< how they are read
   OutputOptions output;                 ///< of the table: standard output, or a file in the folder
   std::vector<std::string> keep_every;  ///< whole numbers, or lists of them with commas between them
+  std::vector<std::string> blending;    ///< files of methods of the user's own
   std::vector<std::string> methods;     ///< names with settings, or lists with commas between them; none: all
   std::optional<std::string> random, reference, sort;
   TypedFields measured;  ///< of MeasureOptions

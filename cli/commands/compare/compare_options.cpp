@@ -53,6 +53,7 @@ void add_compare_options(Command& app, CompareArguments& o) {
       ->repeated()
       ->type_name(methods_type)
       ->group(measures);
+  add_blending_option(app, o.blending);
   app.add_flag("--tune", o.tune, "Each method that has tensions also with those of the least angular acceleration")
       ->group(measures);
   add_fields(app, o.measured, fields_of<MeasureOptions>(), measures);

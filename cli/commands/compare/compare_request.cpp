@@ -8,6 +8,7 @@
 #include <orispline/families/method_text.hpp>
 #include <orispline/fields.hpp>
 
+#include "options/method_options.hpp"
 #include "options/threads.hpp"
 
 namespace orispline::cli {
@@ -17,8 +18,10 @@ namespace {
 constexpr std::size_t default_step = 8;
 constexpr std::string_view all_of_them = "all";
 
-Expected<jobs::LabelledMethod> named_method(const std::string& text) {
-  return method_from_text(text)
+using OwnFamilies = std::vector<std::shared_ptr<const OwnFamily>>;
+
+Expected<jobs::LabelledMethod> named_method(const std::string& text, const OwnFamilies& own) {
+  return method_from_text(text, own)
       .map([&](Method method) {
         return jobs::LabelledMethod{text, std::move(method)};
       })
@@ -37,16 +40,18 @@ std::vector<std::string> typed_names(const CompareArguments& options) {
 }
 
 /// The methods of a name.
-Expected<std::vector<jobs::LabelledMethod>> methods_named(const std::string& name) {
+Expected<std::vector<jobs::LabelledMethod>> methods_named(const std::string& name, const OwnFamilies& own) {
   if (name == all_of_them) return jobs::all_methods();
-  return named_method(name).map([](jobs::LabelledMethod method) { return std::vector{std::move(method)}; });
+  return named_method(name, own).map([](jobs::LabelledMethod method) { return std::vector{std::move(method)}; });
 }
 
 Expected<std::vector<jobs::LabelledMethod>> methods_in(const CompareArguments& options) {
   if (options.methods.empty()) return jobs::all_methods();
+  const auto own = own_families(options.blending);
+  if (!own) return tl::unexpected(own.error());
   std::vector<jobs::LabelledMethod> methods;
   for (const std::string& name : typed_names(options)) {
-    auto named = methods_named(name);
+    auto named = methods_named(name, *own);
     if (!named) return tl::unexpected(std::move(named.error()));
     for (jobs::LabelledMethod& method : *named) {
       if (std::ranges::find(methods, method.label, &jobs::LabelledMethod::label) != methods.end())

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/families/blending/blending_family.hpp>
 
 #include "commands/methods/page_lines.hpp"
 
@@ -84,10 +85,25 @@ std::string rates_of(const FamilyInfo& family) {
   return formatted("It reads {} where the file has them, and finds the others itself.", rate_columns_of(family));
 }
 
+/// What was found of blending functions of one's own, or nothing.
+std::string findings_lines(const FamilyInfo& family) {
+  std::string text;
+  for (const BlendingFinding& found : findings_of(family))
+    if (const std::string sentence = sentence_of(found); !sentence.empty())
+      text += line(text.empty() ? "found" : "", sentence);
+  return text;
+}
+
 }  // namespace
 
 std::string page_of(const FamilyInfo& family) {
   std::string text = formatted("{}: {}\n\n", family.name, family.title);
+  if (family.own) {
+    text += findings_lines(family) + settings_lines(family) + line("ends", ends_of(family));
+    return text + line("page", "docs/own-blending.md") +
+           line("try", formatted("orispline sample keys.csv --blending FILE --method {} --rate 100 -o motion.csv",
+                                 family.name));
+  }
   text += line("source", family.source);
   text += line("continuity", continuity_of(family));
   text += line("keys", keys_of(family));

@@ -4,10 +4,12 @@
 #include <vector>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/families/registry.hpp>
 
 #include "commands/methods/methods_json.hpp"
 #include "commands/methods/page_lines.hpp"
+#include "options/method_options.hpp"
 #include "options/option_text.hpp"
 #include "output/standard_output.hpp"
 
@@ -82,9 +84,26 @@ std::string page() {
                  [](const FamilyInfo& family) { return !family.interpolates; });
 }
 
+/// The families of files, or the one among them that is named.
+Expected<void> methods_of_files(const MethodsArguments& options) {
+  return own_families(options.blending).and_then([&](const auto& own) -> Expected<void> {
+    std::vector<FamilyInfo> families;
+    for (const auto& family : own)
+      if (!options.name || family->info().name == *options.name) families.push_back(family->info());
+    if (families.empty())
+      return usage_failure(
+          formatted("found no method '{}' in the files of --blending, wanted one of theirs", printable(*options.name)));
+    if (options.json) return print_document(json_of(families));
+    std::vector<std::string> pages;
+    for (const FamilyInfo& family : families) pages.push_back(page_of(family));
+    return print_document(joined(pages, "\n"));
+  });
+}
+
 }  // namespace
 
 Expected<void> methods(const MethodsArguments& options) {
+  if (!options.blending.empty()) return methods_of_files(options);
   if (!options.name) return print_document(options.json ? json_of(families_info()) : page());
   return find_family(*options.name).and_then([&](const FamilyInfo* family) {
     return print_document(options.json ? json_of({family, 1}) : page_of(*family));

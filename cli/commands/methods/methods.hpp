@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <orispline/base/expected.hpp>
 
@@ -11,6 +12,7 @@ namespace orispline::cli {
 /// `orispline methods`, as typed.
 struct MethodsArguments {
   std::optional<std::string> name;
+  std::vector<std::string> blending;  ///< files of methods of the user's own
   bool json = false;
 };
 

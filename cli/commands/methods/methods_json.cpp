@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/methods/methods_json.hpp"
 
+#include <orispline/families/blending/blending_family.hpp>
+
 #include "output/json_document.hpp"
 
 namespace orispline::cli {
@@ -33,23 +35,37 @@ Json ends_json(const FamilyInfo& family) {
   return ends;
 }
 
+/// What was found of a family of one's own, or nothing.
+Json findings_json(const FamilyInfo& family) {
+  Json findings = Json::array();
+  for (const BlendingFinding& found : findings_of(family))
+    findings.push_back({{"promise", promise_name(found.promise)},
+                        {"order", found.order},
+                        {"why", found.why},
+                        {"where", found.where},
+                        {"sentence", sentence_of(found)}});
+  return findings;
+}
+
 Json method(const FamilyInfo& family) {
-  return {{"name", family.name},
-          {"title", family.title},
-          {"source", family.source},
-          {"interpolates", family.interpolates},
-          {"continuity_uniform", family.continuity_uniform},
-          {"continuity_uneven", family.continuity_uneven},
-          {"continuity_of_shape", family.shape_order()},
-          {"keeps_constant_rate_uniform", family.keeps_constant_rate_uniform},
-          {"keeps_constant_rate_uneven", family.keeps_constant_rate_uneven},
-          {"support_keys", family.support_keys == all_keys ? Json(nullptr) : Json(family.support_keys)},
-          {"min_keys", family.min_keys},
-          {"closes", family.closes},
-          {"rate_orders", family.rate_orders},
-          {"parameters", parameters_of(family)},
-          {"choices", choices_of(family)},
-          {"ends", ends_json(family)}};
+  Json json = {{"name", family.name},
+               {"title", family.title},
+               {"source", family.source},
+               {"interpolates", family.interpolates},
+               {"continuity_uniform", family.continuity_uniform},
+               {"continuity_uneven", family.continuity_uneven},
+               {"continuity_of_shape", family.shape_order()},
+               {"keeps_constant_rate_uniform", family.keeps_constant_rate_uniform},
+               {"keeps_constant_rate_uneven", family.keeps_constant_rate_uneven},
+               {"support_keys", family.support_keys == all_keys ? Json(nullptr) : Json(family.support_keys)},
+               {"min_keys", family.min_keys},
+               {"closes", family.closes},
+               {"rate_orders", family.rate_orders},
+               {"parameters", parameters_of(family)},
+               {"choices", choices_of(family)},
+               {"ends", ends_json(family)}};
+  if (family.own) json["findings"] = findings_json(family);
+  return json;
 }
 
 }  // namespace

@@ -22,11 +22,14 @@ struct KeyTable {
   std::vector<std::vector<std::string>> rows{};  ///< one cell per name, one row per key
 };
 
+struct BlendingData;
+
 /// What keys say about the curve that they are for: with it a file of keys carries its meaning.
 struct Recipe {
   std::string method{};           ///< the method's text form, read by method_from_text(); empty: none is named
   Signs signs = Signs::shortest;  ///< how the signs of the keys are to be read
   std::size_t line = 0;           ///< of the file, from 1; 0: not from a file
+  std::shared_ptr<const BlendingData> blending{};  ///< of the method, where it is one of one's own
 
   [[nodiscard]] bool is_empty() const noexcept { return method.empty(); }
 };

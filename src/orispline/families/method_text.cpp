@@ -8,6 +8,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/number_text.hpp>
 #include <orispline/base/pieces.hpp>
+#include <orispline/families/blending/blending_family.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -101,6 +102,19 @@ Expected<EndRule> end_rule_in(const FamilyInfo& family, std::string_view name) {
   });
 }
 
+/// The method that a recipe names, with the blending functions that it states.
+Expected<Method> method_in(const Recipe& recipe) {
+  if (!recipe.blending) return method_from_text(recipe.method);
+  return BlendingFamily::make(*recipe.blending).and_then([&](std::shared_ptr<const OwnFamily> family) {
+    return method_from_text(recipe.method, {&family, 1});
+  });
+}
+
+bool same_blending(const Method& one, const Method& other) {
+  const BlendingData *const a = blending_of(one), *const b = blending_of(other);
+  return a && b ? *a == *b : a == b;
+}
+
 }  // namespace
 
 Expected<Method> with_setting(Method method, std::string_view setting, std::string_view value) {
@@ -162,11 +176,12 @@ Expected<Method> with_loop(Method method, Loop loop) {
   return method;
 }
 
-Expected<Method> method_from_text(std::string_view text) {
+Expected<Method> method_from_text(std::string_view text, std::span<const std::shared_ptr<const OwnFamily>> own) {
   const auto pieces = pieces_of(text, ':');
-  const auto family = find_family(pieces.front());
+  const auto mine = std::ranges::find(own, pieces.front(), [](const auto& family) { return family->info().name; });
+  const auto family = mine != own.end() ? &(*mine)->info() : find_family(pieces.front());
   if (!family) return tl::unexpected(family.error());
-  Expected<Method> method = Method((*family)->name);
+  Expected<Method> method = Method(**family);
   for (const std::string_view piece : std::span(pieces).subspan(1))
     method = std::move(method).and_then([&](Method so_far) { return with_piece(std::move(so_far), piece); });
   return method;
@@ -199,12 +214,15 @@ Method without(Method method, std::span<const std::string> names) {
 Recipe recipe_for(const Method& method, const Track& track) {
   Method shared = method;
   for (const auto& [name, values] : track.settings) shared.options.parameters.erase(name);
-  return {.method = text_of(shared), .signs = track.recipe.signs};
+  const BlendingData* const blending = blending_of(method);
+  return {.method = text_of(shared),
+          .signs = track.recipe.signs,
+          .blending = blending ? std::make_shared<const BlendingData>(*blending) : nullptr};
 }
 
 Expected<std::optional<Method>> method_of(const Recipe& recipe, std::string_view file) {
   if (recipe.method.empty()) return std::nullopt;
-  auto method = method_from_text(recipe.method);
+  auto method = method_in(recipe);
   if (method) return std::optional(std::move(*method));
   const std::string& option = method.error().option;
   return mended_by("recipe",
@@ -214,8 +232,8 @@ Expected<std::optional<Method>> method_of(const Recipe& recipe, std::string_view
 }
 
 std::optional<Warning> recipe_set_aside(const Recipe& recipe, const Method& used, std::string_view file) {
-  const auto stated = recipe.method.empty() ? Expected<Method>(used) : method_from_text(recipe.method);
-  if (stated && text_of(*stated) == text_of(used)) return std::nullopt;
+  const auto stated = recipe.method.empty() ? Expected<Method>(used) : method_in(recipe);
+  if (stated && text_of(*stated) == text_of(used) && same_blending(*stated, used)) return std::nullopt;
   const bool is_from_file = recipe.line > 0;
   return Warning{.code = "recipe_set_aside",
                  .message = formatted("{} keys are for {}, and they are used for {}",

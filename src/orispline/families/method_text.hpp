@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,8 +19,10 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// A value is a number, numbers with commas between them (one per key), or the word of a choice. `ends=RULE` or
 /// `ends=START,END` names the end rules, `start_rate=WX,WY,WZ` and `end_rate=…` give the body rates [rad/s] of clamped
 /// ends, `closed` makes a loop whose last key is its first one, `period=T` one that returns after T seconds.
-/// Errors: bad_argument for a method, setting, rule or number that there is not, and for a setting that stands twice.
-[[nodiscard]] ORISPLINE_EXPORT Expected<Method> method_from_text(std::string_view text);
+/// A name may be one of `own`, families of one's own. Errors: bad_argument for a method, setting, rule or number that
+/// there is not, and for a setting that stands twice.
+[[nodiscard]] ORISPLINE_EXPORT Expected<Method> method_from_text(
+    std::string_view text, std::span<const std::shared_ptr<const OwnFamily>> own = {});
 
 /// The text form, which method_from_text() reads back as the same method bit for bit; defaults are left out.
 [[nodiscard]] ORISPLINE_EXPORT std::string text_of(const Method& method);

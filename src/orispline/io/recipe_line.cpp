@@ -7,12 +7,15 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/io/blending_file.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 namespace {
 
 constexpr std::string_view label = "orispline:", blanks = " \t";
+/// The last word, which takes the rest of the line.
+constexpr std::string_view blending_word = "blending=";
 constexpr std::string_view method_word = "method=", signs_word = "signs=", shortest = "shortest", as_given = "as-given";
 
 std::string_view without_blanks_before(std::string_view text) {
@@ -42,6 +45,7 @@ std::string recipe_line(const Recipe& recipe) {
   if (recipe.is_empty()) return {};
   std::string line = formatted("# {} {}{}", label, method_word, recipe.method);
   if (recipe.signs == Signs::as_given) line += formatted(" {}{}", signs_word, as_given);
+  if (recipe.blending) line += formatted(" {}{}", blending_word, blending_json(*recipe.blending));
   return line + "\n";
 }
 
@@ -49,7 +53,16 @@ Expected<std::optional<Recipe>> recipe_in(std::string_view comment) {
   const std::string_view text = without_blanks_before(comment.substr(1));
   if (!text.starts_with(label)) return std::nullopt;
   std::optional<std::string_view> named, signed_as;
-  for (const std::string_view word : words_of(text.substr(label.size()))) {
+  std::string_view words = text.substr(label.size());
+  std::shared_ptr<const BlendingData> blending;
+  if (const std::size_t place = words.find(blending_word);
+      place != words.npos && blanks.find(words[place - 1]) != blanks.npos) {
+    auto data = blending_from_json(words.substr(place + blending_word.size()));
+    if (!data) return mended_by("recipe", formatted("the blending functions of the keys: {}", data.error().message));
+    blending = std::make_shared<const BlendingData>(std::move(*data));
+    words = words.substr(0, place);
+  }
+  for (const std::string_view word : words_of(words)) {
     const bool is_method = word.starts_with(method_word);
     if (!is_method && !word.starts_with(signs_word)) return not_understood(word);
     const std::string_view value = word.substr(is_method ? method_word.size() : signs_word.size());
@@ -59,7 +72,9 @@ Expected<std::optional<Recipe>> recipe_in(std::string_view comment) {
     place = value;
   }
   if (!named) return not_understood(text);
-  return Recipe{.method = std::string(*named), .signs = signed_as == as_given ? Signs::as_given : Signs::shortest};
+  return Recipe{.method = std::string(*named),
+                .signs = signed_as == as_given ? Signs::as_given : Signs::shortest,
+                .blending = std::move(blending)};
 }
 
 }}}  // namespace orispline::io

@@ -342,6 +342,11 @@ Expected<AnyPath> BlendingFamily::path(const Keyframes& keys, const FamilySettin
   return curve_of<Eigen::Vector3d>(*this, *rows_, keys, settings);
 }
 
+std::span<const BlendingFinding> findings_of(const FamilyInfo& family) noexcept {
+  const auto* const blending = dynamic_cast<const BlendingFamily*>(family.own);
+  return blending ? blending->findings() : std::span<const BlendingFinding>();
+}
+
 const BlendingData* blending_of(const Method& method) noexcept {
   const auto* const family = dynamic_cast<const BlendingFamily*>(method.own.get());
   return family ? &family->data() : nullptr;

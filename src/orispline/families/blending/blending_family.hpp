@@ -2,10 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include <orispline/curve/blending_data.hpp>
 #include <orispline/curve/method.hpp>
 #include <orispline/curve/own_family.hpp>
 
@@ -32,6 +33,12 @@ struct BlendingFinding {
   std::string why{};    ///< what fails, such as `β₂(1) = 0.95, wanted 1: the curve does not reach the key`
   std::string where{};  ///< a linear condition on the parameters under which more is kept, such as `tension = 1/2`
 };
+
+/// The promise as documents name it, such as `continuity_uneven`.
+[[nodiscard]] ORISPLINE_EXPORT std::string_view promise_name(BlendingFinding::Promise promise) noexcept;
+
+/// What was found, as a sentence for people; empty where there is nothing to say.
+[[nodiscard]] ORISPLINE_EXPORT std::string sentence_of(const BlendingFinding& found);
 
 /// A family of curves that was stated as data. What it promises is found from its coefficients: exactly, in fractions,
 /// for all values of its parameters.
@@ -64,6 +71,9 @@ class ORISPLINE_EXPORT BlendingFamily final : public OwnFamily {
   std::vector<EndRule> ends_;
   FamilyInfo info_;
 };
+
+/// What was found of a family of one's own; empty for all others.
+[[nodiscard]] ORISPLINE_EXPORT std::span<const BlendingFinding> findings_of(const FamilyInfo& family) noexcept;
 
 /// The rows of a family of one's own that a method is of; null for all other methods.
 [[nodiscard]] ORISPLINE_EXPORT const BlendingData* blending_of(const Method& method) noexcept;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <orispline/curve/blending_data.hpp>
+#include <orispline/curve/own_family.hpp>
 #include <orispline/families/blending/expression.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace blending {
