@@ -223,7 +223,7 @@ TEST(Blending, RefusesWhatItCannotUnderstandWithItsPlace) {
   EXPECT_EQ(refusal(data_of({{"0", "1"}, {"0", "1", "1"}, {"0", "1"}})),
             "row 2: found 3 entries, wanted 2 as in row 1");
   EXPECT_EQ(refusal(data_of({{"0", "1"}, {"0", "1"}})),
-            "first: 2 increments do not say where they begin, wanted `first`, 0 being the segment's own");
+            "first: 2 increments do not say where they begin, wanted 'first', 0 being the segment's own");
   BlendingData taken = data_of({{"0", "1"}});
   taken.name = "squad";
   EXPECT_EQ(refusal(taken), "name: found 'squad', which is a method already, wanted another name");
