@@ -16,7 +16,7 @@ from ._errors import ArgumentError, tell
 from ._files import Path, path_text
 from ._html import table
 from ._keys import Keys
-from ._options import checked_keys, checked_threads, method_words, new_keys, plain, times_beside
+from ._options import checked_keys, checked_threads, method_words, new_keys, plain, reference_of
 from ._results import now
 
 if TYPE_CHECKING:
@@ -95,8 +95,7 @@ class Comparison:
 
 
 def _work(keys: Keys, reference: Keys | None, *arguments: Any) -> Any:
-    times = None if reference is None else times_beside(keys, reference)
-    return _core.compare(keys._core, None if reference is None else reference._core, times, *arguments)
+    return _core.compare(keys._core, reference_of(keys, reference), *arguments)
 
 
 def _decimations(keep_every: Any, jitter: bool, random: int | None, reference: Keys | None) -> list[dict[str, Any]]:

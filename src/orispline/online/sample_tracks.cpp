@@ -43,7 +43,7 @@ Expected<void> feed(TrackSampler& sampler, const TrackColumns& keys, std::size_t
     StreamKey key{.time = keys.times[i], .orientation = quaternion_xyzw(x[i], y[i], z[i], w[i])};
     if (!keys.positions[0].empty())
       key.position = Eigen::Vector3d(keys.positions[0][i], keys.positions[1][i], keys.positions[2][i]);
-    if (auto taken = sampler.append(key); !taken) return taken;
+    if (auto taken = append_checked(sampler, std::move(key)); !taken) return taken;
   }
   return sampler.finish().and_then([&] { return sampler.prepare(); });
 }
@@ -149,6 +149,17 @@ Progress half_of(const Progress& progress, double start) {
 }
 
 }  // namespace
+
+Expected<void> append_checked(TrackSampler& sampler, StreamKey key) {
+  const double wanted = sampler.samples_until(key.time);
+  if (wanted <= most_samples_between_keys) return sampler.append(std::move(key));
+  return failure(
+      ErrorCode::bad_data,
+      formatted("found a request for {:.4g} samples since the key before, wanted {:g} at most: check the rate "
+                "and the unit of the times, or set `gap`",
+                wanted, most_samples_between_keys),
+      {.key = static_cast<std::size_t>(sampler.keys())});
+}
 
 Expected<TrackBatch> TrackBatch::make(const Method& method, const TrackColumns& keys, const TrackGrid& grid,
                                       const TrackOptions& options, Work work, const Progress& progress) {
