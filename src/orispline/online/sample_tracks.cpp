@@ -198,7 +198,7 @@ Expected<void> TrackBatch::take(const TrackSampleColumns& out, Work work, const 
   if (begin == taken_) return {};
   const std::size_t first_track = track_of(begin), tracks = track_of(taken_ - 1) + 1 - first_track;
   std::vector<Expected<void>> outcomes(tracks);
-  const auto done = for_each_track(tracks, work, progress, [&](std::size_t i) {
+  auto done = for_each_track(tracks, work, progress, [&](std::size_t i) {
     const std::size_t track = first_track + i;
     const std::size_t first = std::max(static_cast<std::size_t>(offsets_[track]), begin);
     const std::size_t end = std::min(static_cast<std::size_t>(offsets_[track + 1]), taken_);
