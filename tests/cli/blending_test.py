@@ -92,6 +92,11 @@ class Blending(CommandTest):
         said = self.run_command(f"sample tuned.csv --blending {self.file} --method mine --rate 20 -o -").stderr
         self.assertNotIn("warning", said)
 
+    def test_what_is_not_linear_in_a_parameter_is_not_tuned(self):
+        self.stated({**QUINTIC, "rows": [["0", "a*a", "1"]]})
+        self.assertIn("wanted a parameter in which the blending functions are linear",
+                      self.error_of(f"tune {KEYS} --blending mine.json --method mine -o tuned.csv"))
+
     def test_a_stream_of_keys_is_sampled(self):
         self.same_as_the_quintic(
             self.output_of(f"sample - --rate 20 --blending {self.file} --method mine -o -", input=KEYS.read_text("utf-8")),

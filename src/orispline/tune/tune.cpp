@@ -28,6 +28,12 @@ constexpr double expected_steps = 8.0;
 /// The parameters to vary.
 Expected<std::vector<std::string>> parameters_of(const FamilyInfo& family, const TuneOptions& options) {
   std::vector<std::string> tunable = tunable_parameters(family);
+  if (tunable.empty() && family.own)
+    return bad_option(
+        "method",
+        formatted("{} has no tensions to tune, wanted a parameter in which the blending functions are linear, at "
+                  "the two keys of a segment only, with three increments and degree 7 at most",
+                  family.name));
   if (tunable.empty())
     return bad_option("method",
                       formatted("{} has no tensions to tune, wanted one of {}", family.name, tunable_methods()));
