@@ -46,4 +46,23 @@ TEST(SinglePrecision, LeavesAChannelWhoseTimesItCannotTellApart) {
   EXPECT_EQ(in_single_precision(channel).values, channel.values);
 }
 
+TEST(SinglePrecision, LeavesAChannelOfANumberThatIsTooLarge) {
+  const VectorChannel sound{.interpolation = ChannelInterpolation::cubicspline,
+                            .times = {0.1, 0.2},
+                            .values = {{0.1, 0, 0}, {0, 0.1, 0}},
+                            .in_tangents = {{0.1, 0, 0}, {0, 0.1, 0}},
+                            .out_tangents = {{0.1, 0, 0}, {0, 0.1, 0}}};
+  EXPECT_NE(in_single_precision(sound).times, sound.times);
+  std::vector<VectorChannel> too_large(4, sound);
+  too_large[0].times[1] = 1e39;
+  too_large[1].values[0].x() = -1e39;
+  too_large[2].in_tangents[1].y() = 1e39;
+  too_large[3].out_tangents[0].z() = 1e39;
+  for (const VectorChannel& channel : too_large) {
+    EXPECT_FALSE(held_in_single_precision(channel));
+    EXPECT_EQ(in_single_precision(channel).times, channel.times);
+    EXPECT_EQ(in_single_precision(channel).out_tangents, channel.out_tangents);
+  }
+}
+
 }}  // namespace orispline

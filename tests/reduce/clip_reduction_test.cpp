@@ -268,6 +268,29 @@ TEST(ReduceClips, SaysHowFarItIsBetweenTheKeys) {
   EXPECT_LE(stored.from_stored.largest.value, 0.5 * degree);
 }
 
+/// At times so many times closer.
+template <CurvePoint P>
+Channel<P> hastened(Channel<P> channel, double factor) {
+  for (double& time : channel.times) time /= factor;
+  return channel;
+}
+
+// Values and times that a file holds may ask for tangents that it does not.
+TEST(ReduceClips, KeepsKeysWhereTangentsWouldBeTooLargeForTheFile) {
+  for (const auto& [precision, factor] : {std::pair(KeyPrecision::float32, 1e36), {KeyPrecision::float64, 1e308}}) {
+    Clip clip = swing(0.0);
+    clip.rotations[1] = hastened(hastened(clip.rotations[1], factor), 1e4);
+    clip.translations[0] = hastened(clip.translations[0], 30.0);
+    for (Eigen::Vector3d& value : clip.translations[0].values) value *= 1e38;
+    const ClipReduction found = reduced_arm(
+        clip, {.tolerance = degree, .position_tolerance = 1e36, .precision = precision, .precision_before = precision});
+    EXPECT_TRUE(check_clip(arm(), found.clip));
+    EXPECT_LT(found.clip.rotations[0].size(), clip.rotations[0].size());
+    EXPECT_EQ(found.clip.rotations[1].values, clip.rotations[1].values);
+    EXPECT_EQ(found.clip.translations[0].size() == clip.translations[0].size(), precision == KeyPrecision::float32);
+  }
+}
+
 TEST(ReduceClips, NamesWhatIsWrong) {
   const Clip clip = swing();
   const auto fault = [&](const Clip& of, const ClipReduceOptions& options) {

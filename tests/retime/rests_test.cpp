@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <orispline/retime/limited_motion.hpp>
 #include <orispline/retime/retime.hpp>
 
 #include <gtest/gtest.h>
@@ -74,6 +75,37 @@ TEST(Retime, WarnsOfMotionInRests) {
   const auto t = moving.track.keys.times();
   for (const std::size_t i : moving.rests) EXPECT_NEAR(t[i + 1] - t[i], 1.0, 1e-12);
   EXPECT_LE(sampled(curve_of("timed-c2", moving)).rate, 1.0);
+}
+
+/// The greatest factor that a bound asks for still.
+double factor_of_bounds(const Retiming& retiming, const MotionLimits& limits) {
+  double factor = 0.0;
+  for (const SegmentPeaks& peaks : retiming.peaks) {
+    QuantitySizes bounds{};
+    std::ranges::transform(peaks, bounds.begin(), &CertifiedPeak::bound);
+    factor = std::max(factor, needed_factor(bounds, quantities_of(limits)));
+  }
+  return factor;
+}
+
+// Beside rests that keep their duration, the motion is another one at every factor, and its peaks go with no power of
+// it.
+TEST(Retime, SlowsNoMoreThanNeededABodyThatMovesInRests) {
+  const Eigen::Quaterniond there(0.5, 0.5, 0.5, 0.5), by_a_full_turn(-0.5, -0.5, -0.5, -0.5);
+  const Keyframes full_turn = Keyframes::make({.times = {0.0, 1.0, 2.0, 3.0, 4.0},
+                                               .orientations = {there, there, there, by_a_full_turn, by_a_full_turn}},
+                                              Signs::as_given)
+                                  .value();
+  for (const double size : {0.1, 0.3, 1.0, 3.0})
+    for (const MotionLimits& limits :
+         {MotionLimits{.rate = size}, MotionLimits{.acceleration = size}, MotionLimits{.jerk = size}})
+      for (const std::string_view method : {"auto", "timed-c2", "timed-c3"}) {
+        const Retiming slow = retimed(method, full_turn, limits);
+        if (slow.time_scale == 1.0) continue;
+        EXPECT_LE(factor_of_bounds(slow, limits), 1.0) << method << " " << size;
+        EXPECT_GE(factor_of_bounds(slow, limits), 1.0 - 1e-4) << method << " " << size;
+        EXPECT_LE(slow.slack, 2e-4) << method << " " << size;
+      }
 }
 
 TEST(Retime, TakesKeysForARestThatAreEqualButForRounding) {

@@ -7,6 +7,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/clip/finite_keys.hpp>
 #include <orispline/curve/keyframe.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -27,9 +28,6 @@ Expected<void> check(const std::vector<Joint>& joints, std::size_t i) {
     return fault(formatted("a rest rotation of norm {}", norm), "a unit quaternion");
   return {};
 }
-
-bool is_finite(const Eigen::Quaterniond& value) { return value.coeffs().allFinite(); }
-bool is_finite(const Eigen::Vector3d& value) { return value.allFinite(); }
 
 /// What is wrong with the value of a key; empty if nothing is.
 std::string fault_of(const Eigen::Quaterniond& value) {

@@ -8,6 +8,7 @@
 
 #include <orispline/clip/clip_motion.hpp>
 #include <orispline/clip/cubic_channel.hpp>
+#include <orispline/clip/finite_keys.hpp>
 #include <orispline/clip/single_precision.hpp>
 #include <orispline/curve/key_check.hpp>
 #include <orispline/families/registry.hpp>
@@ -30,10 +31,11 @@ double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a 
 double distance_from_zero(const Eigen::Quaterniond& tangent) { return tangent.coeffs().norm(); }
 double distance_from_zero(const Eigen::Vector3d& tangent) { return tangent.norm(); }
 
-/// The channel as a reader finds it in a file of that precision.
+/// The channel as a reader finds it in a file of that precision; nothing where no such file can hold it.
 template <CurvePoint P>
-Channel<P> stored(Channel<P> channel, KeyPrecision precision) {
-  return precision == KeyPrecision::float64 ? channel : in_single_precision(std::move(channel));
+std::optional<Channel<P>> stored(Channel<P> channel, KeyPrecision precision) {
+  if (precision == KeyPrecision::float32) return held_in_single_precision(std::move(channel));
+  return is_finite(channel) ? std::optional(std::move(channel)) : std::nullopt;
 }
 
 Expected<Keyframes> keyframes(const RotationChannel& channel) {
@@ -120,8 +122,10 @@ Channel<P> resting_channel(const Channel<P>& channel, const P& rest, double fart
                        .interpolation = is_step ? ChannelInterpolation::step : ChannelInterpolation::linear,
                        .times = {channel.times.front()},
                        .values = {held}};
-    const P in_file = stored(resting, precision).values.front();
-    if (std::ranges::all_of(channel.values, [&](const P& value) { return distance(in_file, value) <= farthest; }))
+    const auto in_file = stored(resting, precision);
+    if (!in_file) continue;
+    const P& read = in_file->values.front();
+    if (std::ranges::all_of(channel.values, [&](const P& value) { return distance(read, value) <= farthest; }))
       return resting;
   }
   return channel;
@@ -167,13 +171,13 @@ Expected<Channel<P>> reduced_channel(const Channel<P>& channel, double tolerance
   };
   double asked = tolerance;
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    Expected<Channel<P>> reduced = reduced_within(asked);
-    if (!reduced) return reduced;
-    *reduced = stored(*std::move(reduced), options.precision);
+    Expected<Channel<P>> fewer = reduced_within(asked);
+    if (!fewer) return fewer;
+    std::optional<Channel<P>> reduced = stored(*std::move(fewer), options.precision);
+    if (!reduced || reduced->size() >= channel.size()) break;
     reduced->joint = channel.joint;
-    if (reduced->size() >= channel.size()) break;
     const double found = farthest_at_keys(channel, *reduced).value;
-    if (found <= tolerance) return reduced;
+    if (found <= tolerance) return *std::move(reduced);
     asked *= 0.999 * tolerance / found;
   }
   return channel;

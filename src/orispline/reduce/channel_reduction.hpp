@@ -6,7 +6,7 @@
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A channel with fewer keys, within the tolerance [rad, or a length] at every key that it had; itself where that
-/// cannot be had with fewer.
+/// cannot be had with fewer, or only with numbers that are too large for the file.
 ///
 /// Errors: those of reduce().
 template <CurvePoint P>

@@ -21,7 +21,7 @@ Clip as_stored(Clip clip, const ClipReduceOptions& options) {
   if (options.precision == options.precision_before || options.precision == KeyPrecision::float64) return clip;
   const auto store = [](auto& channels) {
     for (auto& channel : channels)
-      if (channel.interpolation != ChannelInterpolation::step) channel = in_single_precision(std::move(channel));
+      if (channel.interpolation != ChannelInterpolation::step) channel = in_single_precision(channel);
   };
   store(clip.rotations), store(clip.translations), store(clip.scales);
   return clip;

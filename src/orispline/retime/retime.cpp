@@ -15,6 +15,7 @@
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/math/number.hpp>
 #include <orispline/retime/interval_times.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -83,7 +84,7 @@ constexpr double margin = 1e-9;  // of a factor, for the rounding of the new tim
 constexpr std::size_t most_slowings = 30;
 constexpr double least_gain = 1e-4;  // of the duration, to which the slowing is the least one, for another path
 constexpr double too_slow = 1e-5;    // so far below their limits, bounds ask for less slowing
-constexpr int most_quickenings = 8;
+constexpr int most_quickenings = 16;
 constexpr double least = 1.0;             // of factors: nothing gets faster
 constexpr double promised_slack = 2e-4;   // more is worth a warning
 constexpr double usual_rounds = 3.0;      // of slowing all alike
@@ -111,18 +112,37 @@ Expected<Scaled> scaled(const LimitedMotion& motion, std::vector<double> times, 
   });
 }
 
+/// A factor, and the one that is needed beyond it: below 1 where less would do.
+struct Tried {
+  double factor, more;
+};
+
+/// The factor between one that is too small and one that is enough at which hardly any is needed beyond it, if that
+/// goes with a power of the factor.
+double factor_between(const Tried& too_small, const Tried& enough) {
+  using elementary::exponential, elementary::natural_logarithm;
+  const double above = natural_logarithm(too_small.more), below = natural_logarithm(enough.more);
+  const double way = (below + 0.5 * too_slow) / (below - above);
+  return enough.factor * exponential(way * natural_logarithm(too_small.factor / enough.factor));
+}
+
 /// Less slowing where that does as well: the rounding of times loosens the bounds of fast motion, and slowed by them it
-/// is slower than it has to be.
+/// is slower than it has to be; and a body that moves in rests, which keep their duration, moves otherwise at other
+/// factors.
 Expected<Scaled> no_slower_than_needed(const LimitedMotion& motion, const std::vector<double>& given, Scaled slow) {
-  double factor = slow.factor * motion.largest_factor(slow.peaks) * (1.0 + margin);
-  for (int round = 0; round < most_quickenings && factor < (1.0 - too_slow) * slow.factor; ++round) {
-    auto faster = scaled(motion, given, std::max(least, factor));
+  Tried enough{slow.factor, motion.largest_factor(slow.peaks)};
+  std::optional<Tried> too_small;
+  for (int round = 0; round < most_quickenings && enough.more < 1.0 - too_slow && enough.factor > least; ++round) {
+    double factor = std::max(least, enough.factor * enough.more * (1.0 + margin));
+    if (too_small)  // the middle now and then, where it goes with no power
+      factor = round % 3 == 0 ? std::sqrt(too_small->factor * enough.factor) : factor_between(*too_small, enough);
+    auto faster = scaled(motion, given, factor);
     if (!faster && faster.error().code == ErrorCode::cancelled) return faster;
     if (!faster) break;
-    const double more = motion.largest_factor(faster->peaks);
-    factor = faster->factor * more * (1.0 + margin);
-    if (!(more > 1.0)) slow = std::move(*faster);
-    if (slow.factor == least) break;
+    const Tried tried{factor, motion.largest_factor(faster->peaks)};
+    if (tried.more > 1.0) too_small = tried;
+    else enough = tried, slow = std::move(*faster);
+    if (too_small && too_small->factor > (1.0 - too_slow) * enough.factor) break;
   }
   return slow;
 }
