@@ -35,8 +35,14 @@ struct MethodOptions {
                                                          const MethodOptions& options, const io::KeyInput& keys,
                                                          const jobs::UsualMethod& usual);
 
-/// Several methods, by names or lists of names with commas between them, all shaped alike.
-[[nodiscard]] Expected<std::vector<Method>> method_requests(const std::vector<std::string>& lists,
+/// The texts of methods that were typed behind an option, each time one method or a list of them.
+[[nodiscard]] Expected<std::vector<std::string>> method_texts(std::string_view option,
+                                                              const std::vector<std::string>& typed);
+/// Error: one that stands twice, which nobody could tell from itself.
+[[nodiscard]] Expected<void> check_differ(std::string_view option, std::span<const std::string> methods);
+
+/// Several methods that were typed behind `--method`, all shaped alike.
+[[nodiscard]] Expected<std::vector<Method>> method_requests(const std::vector<std::string>& typed,
                                                             const MethodOptions& options);
 
 /// The method of that name, or absent.

@@ -10,6 +10,7 @@
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/families/method_list.hpp>
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>
 #include <orispline/report/motion_drawing.hpp>
@@ -36,11 +37,13 @@ Expected<PlotOutcome> plot(const PlotRequest& request) {
                                 .axis_name = std::string(names[axis]),
                                 .ghosts = request.ghosts};
   PlotOutcome outcome;
-  for (const Method& method : request.methods) {
+  const auto labels = labels_of(request.methods);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const Method& method = request.methods[i];
     const auto curve = shaped_curve(method, *request.keys);
     if (!curve) return tl::unexpected(curve.error());
     std::ranges::move(warnings_of(method, *request.keys), std::back_inserter(outcome.warnings));
-    picture.methods.push_back({.name = method.name, .samples = report::sampled(*curve, report::samples_to_draw)});
+    picture.methods.push_back({.name = labels[i], .samples = report::sampled(*curve, report::samples_to_draw)});
   }
   outcome.svg = report::motion_drawing(picture).document();
   return outcome;
