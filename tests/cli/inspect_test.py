@@ -101,7 +101,7 @@ class Continuity(CommandTest):
         text = self.output_of(f"inspect - --method {first} --method {second}", input=KEYS)
         for label in (first, second):
             self.assertRegex(text, f"\n{label}\n +C0 ")
-            self.assertRegex(text, f"\n{label}\n +G2 ")
+            self.assertRegex(text, f"\n{label}\n +G3 ")
 
     def test_timed_methods_do_not_jump_at_spacing_ratios_of_ten(self):
         keys = turning_keys([1, 0.1, 1, 1, 0.1, 0.1, 1, 0.1])
