@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 #include <span>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/blending/blending_family.hpp>
+#include <orispline/families/method_list.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/io/blending_file.hpp>
 
@@ -114,8 +116,8 @@ std::string_view first_given(const MethodOptions& o) {
   return first == given.end() ? "" : first->second;
 }
 
-Expected<std::vector<std::shared_ptr<const OwnFamily>>> own_families(const std::vector<std::string>& files) {
-  std::vector<std::shared_ptr<const OwnFamily>> families;
+Expected<OwnFamilies> own_families(const std::vector<std::string>& files) {
+  OwnFamilies families;
   for (const std::string& file : files) {
     auto family = io::read_blending(file).and_then(BlendingFamily::make);
     if (!family) {
@@ -150,15 +152,40 @@ Expected<jobs::ChosenMethod> chosen_method(const std::optional<Method>& named, c
   });
 }
 
-Expected<std::vector<Method>> method_requests(const std::vector<std::string>& lists, const MethodOptions& options) {
+Expected<std::vector<std::string>> method_texts(std::string_view option, const std::vector<std::string>& typed,
+                                                const OwnFamilies& own) {
+  std::vector<std::string> all;
+  for (const std::string& list : typed) {
+    auto texts = said_by(option, method_texts_in(list, own));
+    if (!texts) return texts;
+    std::ranges::move(*texts, std::back_inserter(all));
+  }
+  return all;
+}
+
+Expected<void> check_differ(std::string_view option, std::span<const std::string> methods) {
+  std::set<std::string_view> found;
+  for (const std::string& method : methods)
+    if (!found.insert(method).second)
+      return usage_failure(formatted("{}: found '{}' twice, wanted each method once", option, method));
+  return {};
+}
+
+Expected<std::vector<Method>> method_requests(const std::vector<std::string>& typed, const MethodOptions& options) {
+  constexpr std::string_view option = "--method";
+  const auto own = own_families(options.blending);
+  if (!own) return tl::unexpected(own.error());
+  const auto texts = method_texts(option, typed, *own);
+  if (!texts) return tl::unexpected(texts.error());
   std::vector<Method> requests;
-  for (const std::string& list : lists)
-    for (const std::string_view name : pieces_of(list, ',')) {
-      auto request = method_request(name, options);
-      if (!request) return tl::unexpected(std::move(request.error()));
-      requests.push_back(std::move(*request));
-    }
-  return requests;
+  std::vector<std::string> shaped_texts;
+  for (const std::string& text : *texts) {
+    auto request = method_request(text, options);
+    if (!request) return tl::unexpected(std::move(request.error()));
+    shaped_texts.push_back(text_of(*request));
+    requests.push_back(std::move(*request));
+  }
+  return check_differ(option, shaped_texts).map([&] { return std::move(requests); });
 }
 
 io::ReadOptions read_for(std::span<const Method> methods, io::ReadOptions read) {

@@ -27,9 +27,10 @@ struct MethodOptions {
 [[nodiscard]] std::string_view first_given(const MethodOptions& options);
 [[nodiscard]] inline bool any_given(const MethodOptions& options) { return !first_given(options).empty(); }
 
+using OwnFamilies = std::vector<std::shared_ptr<const OwnFamily>>;
+
 /// The families that files state.
-[[nodiscard]] Expected<std::vector<std::shared_ptr<const OwnFamily>>> own_families(
-    const std::vector<std::string>& files);
+[[nodiscard]] Expected<OwnFamilies> own_families(const std::vector<std::string>& files);
 
 /// `NAME` or `NAME:SETTING=VALUE:…`, shaped by the other options as well. Every error names its option.
 [[nodiscard]] Expected<Method> method_request(std::string_view method, const MethodOptions& options);
@@ -40,8 +41,15 @@ struct MethodOptions {
                                                          const MethodOptions& options, const io::KeyInput& keys,
                                                          const jobs::UsualMethod& usual);
 
-/// Several methods, by names or lists of names with commas between them, all shaped alike.
-[[nodiscard]] Expected<std::vector<Method>> method_requests(const std::vector<std::string>& lists,
+/// The texts of methods that were typed behind an option, each time one method or a list of them.
+[[nodiscard]] Expected<std::vector<std::string>> method_texts(std::string_view option,
+                                                              const std::vector<std::string>& typed,
+                                                              const OwnFamilies& own);
+/// Error: one that stands twice, which nobody could tell from itself.
+[[nodiscard]] Expected<void> check_differ(std::string_view option, std::span<const std::string> methods);
+
+/// Several methods that were typed behind `--method`, all shaped alike.
+[[nodiscard]] Expected<std::vector<Method>> method_requests(const std::vector<std::string>& typed,
                                                             const MethodOptions& options);
 
 /// The method of that name, or absent.

@@ -85,6 +85,13 @@ CASES = (
     # reading
     (["sample", "", "--rate", "1"], "INPUT: found an empty name, wanted FILE or -"),
     (["sample", "keys.csv", "--rate", "1", "-o", ""], "-o: found an empty name, wanted that of a file"),
+    ("inspect keys.csv --method auto,quintic:tension=0.3,0.7,0.2",
+     "--method: found '0.7' between commas, wanted a method; one whose settings have commas is given by an option of its own"),
+    ("compare keys.csv --methods auto,timed-c2:ends=natural,rest",
+     "--methods: found 'rest' between commas, wanted a method; one whose settings have commas is given by an option of its own"),
+    ("compare keys.csv --methods quintic:tension=0.3,0.7:bias=1", "quintic: unknown parameter 'bias', wanted one of tension"),
+    ("plot keys.csv --method quintic:tension=0.3,0.7,slerp",
+     "--method: found '0.7' between commas, wanted a method; one whose settings have commas is given by an option of its own"),
     ("inspect keys.csv --tension 1", "found options that shape a curve, but no curve; wanted --method as well"),
     ("sample keys.csv --rate 1 --signs long", "--signs: found 'long', wanted shortest|as-given"),
     ("sample keys.csv --rate 1 --input-format json", "--input-format: found 'json', wanted csv|tum|euroc|bvh|gltf"),

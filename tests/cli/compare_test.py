@@ -167,6 +167,32 @@ class Compare(CommandTest):
         self.assertEqual({row["keep_every"] for row in rows}, {8})
         self.assertEqual(len(self.compared("cubic.csv --methods all,quintic:tension=0.3")), len(methods) + 1)
 
+    def test_vectors_of_tensions_stand_beside_each_other(self):
+        vectors = ["quintic:tension=0.3,0.7,0.2,0.9,0.4", "quintic:tension=0.3,0.7,0.2,0.9,0.5"]
+        asked = "cubic.csv --keep-every 10 --methods slerp,quintic " + " ".join(f"--methods {text}" for text in vectors)
+        rows = {row["method"]: row["energy"] for row in self.compared(asked)}
+        self.assertEqual(sorted(rows), ["quintic", *vectors, "slerp"])
+        self.assertEqual(len(set(rows.values())), 4)
+        table = self.output_of("compare " + asked)
+        for text in vectors:
+            self.assertRegex(table, f"\n  {text}\n +C2 ")
+        self.assertLessEqual(max(map(len, self.on_terminal(80, ["compare", *asked.split()]))), 80)
+
+    def test_a_vector_has_a_number_for_each_kept_key(self):
+        self.assert_fails("compare cubic.csv --keep-every 8 --methods auto --methods quintic:tension=0.3,0.7,0.2,0.9,0.4", BAD_USAGE,
+                          "quintic: found 5 values of tension, wanted 1 or one per key (6); --keep-every 8 keeps 6 of the 41 samples")
+        self.assert_fails("compare keys.csv --reference cubic.csv --methods quintic:tension=0.3,0.7", BAD_USAGE,
+                          "quintic: found 2 values of tension, wanted 1 or one per key (3)")
+
+    @with_pages
+    def test_the_report_tells_vectors_of_tensions_apart_and_says_how_to_make_it_again(self):
+        vectors = ["quintic:tension=0.3,0.7,0.2,0.9,0.4", "quintic:tension=0.5,0.7,0.2,0.9,0.4"]
+        asked = f"cubic.csv --keep-every 10 --methods {vectors[0]} --methods {vectors[1]} --report out.html"
+        self.output_of("compare " + asked)
+        page = self.page("out.html")
+        self.assertEqual(sorted(method["name"] for method in page["methods"]), vectors)
+        self.assertEqual(page["command"], "orispline compare " + asked)
+
     @with_pages
     def test_the_report_is_one_page_with_the_curves(self):
         self.output_of("compare cubic.csv --keep-every 10,20 --methods auto,slerp --report out.html")

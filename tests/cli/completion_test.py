@@ -35,6 +35,11 @@ class Bash(CommandTest):
         self.assertEqual(self.offered("orispline sample --method timed-c"), ["timed-c1", "timed-c2", "timed-c3"])
         self.assertEqual(self.offered("orispline completion z"), ["zsh"])
 
+    def test_a_method_can_be_followed_by_another(self):
+        given = "orispline inspect keys.csv --method quintic:tension=1,2"
+        self.assertEqual(self.offered(f"{given} --meth"), ["--method"])
+        self.assertEqual(self.offered(f"{given} --method timed-c"), ["timed-c1", "timed-c2", "timed-c3"])
+
     def test_settings_and_their_words(self):
         start = "orispline sample keys.csv --set"
         self.assertIn("tension=", self.offered(f"{start} tensi"))

@@ -92,6 +92,17 @@ class Continuity(CommandTest):
         methods = self.methods_of("--method slerp,quintic --method timed-c2", KEYS)
         self.assertEqual([method["method"] for method in methods], ["slerp", "quintic", "timed-c2"])
 
+    def test_a_text_with_commas_is_one_method_where_it_can_be(self):
+        first, second = "quintic:tension=0.3,0.7,0.2", "quintic:tension=0.5,0.7,0.2"
+        methods = self.methods_of(f"--method {first} --method slerp,auto --method {second}", KEYS)
+        self.assertEqual([method["method"] for method in methods], [first, "slerp", "auto", second])
+        one, = self.methods_of("--method timed-c2:ends=natural,rest", KEYS)
+        self.assertEqual(one["method"], "timed-c2")
+        text = self.output_of(f"inspect - --method {first} --method {second}", input=KEYS)
+        for label in (first, second):
+            self.assertRegex(text, f"\n{label}\n +C0 ")
+            self.assertRegex(text, f"\n{label}\n +G3 ")
+
     def test_timed_methods_do_not_jump_at_spacing_ratios_of_ten(self):
         keys = turning_keys([1, 0.1, 1, 1, 0.1, 0.1, 1, 0.1])
         for method in self.methods_of("--method " + ",".join(TIMED), keys):

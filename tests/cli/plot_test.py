@@ -55,6 +55,13 @@ class Plot(CommandTest):
         for color in ("#0072b2", "#d55e00", "#009e73"):
             self.assertGreaterEqual(len(self.lines(picture, color)), 5)
 
+    def test_the_legend_tells_vectors_of_tensions_apart(self):
+        vectors = ["quintic:tension=0.3,0.7,0.2", "quintic:tension=0.5,0.7,0.2"]
+        words = self.words(self.picture(f"keys.csv --method {vectors[0]} --method {vectors[1]} --method slerp"))
+        self.assertEqual([word for word in words if word in [*vectors, "slerp"]], [*vectors, "slerp"])
+        self.write("tuned.csv", f"# orispline: method={vectors[0]}\n" + self.read("keys.csv"))
+        self.assertIn("quintic", self.words(self.picture("tuned.csv")))
+
     def test_ghosts_are_bodies_in_a_row_for_each_method(self):
         self.assertEqual(len(list(self.picture("keys.csv").iter(f"{SVG}polygon"))), 0)
         picture = self.picture("keys.csv --method slerp,auto --ghosts 7")
@@ -73,6 +80,8 @@ class Plot(CommandTest):
     def test_refuses_what_it_cannot_draw(self):
         seven = "auto,slerp,squad,quintic,sextic,tcb,nu"
         self.assert_fails(f"plot keys.csv --method {seven}", BAD_USAGE, "--method: found 7 methods, wanted at most 6")
+        self.assert_fails("plot keys.csv --method slerp,auto --method slerp", BAD_USAGE,
+                          "--method: found 'slerp' twice, wanted each method once")
         self.assert_fails("plot keys.csv --axis w", BAD_USAGE, "--axis: found 'w', wanted x|y|z")
         self.assert_fails("plot keys.csv --ghosts 1", BAD_USAGE, "--ghosts: found '1', wanted a whole number from 2 on")
         self.assert_fails("plot keys.csv --ghosts 61", BAD_USAGE, "--ghosts: found '61', wanted at most 60")

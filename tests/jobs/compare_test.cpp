@@ -62,6 +62,34 @@ TEST(CompareJob, KeepsWhatFailsWithTheReason) {
   EXPECT_EQ(outcome->methods.back().measures.error().where.file, "data/arm.csv");
 }
 
+TEST(CompareJob, WantsAValueForEachKeyThatIsKept) {
+  CompareRequest request = request_for({"slerp"});
+  Method vector("quintic");
+  vector.options.parameters["tension"] = {0.3, 0.7, 0.2, 0.9, 0.4, 0.5, 0.6};
+  request.methods.push_back({"quintic:…", vector});
+  const auto outcome = compare(request);
+  ASSERT_TRUE(outcome) << describe(outcome.error());
+  EXPECT_TRUE(outcome->methods[0].measures && outcome->methods[1].measures);
+  request.decimations.push_back({.keep_every = 20});
+  const Error error = compare(request).error();
+  EXPECT_EQ(error.code, ErrorCode::bad_argument);
+  EXPECT_EQ(
+      error.message,
+      "quintic: found 7 values of tension, wanted 1 or one per key (4); `keep_every` 20 keeps 4 of the 61 samples");
+  request.reference = request.keys;
+  EXPECT_EQ(compare(request).error().message, "quintic: found 7 values of tension, wanted 1 or one per key (61)");
+}
+
+TEST(CompareJob, PutsALongLabelAboveItsNumbers) {
+  CompareRequest request = request_for({"slerp"});
+  request.methods.push_back({"slerp, with a name that is longer than any", "slerp"});
+  const auto outcome = compare(std::move(request));
+  ASSERT_TRUE(outcome);
+  EXPECT_NE(summary_of(*outcome).find("\n  slerp, with a name that is longer than any\n          C0  "),
+            std::string::npos)
+      << summary_of(*outcome);
+}
+
 TEST(CompareJob, RefusesAMeasureThatThereIsNot) {
   CompareRequest request = request_for({"slerp"});
   for (const auto& [sort, message] : {std::pair{"torque", "found 'torque', wanted `inertia` as well"},

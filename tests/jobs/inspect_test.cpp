@@ -27,6 +27,22 @@ TEST(InspectJob, SaysHowContinuousEachMethodIsOnTheKeys) {
   EXPECT_NE(summary_of(*outcome).find("\ntimed-c2               C2  "), std::string::npos) << summary_of(*outcome);
 }
 
+TEST(InspectJob, TellsMethodsOfOneNameFromEachOther) {
+  Method first("quintic"), second("quintic");
+  first.options.parameters["tension"] = {0.3, 0.7, -0.2, 0.9, 0.4};
+  second.options.parameters["tension"] = {0.5};
+  const auto outcome = inspect({.keys = turns(wide_swing(5)), .methods = {first, second}});
+  ASSERT_TRUE(outcome);
+  const Json methods = member(document_of(*outcome), "methods");
+  const auto& rows = std::get<Json::Array>(methods.value());
+  EXPECT_EQ(std::get<std::string>(member(rows[0], "method").value()), "quintic:tension=0.3,0.7,-0.2,0.9,0.4");
+  EXPECT_EQ(std::get<std::string>(member(rows[1], "method").value()), "quintic:tension=0.5");
+  const std::string summary = summary_of(*outcome);
+  for (const char* const row : {"\nquintic:tension=0.3,0.7,-0.2,0.9,0.4\n                       C2  ",
+                                "\nquintic:tension=0.5    C2  ", "\nquintic:tension=0.5    G2  "})
+    EXPECT_NE(summary.find(row), std::string::npos) << row << summary;
+}
+
 TEST(InspectJob, CountsKeysOfAWrongNormAmongThoseThatAreNotUnit) {
   const auto outcome = inspect(
       {.keys = turns(wide_swing(5)), .faults = {.wrong_norms = 2, .largest_norm_error = 0.5, .defect = "key 2: no"}});

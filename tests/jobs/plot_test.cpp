@@ -17,6 +17,15 @@ TEST(PlotJob, DrawsEveryMethodUnderATitle) {
   EXPECT_TRUE(outcome->warnings.empty());
 }
 
+TEST(PlotJob, TellsMethodsOfOneNameFromEachOther) {
+  Method vector("quintic");
+  vector.options.parameters["tension"] = {0.3, 0.7, 0.2};
+  const auto outcome = plot({.name = "arm.csv", .keys = turns({0.0, 1.0, 2.5}), .methods = {"quintic", vector}});
+  ASSERT_TRUE(outcome) << describe(outcome.error());
+  for (const char* const name : {">quintic<", ">quintic:tension=0.3,0.7,0.2<"})
+    EXPECT_NE(outcome->svg.find(name), std::string::npos) << name;
+}
+
 TEST(PlotJob, TellsWhatIsNoteworthyAboutTheKeys) {
   const auto outcome = plot({.name = "arm.csv", .keys = turns({0.0, std::numbers::pi}), .methods = {"slerp"}});
   ASSERT_TRUE(outcome) << describe(outcome.error());

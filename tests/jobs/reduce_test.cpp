@@ -49,6 +49,22 @@ TEST(ReduceJob, TakesTheFewestKeysOfTheUsualMethods) {
   EXPECT_TRUE(outcome.warnings.empty());
 }
 
+TEST(ReduceJob, TellsMethodsOfOneNameFromEachOther) {
+  Method loose("quintic");
+  loose.options.parameters["tension"] = {0.25};
+  ReduceRequest request = request_of({turns({0.0, 0.5, 1.0, 1.5})});
+  request.methods = {"quintic", loose};
+  const ReduceOutcome outcome = reduced(request);
+  const Json document = document_of(outcome);
+  const Json methods = member(document, "methods");
+  const auto& rows = std::get<Json::Array>(methods.value());
+  EXPECT_EQ(std::get<std::string>(member(rows[1], "method").value()), "quintic:tension=0.25");
+  EXPECT_EQ(std::get<std::string>(member(rows[0], "method").value()), "quintic");
+  for (const char* const row :
+       {"\n  method                    keys ", "\n  quintic                 ", "\n  quintic:tension=0.25    "})
+    EXPECT_NE(summary_of(outcome).find(row), std::string::npos) << row << summary_of(outcome);
+}
+
 TEST(ReduceJob, HoldsWhatItsSmoothingWasAskedFor) {
   ReduceRequest request = request_of({turns(noisy_angles())});
   request.smoothing = SmoothOptions{.loss = Loss::tukey};

@@ -197,6 +197,8 @@ def test_the_command_does_the_same(keys, tmp_path):
     for words, expected in ((["smooth", "--smoothing-time", "0.2", "--errors", "drop"], tables.smooth(keys, smoothing_time=0.2, errors="drop")),
                             (["reduce", "--tolerance", "2deg"], tables.reduce(keys, "2deg")),
                             (["compare", "--methods", "slerp,auto", "--keep-every", "4"], tables.compare(keys, ["slerp", "auto"], 4)),
+                            (["compare", "--methods", "timed-c2:ends=natural,rest", "--methods", "slerp", "--keep-every", "4"],
+                             tables.compare(keys, ["timed-c2:ends=natural,rest", "slerp"], 4)),
                             (["evaluate", "--at", str(tmp_path / "at.parquet"), "--extrapolate", "hold"],
                              tables.evaluate(keys, tmp_path / "at.parquet", extrapolate="hold"))):
         done = command(words[0], keys, *words[1:], "--output", tmp_path / "made.parquet", folder="/")
@@ -232,6 +234,8 @@ def in_this_process(words):
     (["reduce", "keys.parquet", "-o", "x.parquet", "--tolerance", "2 apples"], 2, "2 apples"),
     (["smooth", "keys.parquet", "-o", "x.parquet", "--noise=-1deg"], 2, "noise: found '-1deg'"),
     (["compare", "keys.parquet", "-o", "x.parquet", "--methods", "slurp"], 2, "did you mean 'slerp'"),
+    (["compare", "keys.parquet", "-o", "x.parquet", "--methods", "slerp,quintic:tension=1,2"], 2,
+     "methods: found '2' between commas, wanted a method"),
     (["evaluate", "keys.parquet", "--at", "keys.parquet", "-o", "x.parquet"], 2, "at: found the column 'qx'"),
 ])
 def test_the_command_says_what_is_wrong(keys, tmp_path, words, code, message, monkeypatch, capsys):

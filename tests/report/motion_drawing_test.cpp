@@ -63,6 +63,24 @@ TEST(MotionDrawing, GivesEachMethodAColourAndPutsTheFirstOnTop) {
   EXPECT_GT(svg.rfind("stroke=\"#0072b2\" stroke-width=\"2\"/>"), svg.rfind("stroke=\"#d55e00\""));
 }
 
+TEST(MotionDrawing, PutsNamesWithoutRoomBelowEachOther) {
+  std::string tensions = "quintic:tension=1";
+  for (int i = 0; i < 90; ++i) tensions += ",0.1";
+  const MotionPicture picture{
+      .title = "", .keys = keys_of(2), .methods = {turning("one", 1.0), turning(tensions, 0.5), turning("three", 0.5)}};
+  const std::string svg = motion_drawing(picture).document();
+  EXPECT_EQ(count_of("<text x=\"98.0\" y=\"54.0\" text-anchor=\"start\" fill=\"#0072b2\" font-size=\"12\">one<", svg),
+            1U);
+  EXPECT_EQ(
+      count_of("<text x=\"98.0\" y=\"72.0\" text-anchor=\"start\" fill=\"#d55e00\" font-size=\"12\">quintic:", svg),
+      1U);
+  EXPECT_EQ(count_of("<text x=\"98.0\" y=\"", svg), 5U);  // 377 characters in three lines, with commas at their ends
+  EXPECT_EQ(count_of(",<", svg), 2U);
+  EXPECT_EQ(
+      count_of("<text x=\"98.0\" y=\"126.0\" text-anchor=\"start\" fill=\"#009e73\" font-size=\"12\">three<", svg), 1U);
+  EXPECT_EQ(count_of("height=\"897\"", svg), 2U);  // four lines more than 825
+}
+
 TEST(MotionDrawing, LeavesOutTheMarksOfVeryManyKeys) {
   const std::string svg =
       motion_drawing({.title = "", .keys = keys_of(201), .methods = {turning("m", 1.0)}}).document();

@@ -58,6 +58,23 @@ TEST(Table, PutsUnitsAndRemarksBelowWhereThereIsLittleRoom) {
             "  A note of a few words.\n");
 }
 
+TEST(Table, PutsALongWordAboveItsRow) {
+  Table table = speeds();
+  table.columns[0].widest = 8;
+  table.rows[0][0] = "slerp along a far way";
+  EXPECT_EQ(text_of(table, 36, "Left out:"),
+            "Speeds of some curves on a file\n"
+            "  curve   RMS  time      ∫|α|²\n"
+            "          [°]   [s]  [rad²/s³]\n"
+            "  slerp along a far way\n"
+            "         1.25   0.5         17\n"
+            "  odd       –     –          –\n"
+            "      key 3: found 1 key, wanted 2\n"
+            "      of them\n"
+            "  A note of a few words.\n");
+  EXPECT_NE(text_of(table).find("\n  slerp along a far way\n             1.25 "), std::string::npos) << text_of(table);
+}
+
 TEST(Table, LeavesOutTheHighestRankFirstAndSaysSo) {
   EXPECT_EQ(text_of(speeds(), 28, "Left out:"),
             "Speeds of some curves on a\n"

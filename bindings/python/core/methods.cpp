@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
 
+#include <nanobind/stl/vector.h>
+
+#include <orispline/families/method_list.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 
@@ -68,6 +71,8 @@ void add_methods(nb::module_& module) {
     for (const FamilyInfo& family : families_info()) list.append(info_of(family));
     return list;
   });
+  module.def(
+      "method_texts", [](const std::string& typed) { return value_of(method_texts_in(typed)); }, "typed"_a);
   module.def(
       "method_info", [](const std::string& name) { return info_of(*value_of(find_family(name))); }, "name"_a);
 }

@@ -17,7 +17,7 @@ struct CompareArguments {
   OutputOptions output;                 ///< of the table: standard output, or a file in the folder
   std::vector<std::string> keep_every;  ///< whole numbers, or lists of them with commas between them
   std::vector<std::string> blending;    ///< files of methods of the user's own
-  std::vector<std::string> methods;     ///< names with settings, or lists with commas between them; none: all
+  std::vector<std::string> methods;     ///< each time one method, or a list with commas; none: all
   std::optional<std::string> random, reference, sort;
   TypedFields measured;  ///< of MeasureOptions
   bool jitter = false, tune = false, json = false, csv = false;

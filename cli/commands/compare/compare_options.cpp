@@ -15,10 +15,11 @@ constexpr auto compare_footer = R"(Examples:
   orispline compare keys.csv --reference truth.csv --report report.html
   orispline compare flights --methods auto,slerp,squad --output-folder tables
   orispline compare flight.csv --methods auto,quintic:tension=0.6,timed-c2:ends=repeat --inertia=1,2,2.5 --sort torque
+  orispline compare keys.csv --reference truth.csv --methods auto --methods quintic:tension=0.3,0.7,0.9,0.4
 
 --keep-every N keeps the samples 0, N, 2N, ... of INPUT as keys, the last one only if it falls on the grid; the curves
 through them are compared with all samples from the first to the last key. With columns wx,wy,wz the angular velocities
-are compared too. Errors are full rotation angles. A method that fails stands in the table with the reason; the exit code
+are compared too. Errors are full rotation angles. A setting may have a number for each key that is kept. A method that fails stands in the table with the reason; the exit code
 is 0 if one worked. --leave-out is an estimate from the keys alone: it says how large the error is, not which method is
 the best (docs/compare.md).)";
 
@@ -49,7 +50,8 @@ void add_compare_options(Command& app, CompareArguments& o) {
       ->type_name(file_type)
       ->group(group);
   const std::string measures = "Methods and measures";
-  app.add_option("--methods", o.methods, "Methods, also NAME:SETTING=VALUE:ends=RULE; repeatable, or a list [all]")
+  app.add_option("--methods", o.methods,
+                 "Methods, also NAME:SETTING=VALUE:ends=RULE; repeatable, each time one or a list [all]")
       ->repeated()
       ->type_name(methods_type)
       ->group(measures);

@@ -2,6 +2,7 @@
 #include "commands/compare/compare_request.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
@@ -16,9 +17,7 @@ namespace orispline::cli {
 namespace {
 
 constexpr std::size_t default_step = 8;
-constexpr std::string_view all_of_them = "all";
-
-using OwnFamilies = std::vector<std::shared_ptr<const OwnFamily>>;
+constexpr std::string_view all_of_them = "all", methods_option = "--methods";
 
 Expected<jobs::LabelledMethod> named_method(const std::string& text, const OwnFamilies& own) {
   return method_from_text(text, own)
@@ -26,40 +25,31 @@ Expected<jobs::LabelledMethod> named_method(const std::string& text, const OwnFa
         return jobs::LabelledMethod{text, std::move(method)};
       })
       .map_error([](Error error) {
-        if (!std::exchange(error.option, {}).empty()) error.message = formatted("--methods: {}", error.message);
+        if (!std::exchange(error.option, {}).empty())
+          error.message = formatted("{}: {}", methods_option, error.message);
         return error;
       });
 }
 
-/// The names that were typed, each for itself; `all` among them.
-std::vector<std::string> typed_names(const CompareArguments& options) {
-  std::vector<std::string> names;
-  for (const std::string& list : options.methods)
-    for (const std::string_view name : pieces_of(list, ',')) names.emplace_back(name);
-  return names;
-}
-
-/// The methods of a name.
+/// The methods of a name, which may be `all`.
 Expected<std::vector<jobs::LabelledMethod>> methods_named(const std::string& name, const OwnFamilies& own) {
   if (name == all_of_them) return jobs::all_methods();
   return named_method(name, own).map([](jobs::LabelledMethod method) { return std::vector{std::move(method)}; });
 }
 
-Expected<std::vector<jobs::LabelledMethod>> methods_in(const CompareArguments& options) {
-  if (options.methods.empty()) return jobs::all_methods();
-  const auto own = own_families(options.blending);
-  if (!own) return tl::unexpected(own.error());
+Expected<std::vector<jobs::LabelledMethod>> methods_in(std::span<const std::string> names, const OwnFamilies& own) {
+  if (names.empty()) return jobs::all_methods();
   std::vector<jobs::LabelledMethod> methods;
-  for (const std::string& name : typed_names(options)) {
-    auto named = methods_named(name, *own);
+  std::vector<std::string> labels;
+  for (const std::string& name : names) {
+    auto named = methods_named(name, own);
     if (!named) return tl::unexpected(std::move(named.error()));
     for (jobs::LabelledMethod& method : *named) {
-      if (std::ranges::find(methods, method.label, &jobs::LabelledMethod::label) != methods.end())
-        return usage_failure(formatted("--methods: found '{}' twice, wanted each method once", method.label));
+      labels.push_back(method.label);
       methods.push_back(std::move(method));
     }
   }
-  return methods;
+  return check_differ(methods_option, labels).map([&] { return std::move(methods); });
 }
 
 Expected<std::vector<std::size_t>> steps_in(const CompareArguments& options) {
@@ -114,10 +104,12 @@ Expected<void> agree(const CompareArguments& options, const CompareRequest& requ
 
 Expected<CompareRequest> compare_request(const CompareArguments& options) {
   FirstError checked;
+  const OwnFamilies own = checked(own_families(options.blending));
+  const auto named = checked(method_texts(methods_option, options.methods, own));
   CompareRequest request{.input = checked(input_request(options.input)),
                          .job = {.decimations = checked(decimations_in(options)),
-                                 .methods = checked(methods_in(options)),
-                                 .named = typed_names(options),
+                                 .methods = checked(methods_in(named, own)),
+                                 .named = named,
                                  .tune = options.tune,
                                  .measured = checked(measures_in(options)),
                                  .has_inertia = is_given(options.measured, "inertia")}};

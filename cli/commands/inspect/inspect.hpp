@@ -9,7 +9,7 @@ namespace orispline::cli {
 /// `orispline inspect`, as typed.
 struct InspectArguments {
   InputOptions input;
-  std::vector<std::string> methods;  ///< names, or lists of names with commas between them
+  std::vector<std::string> methods;  ///< each time one method, or a list with commas
   MethodOptions shape;
   bool json = false;
 };

@@ -9,6 +9,7 @@ constexpr auto inspect_footer = R"(Examples:
   orispline inspect keys.csv
   orispline inspect keys.csv --method auto,quintic --method slerp
   orispline inspect keys.csv --method sextic --json
+  orispline inspect keys.csv --method quintic:tension=0.3,0.7,0.9,0.4 --method quintic
   orispline inspect mage.glb
   orispline inspect mage.glb --clip Walking_A --joint hand.r --method auto
 
@@ -19,7 +20,8 @@ far from 1. The JSON is described in docs/inspect-json.md.)";
 
 void add_inspect_options(Command& app, InspectArguments& o) {
   add_input_options(app, o.input);
-  app.add_option("--method", o.methods, "Methods whose continuity to measure; repeatable, or a list with commas")
+  app.add_option("--method", o.methods,
+                 "Methods whose continuity to measure; repeatable, each time one or a list with commas")
       ->repeated()
       ->type_name(methods_type)
       ->group("Shape of the curve");

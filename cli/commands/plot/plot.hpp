@@ -15,7 +15,7 @@ inline constexpr std::array axis_choices{Choice<jobs::BodyAxis>{"x", jobs::BodyA
 /// `orispline plot`, as typed.
 struct PlotArguments {
   InputOptions input;
-  std::vector<std::string> methods;  ///< names, or lists of names with commas between them
+  std::vector<std::string> methods;  ///< each time one method, or a list with commas
   MethodOptions shape;
   std::string path{io::standard_stream};
   std::optional<std::string> axis, ghosts;

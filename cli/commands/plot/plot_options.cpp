@@ -10,6 +10,7 @@ namespace {
 constexpr auto plot_footer = R"(Examples:
   orispline plot keys.csv -o motion.svg
   orispline plot keys.csv --method auto,quintic --method slerp -o methods.svg
+  orispline plot keys.csv --method quintic:tension=0.3,0.7,0.9,0.4 --method sextic -o two.svg
   orispline plot robot.csv --set hold=1 --axis z -o tool.svg
   orispline plot flight.csv --ghosts 20 -o flight.svg
 
@@ -20,9 +21,9 @@ body axis on the unit sphere. It shows 6 methods at most, each in its own colour
 
 void add_plot_options(Command& app, PlotArguments& o) {
   add_input_options(app, o.input);
-  app.add_option(
-         "--method", o.methods,
-         formatted("Methods to draw; repeatable, or a list with commas [as INPUT says, else {}]", default_method))
+  app.add_option("--method", o.methods,
+                 formatted("Methods to draw; repeatable, each time one or a list with commas [as INPUT says, else {}]",
+                           default_method))
       ->repeated()
       ->type_name(methods_type)
       ->group("Shape of the curve");

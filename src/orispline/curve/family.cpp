@@ -8,6 +8,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/suggestion.hpp>
 #include <orispline/curve/key_check.hpp>
+#include <orispline/curve/value_counts.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -41,15 +42,20 @@ std::string wanted_values(const Parameter& parameter, std::size_t keys, std::siz
   return formatted("1, one per key ({}) or one per key and ghost key ({})", keys, with_ghosts);
 }
 
-std::optional<Error> check_values(const FamilyInfo& family, const Parameter& parameter,
-                                  const std::vector<double>& values, std::size_t keys) {
+std::optional<Error> check_count_of(const FamilyInfo& family, const Parameter& parameter,
+                                    const std::vector<double>& values, std::size_t keys) {
   const std::size_t with_ghosts = keys + 2 * static_cast<std::size_t>(parameter.ghosts);
   const bool right_count = values.size() == 1 ||
                            (parameter.per_key && (values.size() == keys || values.size() == with_ghosts)) ||
                            (parameter.tensor && (values.size() == 3 || values.size() == 6));
-  if (!right_count)
-    return argument_error(formatted("{}: found {} values of {}, wanted {}", family.name, values.size(), parameter.name,
-                                    wanted_values(parameter, keys, with_ghosts)));
+  if (right_count) return std::nullopt;
+  return argument_error(formatted("{}: found {} values of {}, wanted {}", family.name, values.size(), parameter.name,
+                                  wanted_values(parameter, keys, with_ghosts)));
+}
+
+std::optional<Error> check_values(const FamilyInfo& family, const Parameter& parameter,
+                                  const std::vector<double>& values, std::size_t keys) {
+  if (auto error = check_count_of(family, parameter, values, keys)) return error;
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!(parameter.lowest <= values[i] && values[i] <= parameter.highest)) {
       Error error = argument_error(formatted("{}: {} is {}, wanted {} to {}", family.name, parameter.name, values[i],
@@ -151,6 +157,13 @@ Error at_value(Error error, std::size_t value, std::size_t values, std::size_t k
                               value < ghosts ? 0 : keys - 1, error.message);
   }
   return error;
+}
+
+Expected<void> check_value_counts(const FamilyInfo& family, const CurveOptions& options, std::size_t keys) {
+  for (const Parameter& parameter : family.parameters)
+    if (const auto given = options.parameters.find(parameter.name); given != options.parameters.end())
+      if (auto error = check_count_of(family, parameter, given->second, keys)) return tl::unexpected(std::move(*error));
+  return {};
 }
 
 Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& options, std::size_t keys) {

@@ -8,6 +8,7 @@
 #include <orispline/analysis/comparison.hpp>
 #include <orispline/analysis/decimation.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/value_counts.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/jobs/tune.hpp>
 
@@ -37,6 +38,21 @@ Expected<std::vector<ComparedMethod>> methods_to_compare(const CompareRequest& r
       if (progress.stopped()) return cancellation();
     }
   return methods;
+}
+
+/// Settings with a value for each key want as many as there are, which is what was kept of a recording.
+Expected<void> check_counts(const CompareRequest& request, const ComparedData& data) {
+  for (const ComparedKeys& keys : data.key_sets)
+    for (const LabelledMethod& stated : request.methods) {
+      const std::size_t count = keys.track.keys.size();
+      auto fits = check_value_counts(family_of(stated.method), stated.method.options, count);
+      if (fits) continue;
+      if (keys.decimation)
+        fits.error().message += formatted("; `keep_every` {} keeps {} of the {} samples", keys.decimation->keep_every,
+                                          count, data.samples.size());
+      return fits;
+    }
+  return {};
 }
 
 void measure_all(CompareOutcome& outcome, const Progress& progress) {
@@ -102,6 +118,7 @@ Expected<CompareOutcome> compare(CompareRequest request, const Progress& progres
   outcome.warnings = std::exchange(outcome.data.warnings, {});
   const auto sorted_by = measure_to_sort_by(outcome);
   if (!sorted_by) return tl::unexpected(sorted_by.error());
+  if (auto fits = check_counts(outcome.request, outcome.data); !fits) return tl::unexpected(std::move(fits.error()));
   auto methods = methods_to_compare(outcome.request, outcome.data, progress);
   if (!methods) return tl::unexpected(std::move(methods.error()));
   outcome.methods = std::move(*methods);

@@ -65,7 +65,8 @@ struct ORISPLINE_EXPORT CompareOutcome {
 };
 
 /// Errors: those of check(); bad_data for fewer than two keys and for a reference that does not overlap them;
-/// bad_argument for a measure of rates that are not logged; cancelled.
+/// bad_argument for a measure of rates that are not logged and for settings of which there are neither one nor as many
+/// as keys; cancelled.
 [[nodiscard]] ORISPLINE_EXPORT Expected<CompareOutcome> compare(CompareRequest request, const Progress& progress = {});
 
 /// A list, described in docs/inspect-json.md.

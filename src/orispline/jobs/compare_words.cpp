@@ -17,6 +17,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 namespace {
 
 constexpr std::string_view none = "–";
+constexpr std::size_t widest_label = 28;  // characters
 
 bool is_on(const ComparedMethod& method, std::size_t key_set) { return method.key_set == key_set && method.measures; }
 
@@ -75,7 +76,8 @@ std::vector<std::string> notes_of(const CompareOutcome& outcome, std::size_t key
 }
 
 report::Table table_of(const CompareOutcome& outcome, std::size_t key_set) {
-  report::Table table{.title = title_of(outcome, key_set), .columns = {{"method"}, {"order"}}};
+  report::Table table{.title = title_of(outcome, key_set),
+                      .columns = {{.name = "method", .widest = widest_label}, {"order"}}};
   std::vector<MeasureInfo> measures = outcome.measures();
   std::erase_if(measures, [](const MeasureInfo& measure) { return measure.heading.empty(); });
   for (const MeasureInfo& measure : measures)

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include <orispline/families/method_list.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
@@ -16,14 +17,16 @@ Expected<InspectOutcome> inspect(InspectRequest request) {
   const KeyFaults& faults = outcome.request.faults;
   outcome.keyframes.non_unit_keys += faults.wrong_norms;
   outcome.keyframes.largest_norm_error = std::max(outcome.keyframes.largest_norm_error, faults.largest_norm_error);
-  for (const Method& method : outcome.request.methods) {
+  const auto labels = labels_of(outcome.request.methods);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const Method& method = outcome.request.methods[i];
     auto shaped = curve_of_keys(method, keys);
     if (!shaped) return tl::unexpected(std::move(shaped.error()));
     const AnyCurve& curve = shaped->curve.orientation;
     const Seam seam = method.options.loop ? Seam::closed : Seam::open;
     const Continuity continuity = continuity_at_keys(curve, seam);
     outcome.methods.push_back(
-        {method.name, continuity, shape_continuity_at_keys(curve, seam, continuity), std::move(shaped->findings)});
+        {labels[i], continuity, shape_continuity_at_keys(curve, seam, continuity), std::move(shaped->findings)});
     std::ranges::move(shaped->warnings, std::back_inserter(outcome.warnings));
   }
   return outcome;

@@ -31,7 +31,7 @@ struct InspectRequest {
 
 /// The continuity that one method really has on the keys.
 struct InspectedMethod {
-  std::string name;
+  std::string label;      ///< its name, or its text form beside another of that name
   Continuity continuity;  ///< in time
   ShapeContinuity shape;
   std::optional<KeyFindings> findings{};  ///< by the method `measured`

@@ -69,8 +69,8 @@ void add_shape(Json& method, const ShapeContinuity& shape) {
 
 Json methods_json(const InspectOutcome& outcome) {
   Json methods = Json::array();
-  for (const auto& [name, continuity, shape, findings] : outcome.methods) {
-    Json method{{"method", name}, {"continuity_order", continuity.order()}};
+  for (const auto& [label, continuity, shape, findings] : outcome.methods) {
+    Json method{{"method", label}, {"continuity_order", continuity.order()}};
     method["orientation_jump_max_deg"] = continuity.orientation.angle * degrees;
     if (continuity.orientation.angle > 0.0)
       add_place(method, "orientation_jump_max_after", outcome, continuity.orientation.key);
@@ -141,12 +141,18 @@ std::string jump_cell(const Jump& jump) {
   return formatted("{:>10.3g}  {:>8.1e}", jump.largest, jump.relative);
 }
 
+/// The first cell of a row. A longer label has a line of its own, above its numbers.
+std::string label_cell(const std::string& label) {
+  constexpr std::size_t width = 20;
+  return label.size() < width ? formatted("{:{}}", label, width) : formatted("{}\n{:{}}", label, "", width);
+}
+
 /// Where a curve is none, or nothing.
 std::string break_line(const InspectOutcome& outcome, const InspectedMethod& method) {
   const OrientationJump& jump = method.continuity.orientation;
   if (!(jump.angle > 0.0)) return "";
   return formatted("{} jumps by {:.4g}° between two keys, after {}; put a key in between, or take timed-c2\n",
-                   method.name, jump.angle * degrees, place(outcome, jump.key));
+                   method.label, jump.angle * degrees, place(outcome, jump.key));
 }
 
 std::string methods_table(const InspectOutcome& outcome) {
@@ -155,9 +161,9 @@ std::string methods_table(const InspectOutcome& outcome) {
       "\nLargest jumps at the keys, absolute and relative to the largest rate\n{:20}{:>5}  "
       "{:>20}  {:>20}  {:>20}\n",
       "method", "order", "ω [rad/s]", "α [rad/s²]", "jerk [rad/s³]");
-  for (const auto& [method, c, shape, findings] : outcome.methods)
-    table += formatted("{:20}{:>5}  {}  {}  {}\n", method, formatted("C{}", c.order()), jump_cell(c.angular_velocity),
-                       jump_cell(c.angular_acceleration), jump_cell(c.angular_jerk));
+  for (const auto& [label, c, shape, findings] : outcome.methods)
+    table += formatted("{}{:>5}  {}  {}  {}\n", label_cell(label), formatted("C{}", c.order()),
+                       jump_cell(c.angular_velocity), jump_cell(c.angular_acceleration), jump_cell(c.angular_jerk));
   for (const InspectedMethod& method : outcome.methods) table += break_line(outcome, method);
   return table;
 }
@@ -178,10 +184,10 @@ std::string rest_line(const InspectOutcome& outcome, const InspectedMethod& meth
   const auto in_motion = shape.order_in_motion();
   const std::string elsewhere = in_motion ? formatted("; at the other keys it is {}", order_text(in_motion)) : "";
   if (shape.stands > 0)
-    return formatted("{} stands still beside {}{}: its shape is undefined there{}\n", method.name,
+    return formatted("{} stands still beside {}{}: its shape is undefined there{}\n", method.label,
                      place(outcome, shape.first_stand), others(shape.stands), elsewhere);
   const std::string rest =
-      formatted("{} rests at {}{}", method.name, place(outcome, shape.first_rest), others(shape.rests));
+      formatted("{} rests at {}{}", method.label, place(outcome, shape.first_rest), others(shape.rests));
   if (shape.order() == 0) return formatted("{}{}\n", rest, elsewhere);
   return formatted("{} and goes on in the same direction: it is G1 there, and has no finite curvature in general{}\n",
                    rest, elsewhere);
@@ -191,14 +197,14 @@ std::string rest_line(const InspectOutcome& outcome, const InspectedMethod& meth
 std::string corner_line(const InspectOutcome& outcome, const InspectedMethod& method) {
   if (method.shape.order() != 0 || method.shape.is_hidden()) return "";
   const auto [corner, key] = method.shape.corner();
-  return formatted("{} has a corner of {:.1f}° at {}\n", method.name, corner * degrees, place(outcome, key));
+  return formatted("{} has a corner of {:.1f}° at {}\n", method.label, corner * degrees, place(outcome, key));
 }
 
 /// Where the rates are too small for their shape, or nothing.
 std::string hidden_line(const InspectOutcome& outcome, const InspectedMethod& method) {
   const ShapeContinuity& shape = method.shape;
   if (!shape.is_hidden()) return "";
-  return formatted("{} is {} at least: double precision cannot tell more at {}, where it nearly rests\n", method.name,
+  return formatted("{} is {} at least: double precision cannot tell more at {}, where it nearly rests\n", method.label,
                    order_text(shape.order()), place(outcome, shape.hidden_at));
 }
 
@@ -208,8 +214,8 @@ std::string shapes_table(const InspectOutcome& outcome) {
       "\nThe same of the shape, whatever the speed: how the path turns by the angle travelled\n{:20}{:>5}  "
       "{:>20}  {:>20}  {:>20}\n",
       "method", "shape", "direction", "curvature [1/rad]", "its change [1/rad²]");
-  for (const auto& [method, continuity, s, findings] : outcome.methods)
-    table += formatted("{:20}{:>5}  {}  {}  {}\n", method, order_cell(s), jump_cell(s.direction),
+  for (const auto& [label, continuity, s, findings] : outcome.methods)
+    table += formatted("{}{:>5}  {}  {}  {}\n", label_cell(label), order_cell(s), jump_cell(s.direction),
                        jump_cell(s.curvature), jump_cell(s.curvature_rate));
   for (const InspectedMethod& method : outcome.methods)
     table += rest_line(outcome, method) + corner_line(outcome, method) + hidden_line(outcome, method);
@@ -218,10 +224,10 @@ std::string shapes_table(const InspectOutcome& outcome) {
 
 std::string findings_lines(const InspectOutcome& outcome) {
   std::string lines;
-  for (const InspectedMethod& method : outcome.methods)
-    if (method.findings)
-      lines += formatted("\nThe keys say to {}: {}\nwhich as settings are '{}'\n", method.name,
-                         findings_text(*method.findings), text_of(with_findings(method.name, *method.findings)));
+  for (std::size_t i = 0; i < outcome.methods.size(); ++i)
+    if (const auto& [label, continuity, shape, findings] = outcome.methods[i]; findings)
+      lines += formatted("\nThe keys say to {}: {}\nwhich as settings are '{}'\n", label, findings_text(*findings),
+                         text_of(with_findings(outcome.request.methods[i], *findings)));
   return lines;
 }
 

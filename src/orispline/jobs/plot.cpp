@@ -10,6 +10,7 @@
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/families/method_list.hpp>
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>
 #include <orispline/report/motion_drawing.hpp>
@@ -50,7 +51,8 @@ Expected<PlotOutcome> plot(const PlotRequest& request) {
     curves.push_back(std::move(*curve));
   }
   std::vector<NamedCurve> named;
-  for (std::size_t i = 0; i < curves.size(); ++i) named.push_back({request.methods[i].name, curves[i]});
+  const auto labels = labels_of(request.methods);
+  for (std::size_t i = 0; i < curves.size(); ++i) named.push_back({labels[i], curves[i]});
   outcome.svg = picture_of({title_of(request), request.axis, request.ghosts}, request.keys->keys, named);
   return outcome;
 }

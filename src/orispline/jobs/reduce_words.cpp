@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <tuple>
 
 #include <orispline/base/counted.hpp>
@@ -20,18 +21,30 @@ std::string time_text(const ReduceOutcome& outcome, std::size_t sample) {
   return outcome.recording->time_of(sample).to_string();
 }
 
-std::string line_of(const ReduceOutcome& outcome, const Reduction& reduction) {
+/// A row of the table, whose first column is so wide.
+std::string row_of(const ReduceOutcome& outcome, const std::string& label, std::size_t width,
+                   const Reduction& reduction) {
   const Deviation& d = reduction.deviation;
   const std::size_t samples = outcome.recording->keys.size(), keys = reduction.samples.size();
-  std::string line = formatted("  {:<9}{:>9}{:>9.1f}{:>14.6g}° at {} s", reduction.method.name, keys,
+  std::string line = formatted("  {:<{}}{:>9}{:>9.1f}{:>14.6g}° at {} s", label, width, keys,
                                static_cast<double>(samples) / static_cast<double>(keys), d.angle * degrees,
                                time_text(outcome, d.angle_at));
   if (d.position) line += formatted(", {:.6g} m at {} s", *d.position, time_text(outcome, d.position_at));
   return line + "\n";
 }
 
-Json method_json(const ReduceOutcome& outcome, const Reduction& reduction) {
-  Json json{{"method", reduction.method.name}};
+std::string table_of(const ReduceOutcome& outcome) {
+  const auto labels = labels_of(outcome.reductions);
+  std::size_t width = 9;
+  for (const std::string& label : labels) width = std::max(width, label.size());
+  std::string table =
+      formatted("  {:<{}}{:>9}{:>9}  largest error, at every sample\n", "method", width, "keys", "ratio");
+  for (std::size_t i = 0; i < labels.size(); ++i) table += row_of(outcome, labels[i], width, outcome.reductions[i]);
+  return table;
+}
+
+Json method_json(const ReduceOutcome& outcome, const std::string& label, const Reduction& reduction) {
+  Json json{{"method", label}};
   put(json, reduction, places_of(*outcome.recording), Absent::left_out);
   return json;
 }
@@ -76,9 +89,11 @@ Json document_of(const ReduceOutcome& outcome) {
   Json json{{"samples", outcome.recording->keys.size()}, {"tolerance_deg", tolerance.angle * degrees}};
   if (tolerance.bounds_positions()) json["position_tolerance_m"] = tolerance.position;
   json["refitted"] = outcome.options.values == KeyValues::refitted;
-  json.update(method_json(outcome, outcome.chosen()));
+  const auto labels = labels_of(outcome.reductions);
+  json.update(method_json(outcome, labels[smallest(outcome.reductions)], outcome.chosen()));
   Json methods = Json::array();
-  for (const Reduction& reduction : outcome.reductions) methods.push_back(method_json(outcome, reduction));
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    methods.push_back(method_json(outcome, labels[i], outcome.reductions[i]));
   json["methods"] = std::move(methods);
   if (outcome.smoothed) json["smoothing"] = smoothed_json(outcome);
   return json;
@@ -91,16 +106,15 @@ std::string summary_of(const ReduceOutcome& outcome) {
   if (tolerance.bounds_positions()) text += formatted(" and {:.6g} m", tolerance.position);
   text += "\n";
   if (!outcome.mended.empty()) text += outcome.mended + "\n";
-  text += "  method        keys    ratio  largest error, at every sample\n";
-  for (const Reduction& reduction : outcome.reductions) text += line_of(outcome, reduction);
+  text += table_of(outcome);
   return outcome.smoothed ? text + smoothed_lines(outcome) : text;
 }
 
 std::string line_of(const ReduceOutcome& outcome) {
   const Reduction& chosen = outcome.chosen();
-  std::string text =
-      formatted("{} of {} from {}, {:.6g}° off at most", counted(chosen.samples.size(), "key"), chosen.method.name,
-                counted(outcome.recording->keys.size(), "sample"), chosen.deviation.angle * degrees);
+  std::string text = formatted("{} of {} from {}, {:.6g}° off at most", counted(chosen.samples.size(), "key"),
+                               labels_of(outcome.reductions)[smallest(outcome.reductions)],
+                               counted(outcome.recording->keys.size(), "sample"), chosen.deviation.angle * degrees);
   if (chosen.deviation.position) text += formatted(", {:.6g} m", *chosen.deviation.position);
   if (const auto& smoothed = outcome.smoothed)
     text +=

@@ -14,11 +14,12 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
 namespace {
 
-std::string title_of(const Track& recording, const Reduction& chosen, const Tolerance& allowed) {
+std::string title_of(const Track& recording, const std::string& method, const Reduction& chosen,
+                     const Tolerance& allowed) {
   std::string tolerance = formatted("{:.6g}°", allowed.angle * degrees);
   if (allowed.bounds_positions()) tolerance += formatted(" and {:.6g} m", allowed.position);
   return formatted("{} within {}: {} keys of {} for {} samples", file_name_of(recording.name), tolerance,
-                   chosen.samples.size(), chosen.method.name, recording.keys.size());
+                   chosen.samples.size(), method, recording.keys.size());
 }
 
 std::vector<report::PageColumn> columns_of(const CurvePage& page) {
@@ -31,9 +32,8 @@ std::vector<report::PageColumn> columns_of(const CurvePage& page) {
   return columns;
 }
 
-report::PageMethod method_of(const CurvePage& page, const Reduction& reduction) {
+report::PageMethod method_of(const CurvePage& page, const std::string& name, const Reduction& reduction) {
   const Candidate candidate{.method = reduction.method, .keys = reduction.track.keys};
-  const std::string& name = reduction.method.name;
   auto curve = make_pose_curve(reduction.method, reduction.track.keys);
   auto measures = measure(candidate, page.recorded());
   if (!curve || !measures) return {.name = name, .failure = describe(curve ? measures.error() : curve.error())};
@@ -52,11 +52,12 @@ report::PageMethod method_of(const CurvePage& page, const Reduction& reduction) 
 report::Page reduce_page(const Track& recording, std::span<const Reduction> reductions, const ReduceOptions& options,
                          const PageHead& head, std::optional<double> smoothing_time) {
   const std::size_t smallest = orispline::smallest(reductions);
+  const auto labels = labels_of(reductions);
   const Reduction& chosen = reductions[smallest];
   const CurvePage curves{.recording = recording.keys,
                          .measures = measures_of({MeasureGroup::distance, MeasureGroup::shape})};
-  report::Page page =
-      begun_page(title_of(recording, chosen, options.tolerance), head, recording.epoch, chosen.track.keys);
+  report::Page page = begun_page(title_of(recording, labels[smallest], chosen, options.tolerance), head,
+                                 recording.epoch, chosen.track.keys);
   if (smoothing_time)
     page.notes.push_back(formatted(
         "The recording is shown as it is after smoothing, with a smoothing time of {:.4g} s.", *smoothing_time));
@@ -64,7 +65,8 @@ report::Page reduce_page(const Track& recording, std::span<const Reduction> redu
   page.reference = report::thinned(path_of(recording.keys), samples_of_few);
   page.limits["error"] = options.tolerance.angle * degrees;
   page.columns = columns_of(curves);
-  for (const Reduction& reduction : reductions) page.methods.push_back(method_of(curves, reduction));
+  for (std::size_t i = 0; i < reductions.size(); ++i)
+    page.methods.push_back(method_of(curves, labels[i], reductions[i]));
   const auto first = page.methods.begin() + static_cast<std::ptrdiff_t>(smallest);
   std::rotate(page.methods.begin(), first, first + 1);
   return page;

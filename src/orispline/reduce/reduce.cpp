@@ -8,6 +8,7 @@
 #include <orispline/base/counted_work.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
+#include <orispline/families/method_list.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/families/slerp.hpp>
@@ -188,6 +189,12 @@ Expected<DistanceStatistics> position_distance_of(const Reduction& reduction, co
     if (distance.count > 0) distance.largest_at = kept[distance.largest_at];
     return distance;
   });
+}
+
+std::vector<std::string> labels_of(std::span<const Reduction> reductions) {
+  std::vector<Method> methods;
+  for (const Reduction& reduction : reductions) methods.push_back(reduction.method);
+  return labels_of(methods);
 }
 
 std::size_t smallest(std::span<const Reduction> reductions) {

@@ -87,6 +87,9 @@ inline constexpr std::array<std::string_view, 3> reducing_methods{"auto", "timed
 [[nodiscard]] ORISPLINE_EXPORT Expected<DistanceStatistics> position_distance_of(
     const Reduction& reduction, const Keyframes& samples, std::span<const std::size_t> left_out = {});
 
+/// What tells their methods from each other: labels_of() these.
+[[nodiscard]] ORISPLINE_EXPORT std::vector<std::string> labels_of(std::span<const Reduction> reductions);
+
 /// The index of the one with the fewest keys, of equals the first.
 [[nodiscard]] ORISPLINE_EXPORT std::size_t smallest(std::span<const Reduction> reductions);
 

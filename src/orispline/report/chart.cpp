@@ -9,6 +9,7 @@
 
 #include <orispline/base/decimal.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/pieces.hpp>
 #include <orispline/report/characters.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
@@ -108,13 +109,19 @@ void draw(Drawing& drawing, const Box& box, const Chart& chart) {
   for (const Series& series : chart.series) drawing.line(places(axes, series), series.stroke);
 }
 
+double legend_pitch(std::string_view label) { return 50.0 + 7.2 * static_cast<double>(characters(label)); }
+
 void draw_legend(Drawing& drawing, Point at, std::span<const Series> series) {
   std::set<std::string_view> shown;
   for (const Series& s : series) {
     if (s.label.empty() || !shown.insert(s.label).second) continue;
     drawing.line(std::array{at, Point{at.x + 22.0, at.y}}, {s.stroke.color, 3.0, s.stroke.dashes});
-    drawing.text({at.x + 28.0, at.y + 4.0}, s.label, {Anchor::start, s.stroke.color});
-    at.x += 50.0 + 7.2 * static_cast<double>(characters(s.label));
+    Point words{at.x + 28.0, at.y + 4.0};
+    for (const std::string_view line : pieces_of(s.label, '\n')) {
+      drawing.text(words, line, {Anchor::start, s.stroke.color});
+      words.y += legend_line;
+    }
+    at.x += legend_pitch(s.label);
   }
 }
 

@@ -47,7 +47,12 @@ struct Chart {
 /// Draws the chart; the box is that of the curves, titles and numbers stand around it.
 ORISPLINE_EXPORT void draw(Drawing& drawing, const Box& box, const Chart& chart);
 
-/// The labels of the series in a row from `at` to the right; a label that another series had before is left out.
+/// How far it is in a legend from the start of one label to that of the next, and from one line to the next [px].
+[[nodiscard]] ORISPLINE_EXPORT double legend_pitch(std::string_view label);
+inline constexpr double legend_line = 18.0;
+
+/// The labels of the series in a row from `at` to the right; a label that another series had before is left out. One
+/// may have several lines.
 ORISPLINE_EXPORT void draw_legend(Drawing& drawing, Point at, std::span<const Series> series);
 
 }}}  // namespace orispline::report

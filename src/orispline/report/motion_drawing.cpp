@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/degrees.hpp>
@@ -17,7 +18,9 @@ namespace {
 
 constexpr double width = 1180.0, chart_height = 130.0, chart_pitch = 185.0, charts_top = 85.0;
 constexpr double charts_left = 70.0, charts_width = 660.0;
-constexpr Point sphere_center{970.0, 400.0};
+constexpr Point legend_at{charts_left, 50.0};
+constexpr double legend_width = width - charts_left;
+constexpr Point sphere_center{970.0, 400.0};  // below a legend of one line
 constexpr double sphere_radius = 175.0;
 constexpr std::array<std::string_view, most_drawn_methods> colors{color::blue,   color::red,  color::green,
                                                                   color::purple, color::gold, color::sky};
@@ -67,16 +70,66 @@ std::vector<Eigen::Vector3d> axis_path(const PagePath& path, const Eigen::Vector
   return directions;
 }
 
-void draw_sphere(Drawing& drawing, const MotionPicture& picture) {
+/// A name in lines for which there is room, broken behind commas.
+std::string broken(std::string_view name) {
+  std::string lines, line;
+  for (std::string_view rest = name; !rest.empty();) {
+    const std::size_t comma = rest.find(',');
+    const std::string_view piece = rest.substr(0, comma == rest.npos ? comma : comma + 1);
+    rest.remove_prefix(piece.size());
+    if (!line.empty() && legend_pitch(line + std::string(piece)) > legend_width)
+      lines += std::exchange(line, {}) + "\n";
+    line += piece;
+  }
+  return lines + line;
+}
+
+/// The names of the methods: in one row where there is room, else below each other.
+struct Legend {
+  std::vector<Series> names{};
+  bool is_row = true;
+
+  explicit Legend(const MotionPicture& picture) {
+    double row = 0.0;
+    for (std::size_t i = 0; i < picture.methods.size(); ++i) {
+      names.push_back({picture.methods[i].name, {}, {}, Stroke{colors[i]}});
+      row += legend_pitch(names.back().label);
+    }
+    is_row = row <= legend_width;
+    if (!is_row)
+      for (Series& name : names) name.label = broken(name.label);
+  }
+
+  static double height(const Series& name) {
+    return legend_line * static_cast<double>(1 + std::ranges::count(name.label, '\n'));
+  }
+  /// More than that of one line.
+  [[nodiscard]] double further_height() const {
+    double sum = 0.0;
+    if (!is_row)
+      for (const Series& name : names) sum += height(name);
+    return std::max(0.0, sum - legend_line);
+  }
+
+  void draw(Drawing& drawing) const {
+    if (is_row) return draw_legend(drawing, legend_at, names);
+    Point at = legend_at;
+    for (const Series& name : names) {
+      draw_legend(drawing, at, std::span(&name, 1));
+      at.y += height(name);
+    }
+  }
+};
+
+void draw_sphere(Drawing& drawing, const MotionPicture& picture, Point center) {
   SpherePicture sphere;
   for (std::size_t i = picture.methods.size(); i-- > 0;)
     sphere.paths.push_back({axis_path(picture.methods[i].samples.path, picture.body_axis), {colors[i], 2.0}});
   const auto keys = axis_path(picture.keys.path, picture.body_axis);
   if (keys.size() <= most_marked_keys)
     for (const Eigen::Vector3d& key : keys) sphere.dots.push_back({key});
-  drawing.text({sphere_center.x, sphere_center.y - sphere_radius - 25.0},
-               "body axis " + picture.axis_name + " on the unit sphere");
-  draw(drawing, facing(keys), sphere_center, sphere_radius, sphere);
+  drawing.text({center.x, center.y - sphere_radius - 25.0}, "body axis " + picture.axis_name + " on the unit sphere");
+  draw(drawing, facing(keys), center, sphere_radius, sphere);
 }
 
 /// How large the bodies are of which so many stand in a row [px].
@@ -116,19 +169,18 @@ double ghosts_height(const MotionPicture& picture) {
 std::span<const DrawnQuantity> drawn_quantities() noexcept { return quantities; }
 
 Drawing motion_drawing(const MotionPicture& picture) {
-  const double charts_bottom = charts_top + chart_pitch * static_cast<double>(quantities.size());
+  const Legend legend(picture);
+  const double lower = legend.further_height();
+  const double charts_bottom = charts_top + lower + chart_pitch * static_cast<double>(quantities.size());
   Drawing drawing(width, charts_bottom + ghosts_height(picture));
   drawing.text({charts_left, 28.0}, picture.title, {Anchor::start, color::ink, 16.0});
-  std::vector<Series> legend;
-  for (std::size_t i = 0; i < picture.methods.size(); ++i)
-    legend.push_back({picture.methods[i].name, {}, {}, Stroke{colors[i]}});
-  draw_legend(drawing, {charts_left, 50.0}, legend);
-  double top = charts_top;
+  legend.draw(drawing);
+  double top = charts_top + lower;
   for (const DrawnQuantity& quantity : quantities) {
     draw(drawing, {charts_left, top, charts_width, chart_height}, chart_of(quantity, picture));
     top += chart_pitch;
   }
-  draw_sphere(drawing, picture);
+  draw_sphere(drawing, picture, {sphere_center.x, sphere_center.y + lower});
   if (picture.ghosts > 1) draw_ghosts(drawing, picture, charts_bottom);
   return drawing;
 }

@@ -27,6 +27,14 @@ std::string text_of(const Cell& cell, const Column& column) {
   return formatted("{:.{}g}", number, column.digits);
 }
 
+/// The word of a row that is too long for the first column, which then stays empty.
+std::string word_above(const Table& table, std::size_t row) {
+  const std::size_t widest = table.columns.empty() ? 0 : table.columns.front().widest;
+  if (widest == 0 || table.rows[row].empty() || !is_word(table.rows[row].front())) return {};
+  const std::string& word = std::get<std::string>(table.rows[row].front());
+  return characters(word) > widest ? word : std::string();
+}
+
 /// A column's texts from its head down; words are aligned with words.
 struct Strip {
   std::vector<std::string> texts;
@@ -48,8 +56,10 @@ std::vector<std::string> in_two_lines(const Column& column) {
 Strip strip_of(const Table& table, std::size_t i, Heads heads) {
   Strip strip{.texts = heads(table.columns[i])};
   std::size_t words = 0;
-  for (const auto& row : table.rows) {
-    strip.texts.push_back(i < row.size() ? text_of(row[i], table.columns[i]) : "");
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    const auto& row = table.rows[r];
+    const bool is_empty = i >= row.size() || (i == 0 && !word_above(table, r).empty());
+    strip.texts.push_back(is_empty ? "" : text_of(row[i], table.columns[i]));
     words += i < row.size() && is_word(row[i]) ? 1 : 0;
   }
   strip.words = 2 * words > table.rows.size();
@@ -74,6 +84,12 @@ std::string line_of(const std::vector<Strip>& strips, std::size_t row) {
   std::string line;
   for (const Strip& strip : strips) line += "  " + padded(strip, row);
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+}
+
+/// A row with the word above it, where it has one.
+std::string lines_of(const Table& table, const std::vector<Strip>& strips, std::size_t row, std::size_t head_lines) {
+  const std::string above = word_above(table, row);
+  return (above.empty() ? "" : "  " + above + "\n") + line_of(strips, head_lines + row);
 }
 
 std::size_t width_of(const std::vector<Strip>& strips) {
@@ -127,8 +143,8 @@ std::vector<std::string> narrowed(Table& table, std::size_t longest) {
 
 std::string text_of(const Table& table) {
   const auto strips = strips_of(table, in_one_line);
-  std::string text = table.title + "\n";
-  for (std::size_t row = 0; row <= table.rows.size(); ++row) text += line_of(strips, row);
+  std::string text = table.title + "\n" + line_of(strips, 0);
+  for (std::size_t row = 0; row < table.rows.size(); ++row) text += lines_of(table, strips, row, 1);
   for (const std::string& note : table.notes) text += "  " + note + "\n";
   return text;
 }
@@ -142,10 +158,10 @@ std::string text_of(Table table, std::size_t longest, std::string_view left_out)
   const auto strips = strips_of(table, heads);
   const std::size_t head_lines = heads == in_two_lines ? 2 : 1;
   std::string text = wrapped(table.title, longest, "");
-  for (std::size_t line = 0; line < head_lines + table.rows.size(); ++line) {
-    text += line_of(strips, line);
-    if (line >= head_lines && !remarks[line - head_lines].empty())
-      text += wrapped(remarks[line - head_lines], longest, "      ");
+  for (std::size_t line = 0; line < head_lines; ++line) text += line_of(strips, line);
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    text += lines_of(table, strips, row, head_lines);
+    if (!remarks[row].empty()) text += wrapped(remarks[row], longest, "      ");
   }
   for (const std::string& note : table.notes) text += wrapped(note, longest, "  ");
   return text;

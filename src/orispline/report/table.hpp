@@ -20,8 +20,9 @@ enum class Notation { shortest, fixed, scientific };
 struct Column {
   std::string name;  ///< with the unit, if there is one; empty: remarks on the rows
   Notation notation = Notation::shortest;
-  int digits = 6;  ///< of shortest numbers all, else those after the point
-  int rank = 0;    ///< where there is no room for all, those of the highest rank are left out first; 0: never
+  int digits = 6;          ///< of shortest numbers all, else those after the point
+  int rank = 0;            ///< where there is no room for all, those of the highest rank are left out first; 0: never
+  std::size_t widest = 0;  ///< of the first column: a longer word has a line of its own above its row; 0: none has
 };
 
 struct Table {

@@ -17,9 +17,9 @@ export function element<Tag extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
-/** A text whose long names, such as those of files, break behind their parts and not in the middle of a word. */
+/** A text whose long names, such as those of files, break behind their parts and not in the middle of a word or a number. */
 export const breakable = (text: string) =>
-  text.split(/(?<=[/\\_.,:-])(?=\S)/).flatMap((part, i) => (i === 0 ? [part] : [document.createElement('wbr'), part]));
+  text.split(/(?<=[/\\_,:]|[.-](?!\d))(?=\S)/).flatMap((part, i) => (i === 0 ? [part] : [document.createElement('wbr'), part]));
 
 export const place = (id: string) => document.getElementById(id)!;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of measures: a click on a head sorts it, a click on a row shows the method.
 import { moment } from './clock';
-import { element, place } from './element';
+import { breakable, element, place } from './element';
 import { shown } from './number';
 import { hasSamples, report, type Column, type Method } from './report';
 import { sortable, type Head, type Value } from './sortable';
@@ -9,6 +9,9 @@ import { choose, current, moveTo, subscribe } from './state';
 
 const valueOf = (method: Method, id: string): Value =>
   id === 'name' ? method.name : id === 'continuity' ? method.continuity : (method.measures[id] ?? null);
+
+/** Names of more characters, which may differ at their ends only, are shown in several lines. */
+const longName = 28;
 
 /** Who is so near to the best is as good. */
 const asGood = 0.01;
@@ -82,7 +85,8 @@ function cellOf(method: Method, column: Column, isBest: ReturnType<typeof bestIn
 function rowOf(method: Method, best: Map<string, ReturnType<typeof bestIn>>): HTMLTableRowElement {
   const row = element('tr', { attributes: { 'data-method': method.name } });
   const picks = hasSamples(method) ? [showButton(method, 'first'), showButton(method, 'second')] : [];
-  row.append(element('td', { className: 'picks' }, ...picks), element('th', { scope: 'row', title: method.name }, method.name));
+  const name = element('th', { scope: 'row', title: method.name, className: method.name.length > longName ? 'long' : '' }, ...breakable(method.name));
+  row.append(element('td', { className: 'picks' }, ...picks), name);
   if (method.failure) {
     row.classList.add('failed');
     row.append(element('td', { colSpan: report.columns.length + 1 }, method.failure));

@@ -66,6 +66,16 @@ reportWith('of one method without positions and without a reference shows it alo
   assert.equal(await page.locator('.controls label:has-text("Seen")').count(), 0);
 });
 
+const tensions = '0.3,0.7,-0.2,0.9,0.4,0.3,0.7,-0.2,0.9';
+const alike = [`quintic:tension=${tensions},0.4`, `quintic:tension=${tensions},0.5`];
+for (const options of [{}, phone])
+  reportWith('of methods whose long names differ at their ends only shows all of them', { methods: alike.map((name) => method(name)) }, async (page) => {
+    const shown = page.locator('tbody th, figure:is(.first, .second) strong');
+    for (const text of await shown.allTextContents()) assert.ok(alike.includes(text), text);
+    assert.deepEqual(await shown.evaluateAll((all) => all.filter((one) => one.scrollWidth > one.clientWidth).map((one) => one.outerHTML)), []);
+    assert.deepEqual(await tooWide(page), []);
+  }, options);
+
 const keys = { t: [0], q: [1, 0, 0, 0], p: [] };
 const still = { t: [0], q: [1, 0, 0, 0], w: [0, 0, 0], a: [0, 0, 0], j: [0, 0, 0], torque: [], p: [], error_t: [], error_deg: [] };
 reportWith('of one key has measures only', { keys, methods: [method('constant', { samples: still })] }, async (page) => {

@@ -12,6 +12,7 @@ import warnings
 from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
 
+from .. import _core
 from .._checks import FRAMES
 from .._curve import BEYOND
 from .._errors import AccessError, ArgumentError, Error
@@ -45,6 +46,8 @@ def _run(arguments: Sequence[str] | None) -> int:
     places = [options.pop(name) for name in ("source", "at") if name in options]
     stated = {name: value for name, value in options.items() if value is not None}
     try:
+        if "methods" in stated:
+            stated["methods"] = [text for typed in stated["methods"] for text in _core.method_texts(typed)]
         with warnings.catch_warnings():
             warnings.showwarning = _say
             reader = getattr(_jobs, command)(*places, **stated, progress=shown.keys if shown else None)
@@ -192,7 +195,8 @@ def _reduce(commands: Any) -> None:
 
 def _compare(commands: Any) -> None:
     parser = _command(commands, "compare", "how near methods come to every track, of which some samples become keys")
-    parser.add_argument("--methods", type=_methods, metavar="NAME,…", help="methods (default: all)")
+    parser.add_argument("--methods", action="append", metavar="METHOD,…",
+                        help="a method with its settings, or a list of methods; repeatable (default: all)")
     parser.add_argument("--keep-every", type=int, metavar="N", help="keep every N-th sample as a key (default: 8)")
     parser.add_argument("--leave-out", action="store_true", default=None, help="estimate the error from the keys alone as well")
     parser.add_argument("--no-least-energy", dest="least_energy", action="store_false", default=None,
@@ -216,4 +220,4 @@ def _list_of(what: str) -> Callable[[str], list[str]]:
     return listed
 
 
-_names, _methods = _list_of("names"), _list_of("methods")
+_names = _list_of("names")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The body of one method in space, with ghosts of it at the keys.
 import { Group, Vector3, type Object3D } from 'three';
-import { element } from '../element';
+import { breakable, element } from '../element';
 import { isShownAt, orientationAt, quaternionAt, spanAt, type Quaternion } from '../motion';
 import { keysOf, methodNamed, report, type Keys, type Method } from '../report';
 import { subscribe, type State } from '../state';
@@ -59,7 +59,7 @@ export class MotionScene {
   private rebuild(state: State): void {
     const method = methodNamed(state[this.which]);
     this.figure.hidden = !method;
-    this.name.textContent = method?.name ?? '';
+    this.name.replaceChildren(...breakable(method?.name ?? ''));
     this.stage.describe(`The body in space, moved by ${method?.name ?? 'no method'}`);
     const content = new Group();
     this.moving = undefined;
