@@ -39,7 +39,7 @@ TEST(InspectJob, TellsMethodsOfOneNameFromEachOther) {
   EXPECT_EQ(std::get<std::string>(member(rows[1], "method").value()), "quintic:tension=0.5");
   const std::string summary = summary_of(*outcome);
   for (const char* const row : {"\nquintic:tension=0.3,0.7,-0.2,0.9,0.4\n                       C2  ",
-                                "\nquintic:tension=0.5    C2  ", "\nquintic:tension=0.5    G2  "})
+                                "\nquintic:tension=0.5    C2  ", "\nquintic:tension=0.5    G3  "})
     EXPECT_NE(summary.find(row), std::string::npos) << row << summary;
 }
 

@@ -61,7 +61,7 @@ TEST(ReduceJob, TellsMethodsOfOneNameFromEachOther) {
   EXPECT_EQ(std::get<std::string>(member(rows[1], "method").value()), "quintic:tension=0.25");
   EXPECT_EQ(std::get<std::string>(member(rows[0], "method").value()), "quintic");
   for (const char* const row :
-       {"\n  method                    keys ", "\n  quintic                 ", "\n  quintic:tension=0.25    "})
+       {"\n  method                   keys ", "\n  quintic                 ", "\n  quintic:tension=0.25    "})
     EXPECT_NE(summary_of(outcome).find(row), std::string::npos) << row << summary_of(outcome);
 }
 

@@ -72,7 +72,7 @@ TEST(Table, PutsALongWordAboveItsRow) {
             "      key 3: found 1 key, wanted 2\n"
             "      of them\n"
             "  A note of a few words.\n");
-  EXPECT_NE(text_of(table).find("\n  slerp along a far way\n             1.25 "), std::string::npos) << text_of(table);
+  EXPECT_NE(text_of(table).find("\n  slerp along a far way\n            1.25 "), std::string::npos) << text_of(table);
 }
 
 TEST(Table, LeavesOutTheHighestRankFirstAndSaysSo) {
