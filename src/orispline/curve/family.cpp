@@ -42,8 +42,8 @@ std::string wanted_values(const Parameter& parameter, std::size_t keys, std::siz
 }
 
 std::optional<Error> check_values(const FamilyInfo& family, const Parameter& parameter,
-                                  const std::vector<double>& values, std::size_t keys) {
-  const std::size_t with_ghosts = keys + 2 * static_cast<std::size_t>(parameter.ghosts);
+                                  const std::vector<double>& values, std::size_t keys, std::size_t ghosts) {
+  const std::size_t with_ghosts = keys + 2 * ghosts;
   const bool right_count = values.size() == 1 ||
                            (parameter.per_key && (values.size() == keys || values.size() == with_ghosts)) ||
                            (parameter.tensor && (values.size() == 3 || values.size() == 6));
@@ -167,10 +167,12 @@ Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& op
   for (const Parameter& parameter : family.parameters) {
     const auto given = options.parameters.find(parameter.name);
     std::vector<double> values = given != options.parameters.end() ? given->second : std::vector{parameter.initial};
-    if (auto error = check_values(family, parameter, values, keys)) return tl::unexpected(std::move(*error));
+    const std::size_t ghosts = options.loop ? 0 : static_cast<std::size_t>(parameter.ghosts);
+    if (auto error = check_values(family, parameter, values, keys, ghosts)) return tl::unexpected(std::move(*error));
     settings.parameters.emplace(parameter.name, PerKey(std::move(values)));
   }
-  if (keys != 1)
+  const bool closes = options.loop && family.closes;  // of any family with the keys that closed_keys() wants
+  if (keys != 1 && !closes)
     if (auto error = check_count(family, keys)) return tl::unexpected(std::move(*error));
   if (options.loop) {
     if (auto error = check_loop(family, options)) return tl::unexpected(std::move(*error));
