@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contract: a family that closes runs through its seam as through any key; one that does not says so.
 #include <contract/family_contract.hpp>
+#include <contract/random_parameters.hpp>
 
 namespace orispline::contract { namespace {
 
@@ -29,6 +30,13 @@ CurveOptions differing_parameters(const FamilyInfo& family, std::size_t keys, do
     if (p.per_key)
       for (std::size_t i = 0; i < keys; ++i)
         options.parameters[std::string(p.name)].push_back(p.initial + dice.between(0.0, 0.3));
+  return options;
+}
+
+/// Those but the ones that are jumps.
+CurveOptions differing_smooth_parameters(const FamilyInfo& family, std::size_t keys, double period) {
+  CurveOptions options = differing_parameters(family, keys, period);
+  std::erase_if(options.parameters, [&](const auto& entry) { return is_a_jump(family, entry.first); });
   return options;
 }
 
@@ -80,19 +88,19 @@ TEST_P(ClosedContract, SeamIsAsSmoothAsDeclared) {
 TEST_P(ClosedContract, SeamIsAsSmoothWithParametersOfTheirOwnAtEveryKey) {
   for (const Spacing spacing : {Spacing::even, Spacing::uneven}) {
     const KeyframeData data = loop_walk(84, spacing);
-    const CurveOptions options = differing_parameters(GetParam(), key_count, period_of(data, spacing));
+    const CurveOptions options = differing_smooth_parameters(GetParam(), key_count, period_of(data, spacing));
     expect_seam_of_order(closed(keyframes(data), options).orientation, continuity_with_parameters(spacing));
   }
 }
 
-TEST_P(ClosedContract, PassesThroughEveryKeyAndReturnsAfterThePeriod) {
+TEST_P(ClosedContract, PassesThroughEveryKeyIfItInterpolatesAndReturnsAfterThePeriod) {
   const KeyframeData data = loop_walk(85, Spacing::uneven);
   const double period = period_of(data, Spacing::uneven);
   const PoseCurve c = closed(keyframes(data), {.loop = Loop{period}});
   EXPECT_EQ(c.orientation.domain().start, data.times.front());
   EXPECT_DOUBLE_EQ(c.orientation.domain().end, data.times.front() + period);
   EXPECT_EQ(c.orientation.knots().segments(), key_count);
-  for (std::size_t i = 0; i < key_count; ++i) {
+  for (std::size_t i = 0; GetParam().interpolates && i < key_count; ++i) {
     EXPECT_TRUE(near(c.orientation(data.times[i]), data.orientations[i], tolerance::algebra));
     EXPECT_TRUE(near(c.position->linear_motion(data.times[i]).position, data.positions[i], tolerance::algebra));
   }
@@ -101,7 +109,8 @@ TEST_P(ClosedContract, PassesThroughEveryKeyAndReturnsAfterThePeriod) {
 TEST_P(ClosedContract, PositionsReturnAsSmoothlyAsOrientations) {
   for (const Spacing spacing : {Spacing::even, Spacing::uneven}) {
     const KeyframeData data = loop_walk(86, spacing);
-    const PoseCurve c = closed(keyframes(data), differing_parameters(GetParam(), key_count, period_of(data, spacing)));
+    const PoseCurve c =
+        closed(keyframes(data), differing_smooth_parameters(GetParam(), key_count, period_of(data, spacing)));
     const LinearMotion start = c.position->linear_motion(c.orientation.domain().start);
     const LinearMotion end = c.position->linear_motion(c.orientation.domain().end);
     EXPECT_TRUE(near(end.position, start.position, tolerance::algebra));
@@ -168,7 +177,8 @@ TEST_P(ClosedContract, ClosingKeyIsAsGoodAsAPeriod) {
     with_key.orientations.emplace_back(sign * data.orientations.front().coeffs());
     with_key.positions.push_back(data.positions.front());
     CurveOptions options = differing_parameters(GetParam(), key_count, period), of_the_key = options;
-    for (auto& [name, values] : of_the_key.parameters) values.push_back(-1.0);  // the first key's counts
+    for (const Parameter& p : GetParam().parameters)  // the first key's counts
+      if (p.per_key) of_the_key.parameters[std::string(p.name)].push_back(std::max(p.lowest, -1.0));
     of_the_key.loop = Loop{};
     // Signs::shortest turns the closing key to the nearer side: both signs are one loop.
     const PoseCurve by_period = closed(keyframes(data, Signs::shortest), options);
@@ -185,14 +195,19 @@ TEST_P(ClosedContract, ClosingKeyIsAsGoodAsAPeriod) {
 TEST_P(ClosedContract, ClosingKeyWithSignsAsGivenTakesTheLongWay) {
   KeyframeData data;
   for (const double angle : {0.0, 1.2, 2.4, 0.0}) {
+    const double tilt = angle == 1.2 ? 0.5 : 0.0;  // about one axis some are smoother than declared
     data.times.push_back(static_cast<double>(data.times.size()));
-    data.orientations.push_back(exp<double>(Eigen::Vector3d(0, 0, angle)));
+    data.orientations.push_back(exp<double>(Eigen::Vector3d(0, tilt, angle)));
   }
   const AnyCurve shorter = curve(keyframes(data), {.loop = Loop{}});
   data.orientations.back().coeffs() *= -1.0;
   const AnyCurve longer = curve(keyframes(data), {.loop = Loop{}});
-  EXPECT_TRUE(near(shorter(3.0), Eigen::Quaterniond::Identity(), tolerance::algebra));
-  EXPECT_TRUE(near(longer(3.0), data.orientations.back(), tolerance::algebra));
+  EXPECT_TRUE(near(shorter(3.0), shorter(0.0), tolerance::algebra));
+  EXPECT_TRUE(near(longer(3.0), Eigen::Quaterniond(-longer(0.0).coeffs()), tolerance::algebra));
+  if (GetParam().interpolates) {
+    EXPECT_TRUE(near(shorter(0.0), Eigen::Quaterniond::Identity(), tolerance::algebra));
+    EXPECT_TRUE(near(longer(0.0), Eigen::Quaterniond::Identity(), tolerance::algebra));
+  }
   expect_seam_of_order(longer, continuity(Spacing::even));
   EXPECT_GT(angular_distance(longer(2.5), shorter(2.5)), 1.0);
 }
@@ -207,7 +222,9 @@ TEST_P(ClosedContract, TwoKeysMakeALoopToAndFroOnTheirGreatArc) {
   }
   for (const double t : c.knots().times())
     EXPECT_TRUE(near(c.motion(t).angular_velocity, Eigen::Vector3d::Zero(), tolerance::series));
-  EXPECT_TRUE(near(c(data.times[1]), data.orientations[1], tolerance::algebra));
+  if (GetParam().interpolates) {
+    EXPECT_TRUE(near(c(data.times[1]), data.orientations[1], tolerance::algebra));
+  }
 }
 
 std::vector<FamilyInfo> closing_families() {

@@ -42,9 +42,14 @@ std::string wanted_values(const Parameter& parameter, std::size_t keys, std::siz
   return formatted("1, one per key ({}) or one per key and ghost key ({})", keys, with_ghosts);
 }
 
+/// Ghost keys beyond either end, of which a loop has none.
+std::size_t ghosts_of(const Parameter& parameter, const CurveOptions& options) {
+  return options.loop ? 0 : static_cast<std::size_t>(parameter.ghosts);
+}
+
 std::optional<Error> check_count_of(const FamilyInfo& family, const Parameter& parameter,
-                                    const std::vector<double>& values, std::size_t keys) {
-  const std::size_t with_ghosts = keys + 2 * static_cast<std::size_t>(parameter.ghosts);
+                                    const std::vector<double>& values, std::size_t keys, std::size_t ghosts) {
+  const std::size_t with_ghosts = keys + 2 * ghosts;
   const bool right_count = values.size() == 1 ||
                            (parameter.per_key && (values.size() == keys || values.size() == with_ghosts)) ||
                            (parameter.tensor && (values.size() == 3 || values.size() == 6));
@@ -54,8 +59,8 @@ std::optional<Error> check_count_of(const FamilyInfo& family, const Parameter& p
 }
 
 std::optional<Error> check_values(const FamilyInfo& family, const Parameter& parameter,
-                                  const std::vector<double>& values, std::size_t keys) {
-  if (auto error = check_count_of(family, parameter, values, keys)) return error;
+                                  const std::vector<double>& values, std::size_t keys, std::size_t ghosts) {
+  if (auto error = check_count_of(family, parameter, values, keys, ghosts)) return error;
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!(parameter.lowest <= values[i] && values[i] <= parameter.highest)) {
       Error error = argument_error(formatted("{}: {} is {}, wanted {} to {}", family.name, parameter.name, values[i],
@@ -162,7 +167,8 @@ Error at_value(Error error, std::size_t value, std::size_t values, std::size_t k
 Expected<void> check_value_counts(const FamilyInfo& family, const CurveOptions& options, std::size_t keys) {
   for (const Parameter& parameter : family.parameters)
     if (const auto given = options.parameters.find(parameter.name); given != options.parameters.end())
-      if (auto error = check_count_of(family, parameter, given->second, keys)) return tl::unexpected(std::move(*error));
+      if (auto error = check_count_of(family, parameter, given->second, keys, ghosts_of(parameter, options)))
+        return tl::unexpected(std::move(*error));
   return {};
 }
 
@@ -180,10 +186,12 @@ Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& op
   for (const Parameter& parameter : family.parameters) {
     const auto given = options.parameters.find(parameter.name);
     std::vector<double> values = given != options.parameters.end() ? given->second : std::vector{parameter.initial};
-    if (auto error = check_values(family, parameter, values, keys)) return tl::unexpected(std::move(*error));
+    if (auto error = check_values(family, parameter, values, keys, ghosts_of(parameter, options)))
+      return tl::unexpected(std::move(*error));
     settings.parameters.emplace(parameter.name, PerKey(std::move(values)));
   }
-  if (keys != 1)
+  const bool closes = options.loop && family.closes;  // of any family with the keys that closed_keys() wants
+  if (keys != 1 && !closes)
     if (auto error = check_count(family, keys)) return tl::unexpected(std::move(*error));
   if (options.loop) {
     if (auto error = check_loop(family, options)) return tl::unexpected(std::move(*error));

@@ -23,12 +23,6 @@ double sign_towards_first(const Keyframes& keys, const Eigen::Quaterniond& from)
   return from.dot(keys.orientations().front()) < 0.0 ? -1.0 : 1.0;
 }
 
-/// A key of the loop, one period away.
-Eigen::Quaterniond come_round(const Eigen::Quaterniond& key, const Closure& closure) {
-  return Eigen::Quaterniond(closure.sign * key.coeffs());
-}
-Eigen::Vector3d come_round(const Eigen::Vector3d& key, const Closure&) { return key; }
-
 /// The keys of a loop, unless steps beside its seam are too uneven.
 Expected<ClosedKeys> comparable_around(const Keyframes& keys, const Closure& closure) {
   const auto t = keys.times();
@@ -83,11 +77,7 @@ std::vector<Eigen::Quaterniond> joint_orientations(const Keyframes& keys, const 
 
 template <CurvePoint P>
 ControlPolygon<P> closed_polygon(const Keyframes& keys, const Closure& closure) {
-  const auto p = keys.points<P>();
-  std::vector<P> around{come_round(p.back(), closure)};
-  around.insert(around.end(), p.begin(), p.end());
-  around.insert(around.end(), {come_round(p[0], closure), come_round(p[1], closure)});
-  return polygon_through<P>(around, 3, 1);
+  return polygon_through<P>(points_around(keys.points<P>(), closure), 3, 1);
 }
 
 template ControlPolygon<Eigen::Quaterniond> closed_polygon(const Keyframes&, const Closure&);

@@ -33,6 +33,7 @@ struct BetaG2 {
                                    .min_keys = 4,
                                    .parameters = parameters,
                                    .choices = choices,
+                                   .closes = true,
                                    .key_use = {.first = 1, .parameters_reach_far = true},
                                    .keys_beside = keys_beside};
 

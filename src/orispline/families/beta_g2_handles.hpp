@@ -4,25 +4,14 @@
 #include <algorithm>
 #include <concepts>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include <orispline/curve/beta_polygon.hpp>
 #include <orispline/curve/chain.hpp>
-#include <orispline/curve/family.hpp>
-#include <orispline/math/geodesic.hpp>
+#include <orispline/families/betas.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
-
-/// One of each per key.
-template <Number T>
-struct BetasOver {
-  std::vector<T> beta1, beta2;
-};
-
-[[nodiscard]] inline BetasOver<double> betas_of(const FamilySettings& settings, std::size_t keys) {
-  return {settings.per_key("beta1").all(keys), settings.per_key("beta2").all(keys)};
-}
 
 /// The increment in another frame: that behind a turn by `turn`. In space there is nothing to turn.
 template <CurvePoint P, Number T>
@@ -45,17 +34,18 @@ template <Number T>
 /// it is β₁ v. A ChainProblem.
 ///
 /// With x the middle increments the Beta constraint is x_i = (β₁ + β₁² + β₂/2) v_i - β₁² x_{i-1} seen behind v_i. The
-/// rates of the end increments are given.
+/// rates of the end increments are given; around a loop all keys are inner ones.
 template <CurvePoint P>
 class HandleChain {
  public:
-  HandleChain(std::vector<P> keys, BetasOver<double> betas, const HandleChain* before)
-      : keys_(std::move(keys)), betas_(std::move(betas)) {
+  HandleChain(std::vector<P> keys, Betas betas, std::optional<Closure> closure, const HandleChain* before)
+      : keys_(std::move(keys)), betas_(std::move(betas)), closure_(closure) {
     for (std::size_t i = 0; i < size(); ++i) handles_.push_back(before ? before->handles_[i] : starting_handle(i));
   }
 
   [[nodiscard]] std::size_t size() const noexcept { return keys_.size(); }
-  [[nodiscard]] bool closed() const noexcept { return false; }
+  [[nodiscard]] bool closed() const noexcept { return closure_.has_value(); }
+  [[nodiscard]] std::size_t segments() const noexcept { return closed() ? size() : size() - 1; }
   [[nodiscard]] const std::vector<Eigen::Vector3d>& handles() const noexcept { return handles_; }
 
   /// The increments of segment i with these handles.
@@ -65,8 +55,8 @@ class HandleChain {
     const Vector3<T> leaving = v[i] * betas.beta1[i];
     return {leaving,
             displacement(displaced(constant<T>(keys_[i]), leaving),
-                         displaced(constant<T>(keys_[i + 1]), Vector3<T>(-v[i + 1]))),
-            v[i + 1]};
+                         displaced(constant<T>(key_behind(i)), Vector3<T>(-v[behind(i)]))),
+            v[behind(i)]};
   }
   [[nodiscard]] std::array<Eigen::Vector3d, 3> increments(std::size_t i) const {
     return increments<double>(i, handles_, betas_);
@@ -77,13 +67,13 @@ class HandleChain {
   [[nodiscard]] std::vector<Vector3<T>> missing(std::span<const Vector3<T>> v, const BetasOver<T>& betas) const {
     std::vector<Vector3<T>> missing;
     for (std::size_t i = 0; i < size(); ++i) {
-      if (i == 0 || i + 1 == size()) {
+      if (!closed() && (i == 0 || i + 1 == size())) {
         missing.push_back(v[i] - constant<T>(starting_handle(i)));
         continue;
       }
       const T &b1 = betas.beta1[i], &b2 = betas.beta2[i], square = b1 * b1, weight = b1 + square + b2 * T(0.5);
       const Vector3<T> x = increments<T>(i, v, betas)[1];
-      const Vector3<T> arriving = seen_behind<P, T>(v[i], increments<T>(i - 1, v, betas)[1]);
+      const Vector3<T> arriving = seen_behind<P, T>(v[i], increments<T>(before(i), v, betas)[1]);
       missing.push_back((x - v[i] * weight + arriving * square) * T(T(1.0) / (T(1.0) + weight + square)));
     }
     return missing;
@@ -109,16 +99,23 @@ class HandleChain {
   }
 
  private:
+  [[nodiscard]] std::size_t before(std::size_t i) const noexcept { return (i + size() - 1) % size(); }
+  [[nodiscard]] std::size_t behind(std::size_t i) const noexcept { return (i + 1) % size(); }
+  [[nodiscard]] P key_behind(std::size_t i) const {
+    return i + 1 < size() ? keys_[i + 1] : come_round(keys_[0], *closure_);
+  }
+  [[nodiscard]] Eigen::Vector3d step(std::size_t i) const { return displacement(keys_[i], key_behind(i)); }
+
   /// A third of the increment at an end, the mean of both at an inner key.
   [[nodiscard]] Eigen::Vector3d starting_handle(std::size_t i) const {
-    const std::size_t last = size() - 1;
-    const Eigen::Vector3d before = i > 0 ? displacement(keys_[i - 1], keys_[i]) : displacement(keys_[0], keys_[1]);
-    const Eigen::Vector3d after = i < last ? displacement(keys_[i], keys_[i + 1]) : before;
-    return (before + after) / 6.0;
+    const bool at_start = !closed() && i == 0, at_end = !closed() && i + 1 == size();
+    const Eigen::Vector3d arriving = step(at_start ? 0 : before(i));
+    return (arriving + (at_end ? arriving : step(i))) / 6.0;
   }
 
   std::vector<P> keys_;
-  BetasOver<double> betas_;
+  Betas betas_;
+  std::optional<Closure> closure_;
   std::vector<Eigen::Vector3d> handles_;
 };
 

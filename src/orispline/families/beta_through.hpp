@@ -24,8 +24,8 @@ struct JointToKey {
 
 /// The Beta quaternion spline through the keys: its auxiliary points are solved so that the joints are the keys.
 ///
-/// Beyond the ends the auxiliary points are reflected. G1 at the keys with velocity ratio β₁ (in the local parameter),
-/// not G2, as the published one: docs/families/beta-through.md.
+/// Beyond the ends the auxiliary points are reflected, around a loop they are those of the other side. G1 at the keys
+/// with velocity ratio β₁ (in the local parameter), not G2, as the published one: docs/families/beta-through.md.
 struct BetaThrough {
   static constexpr std::array parameters{tunable({"beta1", 1.0, 1e-6, 1e6, true, 1}),
                                          tunable({"beta2", 0.0, -1e6, 1e6, true, 1})};
@@ -39,6 +39,7 @@ struct BetaThrough {
       .keeps_constant_rate_uneven = false,
       .support_keys = all_keys,
       .parameters = parameters,
+      .closes = true,
       .key_use = {.feels_times = false}};
   /// What the curve is made of: an auxiliary point per key, and how the arcs are divided, those to the ghosts too.
   struct Construction {

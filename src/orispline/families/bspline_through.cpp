@@ -104,8 +104,7 @@ class BSplineChain {
     std::vector<Vector3<T>> w(size() + 1);
     for (std::size_t i = 1; i <= last; ++i) w[i] = increment<T>(p[i - 1], p[i]);
     if (closed()) {
-      const Quaternion<T> sign = constant<T>(Eigen::Quaterniond(settings_.closure->sign, 0.0, 0.0, 0.0));
-      w.front() = w.back() = increment<T>(p[last], sign * p[0]);
+      w.front() = w.back() = increment<T>(p[last], come_round(p[0], *settings_.closure));
       return w;
     }
     w.front() = increment_before<T>(w[1]);

@@ -16,7 +16,7 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 namespace {
 
 // Beta curves as functions of one β.
-using Betas = families::BetasOver<double>;
+using families::Betas;
 using MovingBetas = families::BetasOver<Slope>;
 using MovingPoints = std::vector<Quaternion<Slope>>;
 
