@@ -52,3 +52,7 @@ export function sortable<Row>(heads: Head[], rows: Row[], { lineOf, valueOf, isL
   const table = element('table', {}, element('thead', {}, element('tr', {}, ...leading, ...cells)), body);
   return { table, lines, sort };
 }
+
+/** The head of a row: its name whole, in several lines where it is long. */
+export const rowHead = (name: string): HTMLTableCellElement =>
+  element('th', { scope: 'row', title: name }, element('span', { className: 'row-name' }, name));

@@ -4,7 +4,7 @@ import { moment } from './clock';
 import { element, place } from './element';
 import { shown } from './number';
 import { hasSamples, report, type Column, type Method } from './report';
-import { sortable, type Head, type Value } from './sortable';
+import { rowHead, sortable, type Head, type Value } from './sortable';
 import { choose, current, moveTo, subscribe } from './state';
 
 const valueOf = (method: Method, id: string): Value =>
@@ -82,7 +82,7 @@ function cellOf(method: Method, column: Column, isBest: ReturnType<typeof bestIn
 function rowOf(method: Method, best: Map<string, ReturnType<typeof bestIn>>): HTMLTableRowElement {
   const row = element('tr', { attributes: { 'data-method': method.name } });
   const picks = hasSamples(method) ? [showButton(method, 'first'), showButton(method, 'second')] : [];
-  row.append(element('td', { className: 'picks' }, ...picks), element('th', { scope: 'row', title: method.name }, method.name));
+  row.append(element('td', { className: 'picks' }, ...picks), rowHead(method.name));
   if (method.failure) {
     row.classList.add('failed');
     row.append(element('td', { colSpan: report.columns.length + 1 }, method.failure));

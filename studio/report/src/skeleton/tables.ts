@@ -4,7 +4,7 @@ import { moment } from '../clock';
 import { element } from '../element';
 import { shown } from '../number';
 import { clips, type Clip, type Largest, type Skeleton } from '../report';
-import { sortable, type Head } from '../sortable';
+import { rowHead, sortable, type Head } from '../sortable';
 import { choose, current, moveTo, subscribe, withClip } from '../state';
 import { firstJoint, roundings, worstJoint, type Kind } from './motion';
 
@@ -45,7 +45,7 @@ export function clipTable(skeleton: Skeleton): HTMLTableElement {
     const line = element(
       'tr',
       { onclick: () => show(clips.indexOf(clip)), attributes: { 'data-clip': clip.name } },
-      element('th', { scope: 'row', title: clip.name }, clip.name),
+      rowHead(clip.name),
       ...clip.rotation_keys.map((keys) => cell(String(keys))),
     );
     for (const kind of ['distance', 'angle_deg'] as const) line.append(cell(shown(largest(clip, kind)[0], roundings[kind])), place(clip, kind));
@@ -99,7 +99,7 @@ function jointLines(skeleton: Skeleton, clip: Clip) {
     return element(
       'tr',
       { onclick: () => choose({ joint: row.joint }), attributes: { 'data-joint': row.name } },
-      element('th', { scope: 'row', title: row.name }, row.name),
+      rowHead(row.name),
       ...keys.map((count) => cell(String(count))),
       ...cellsOf(distance, roundings.distance, row),
       ...cellsOf(angle_deg, roundings.angle_deg, row),
