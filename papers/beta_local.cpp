@@ -93,7 +93,7 @@ Expected<report::Table> local_table(const Keyframes& keys) {
   table.notes = {
       "Points count from 0, as in the paper; its curve, `beta`, has no segments at the ends. All other β₁ are "
       "1, all other β₂ 0.",
-      "A parameter of `beta` moves the four segments whose control points know it, β₁ and β₂ alike."};
+      "A parameter of `beta` moves the segments whose control points know it, four at most, β₁ and β₂ alike."};
   return table;
 }
 
