@@ -174,8 +174,8 @@ std::vector<report::Cell> residuals(const std::string& signs, const BetaExample&
           g1_residual(joint),
           g2_residual(joint, beta2),
           std::sqrt(joint.after2.norm()),
-          best,
-          g2_residual(joint, best),
+          finite_or_dash(best),
+          finite_or_dash(g2_residual(joint, best)),
           theorem.as_printed,
           theorem.corrected,
           6.0 / theorem.gamma * theorem.corrected};

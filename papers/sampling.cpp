@@ -94,6 +94,11 @@ std::vector<report::Mark> marks_at(std::span<const double> knots) {
   return marks;
 }
 
+report::Cell finite_or_dash(double value) {
+  if (!std::isfinite(value)) return "–";
+  return value;
+}
+
 std::vector<double> seconds_in_turn(std::span<const std::function<void()>> works) {
   constexpr std::size_t rounds = 9;
   std::vector<std::array<double, rounds>> seconds(works.size());

@@ -8,6 +8,7 @@
 #include <orispline/curve/curve.hpp>
 #include <orispline/report/chart.hpp>
 #include <orispline/report/sphere.hpp>
+#include <orispline/report/table.hpp>
 
 #include "papers/recipe.hpp"
 
@@ -52,6 +53,9 @@ namespace orispline::cli {
 
 inline const auto speed = [](const Motion& m) { return m.angular_velocity.norm(); };             // [rad/s]
 inline const auto acceleration = [](const Motion& m) { return m.angular_acceleration.norm(); };  // [rad/s²]
+
+/// What has no value, such as the curvature at a rest, is a dash.
+[[nodiscard]] report::Cell finite_or_dash(double value);
 
 /// The speed of the body's point at distance 1 along an axis [1/s].
 [[nodiscard]] inline auto speed_of_point(const Eigen::Vector3d& axis) {

@@ -114,7 +114,7 @@ Expected<report::Table> flatness_table(const Keyframes& keys) {
     if (!curve) return tl::unexpected(curve.error());
     auto& row = table.rows.emplace_back(std::vector<report::Cell>{value});
     for (std::size_t key = 1; key <= shown; ++key)
-      row.emplace_back(path_shape(curve->motion(knots[key])).curvature.norm());
+      row.push_back(finite_or_dash(path_shape(curve->motion(knots[key])).curvature.norm()));
   }
   table.notes = {
       "The curvature is that of the path through the rotations: how its direction turns, by the angle "

@@ -130,6 +130,14 @@ class OwnKeys(Reproduced):
             self.assertAlmostEqual(speed, other, delta=0.02)
 
 
+    def test_keys_at_rest_give_tables_and_pictures_without_a_number_that_is_none(self):
+        for name, times in (("still.csv", range(5)), ("truth.csv", [t / 10 for t in range(41)])):
+            self.write(name, "t,qw,qx,qy,qz\n" + "".join(f"{t},1,0,0,0\n" for t in times))
+        text = self.output_of("reproduce all --keys still.csv --reference truth.csv --pictures drawn")
+        self.assertNotRegex(text, r"\b(nan|inf)\b")
+        for picture in (self.folder / "drawn").iterdir():
+            self.assertNotRegex(picture.read_text("utf-8"), r"\b(nan|inf)\b", picture.name)
+
     def test_what_cannot_be_is_refused(self):
         self.assert_fails("reproduce 002 --keys six.csv", BAD_USAGE,
                           "--keys: found 'six.csv', wanted it with one of " + ", ".join(TAKING_KEYS) +
