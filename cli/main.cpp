@@ -55,7 +55,9 @@ constexpr auto reproduce_footer = R"(Examples:
   orispline reproduce
   orispline reproduce 000-table1
   orispline reproduce tan-table1 --keys keys.csv
+  orispline reproduce 003 --keys keys.csv --reference flight.csv
   orispline reproduce 003 --pictures pictures
+  orispline reproduce all --output-folder papers
   orispline reproduce 003-table1 --report flight.html
 
 Name a paper by its number or its author: 000 or tan is Tan et al. 2018, 001 or he is He et al. 2022, 002 or eberly is
@@ -220,11 +222,18 @@ class CommandLine {
   void add_reproduce_options(Command& app) {
     app.footer = reproduce_footer;
     app.add_option("EXPERIMENT", reproduce_.experiment,
-                   "Experiment to run: a name of the list, or a paper's number or author [list them all]")
+                   "Experiment to run: a name of the list, a paper's number or author, or 'all' [list them all]")
         ->type_name("NAME");
     app.add_option("--keys", reproduce_.keys,
                    "Run the experiment on the keys of this file; the list says which ones take keys")
         ->type_name(file_type);
+    app.add_option("--reference", reproduce_.reference,
+                   "Take this recording for the true motion of those keys; the list says which ones want it")
+        ->type_name(file_type);
+    app.add_option("--output-folder", reproduce_.folder,
+                   "Write the tables of each experiment into this folder, as text and with all curves as JSON, and its "
+                   "pictures as SVG")
+        ->type_name(folder_type);
     app.add_option("--pictures", reproduce_.pictures, "Write the pictures as SVG into this folder")
         ->type_name(folder_type);
     app.add_option("--report", reproduce_.report.path, "Write a page to look at in a browser: the motions in space")

@@ -117,18 +117,18 @@ report::Series series(double Angle::*part, std::string_view stroke) {
 }
 
 Picture picture_of_the_angle() {
-  report::Drawing drawing(860, 520);
+  Picture picture("002-example", 860, 520);
   const std::vector<report::Mark> marks{{1, "θ = 0.2"}, {2, "1.0"}, {3, "0.7"}, {4, "-0.1"}};
   double top = 34.0;
   for (const auto& [part, title, stroke] :
        {std::tuple{&Angle::value, "the angle φ [rad]", color::blue},
         std::tuple{&Angle::rate, "φ': continuous, at a key half the way between its neighbours", color::green},
         std::tuple{&Angle::acceleration, "φ'': jumps at the keys", color::red}}) {
-    report::draw(drawing, {50.0, top, 780.0, 110.0},
-                 {.title = title, .series = {series(part, stroke)}, .marks = marks});
+    picture.add({50.0, top, 780.0, 110.0},
+                report::Chart{.title = title, .series = {series(part, stroke)}, .marks = marks});
     top += 168.0;
   }
-  return {"002-example", std::move(drawing)};
+  return picture;
 }
 
 }  // namespace

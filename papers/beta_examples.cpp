@@ -42,10 +42,12 @@ Points printed_control_points() {
 }
 
 Expected<BetaExample> beta_example(Points points, Signs signs, double beta2_of_point1 = beta2) {
-  KeyframeData data{.times = {0.0, 1.0, 2.0, 3.0, 4.0}, .orientations = std::move(points)};
+  KeyframeData data{.orientations = std::move(points)};
+  for (std::size_t i = 0; i < data.orientations.size(); ++i) data.times.push_back(static_cast<double>(i));
   return Keyframes::make(std::move(data), signs).and_then([&](const Keyframes& keys) {
-    const CurveOptions options{
-        .parameters = {{"beta1", {beta1}}, {"beta2", {beta2, beta2_of_point1, beta2, beta2, beta2}}}};
+    std::vector<double> all_beta2(keys.size(), beta2);
+    all_beta2[1] = beta2_of_point1;
+    const CurveOptions options{.parameters = {{"beta1", {beta1}}, {"beta2", std::move(all_beta2)}}};
     return settle(families::Beta::info, options, keys.size())
         .and_then([&](const FamilySettings& settings) { return families::Beta::curve(keys, settings); })
         .map([&](CubicBezierCurve curve) {
@@ -61,14 +63,15 @@ Points control_points(const CubicBezierCurve& curve) {
   return points;
 }
 
-/// s' and s'' of the two segments where they meet, in the local parameter.
+/// s' and s'' of two segments where they meet, in the local parameter.
 struct Joint {
   AnyQuaternion before1, before2, after1, after2;
 };
 
-Joint joint_of(const CubicBezierCurve& curve) {
-  const auto t = Jet<double, 2>::variable(curve.knots().times()[1]);
-  const auto before = curve.point(t, 0), after = curve.point(t, 1);
+/// Behind that segment.
+Joint joint_of(const CubicBezierCurve& curve, std::size_t segment) {
+  const auto t = Jet<double, 2>::variable(curve.knots().times()[segment + 1]);
+  const auto before = curve.point(t, segment), after = curve.point(t, segment + 1);
   return {derivative(before, 1), derivative(before, 2), derivative(after, 1), derivative(after, 2)};
 }
 
@@ -84,21 +87,23 @@ double best_delta(const Joint& j) {
   return (missing * j.before1.conjugate()).scalar() / j.before1.norm();
 }
 
-/// What the condition of theorem 2, (10), leaves at the joint of point 2.
+/// What the condition of theorem 2, (10), leaves at a joint.
 struct Theorem2 {
   double as_printed, corrected, gamma;
 };
 
-Theorem2 theorem2(const BetaExample& example) {
+Theorem2 theorem2(const BetaExample& example, std::size_t segment) {
   const double gamma = 2.0 * (1.0 + beta1) / (beta2 + 2.0 * beta1 * (1.0 + beta1));
   const double delta = gamma + 1.0 + beta1 * beta1 * gamma;
   const auto p = example.keys.orientations();
   const Points q = control_points(example.curve);
   const auto log_of = [](const AnyQuaternion& a, const AnyQuaternion& b) { return half_log(a * b); };
-  const AnyQuaternion joint = q[3], left = joint * log_of(q[2].conjugate(), q[4]);
-  const AnyQuaternion first = gamma / delta * (joint * log_of(p[2].conjugate(), p[3]));
-  const AnyQuaternion printed = beta1 * gamma / delta * (log_of(p[1].conjugate(), p[2]) * joint);
-  const AnyQuaternion right = beta1 * beta1 * gamma / delta * (log_of(p[2], p[1].conjugate()) * joint);
+  const std::size_t at = 3 * (segment + 1);
+  const Eigen::Quaterniond &earlier = p[segment + 1], &here = p[segment + 2], &later = p[segment + 3];
+  const AnyQuaternion joint = q[at], left = joint * log_of(q[at - 1].conjugate(), q[at + 1]);
+  const AnyQuaternion first = gamma / delta * (joint * log_of(here.conjugate(), later));
+  const AnyQuaternion printed = beta1 * gamma / delta * (log_of(earlier.conjugate(), here) * joint);
+  const AnyQuaternion right = beta1 * beta1 * gamma / delta * (log_of(here, earlier.conjugate()) * joint);
   return {gap(left, first + printed), gap(left, first + right), gamma};
 }
 
@@ -124,6 +129,31 @@ report::Table control_points_table(const BetaExample& example) {
   return table;
 }
 
+/// Of keys for which the paper prints nothing.
+report::Table own_control_points_table(const BetaExample& example, const std::string& note) {
+  report::Table table{.title = "The control points of the segments, signs as given",
+                      .columns = {{"point"},
+                                  {"qw", Notation::fixed, 6},
+                                  {"qx", Notation::fixed, 6},
+                                  {"qy", Notation::fixed, 6},
+                                  {"qz", Notation::fixed, 6}},
+                      .notes = {note, "Their times do not count: a segment lasts 1, as in the paper."}};
+  const Points found = control_points(example.curve);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Eigen::Quaterniond& q = found[i];
+    const bool is_last = i + 1 == found.size();
+    table.rows.push_back(
+        {is_last ? formatted("q{}3", i / 3) : formatted("q{}{}", i / 3 + 1, i % 3), q.w(), q.x(), q.y(), q.z()});
+  }
+  return table;
+}
+
+/// The points of one's own keys, with the signs of their file.
+Points points_of(const KeysInstead& keys) {
+  if (!keys.as_given.empty()) return keys.as_given;
+  return {keys.keys.orientations().begin(), keys.keys.orientations().end()};
+}
+
 Expected<std::vector<NamedExample>> with_both_signs(const Points& points, double beta2_of_point1 = beta2) {
   std::vector<NamedExample> examples;
   for (const auto& [name, signs] : {std::pair{"as given", Signs::as_given}, std::pair{"shortest", Signs::shortest}}) {
@@ -134,9 +164,27 @@ Expected<std::vector<NamedExample>> with_both_signs(const Points& points, double
   return examples;
 }
 
+/// The residuals where a segment ends and the next one begins.
+std::vector<report::Cell> residuals(const std::string& signs, const BetaExample& example, std::size_t segment) {
+  const Joint joint = joint_of(example.curve, segment);
+  const Theorem2 theorem = theorem2(example, segment);
+  const double best = best_delta(joint);
+  return {signs,
+          formatted("q{}0", segment + 2),
+          g1_residual(joint),
+          g2_residual(joint, beta2),
+          std::sqrt(joint.after2.norm()),
+          finite_or_dash(best),
+          finite_or_dash(g2_residual(joint, best)),
+          theorem.as_printed,
+          theorem.corrected,
+          6.0 / theorem.gamma * theorem.corrected};
+}
+
 report::Table residuals_table(const std::string& title, const std::vector<NamedExample>& examples) {
   report::Table table{.title = title + ": the residual of the constraints at the joint; 0 would be G1 and G2",
                       .columns = {{"signs"},
+                                  {"joint"},
                                   {"G1", Notation::scientific, 1},
                                   {"G2", Notation::shortest, 3},
                                   {"|s''|", Notation::shortest, 3},
@@ -145,33 +193,28 @@ report::Table residuals_table(const std::string& title, const std::vector<NamedE
                                   {"(10) printed", Notation::shortest, 3},
                                   {"(10) corrected", Notation::shortest, 3},
                                   {"times 6/gamma", Notation::shortest, 3}}};
-  for (const auto& [signs, example] : examples) {
-    const Joint joint = joint_of(example.curve);
-    const Theorem2 theorem = theorem2(example);
-    const double best = best_delta(joint);
-    table.rows.push_back({signs, g1_residual(joint), g2_residual(joint, beta2), std::sqrt(joint.after2.norm()), best,
-                          g2_residual(joint, best), theorem.as_printed, theorem.corrected,
-                          6.0 / theorem.gamma * theorem.corrected});
-  }
+  for (const auto& [signs, example] : examples)
+    for (std::size_t segment = 0; segment + 1 < example.curve.knots().segments(); ++segment)
+      table.rows.push_back(residuals(signs, example, segment));
   table.notes = {"G1: |s2'(0) - beta1 s1'(1)|. G2: |s2''(0) - beta1² s1''(1) - delta s1'(1)| with delta = beta2 = 0.5.",
                  "No delta makes it G2, and condition (10) fails as printed and as corrected (docs/errata.md).",
                  "The corrected (10) is the G2 constraint itself, up to the factor 6/gamma."};
   return table;
 }
 
-Expected<std::vector<Variant>> variants() {
+Expected<std::vector<Variant>> variants(const Points& points) {
   std::vector<Variant> result;
   for (const auto& [value, name] :
        {std::pair{0.5, color::blue}, std::pair{2.0, color::ink}, std::pair{4.0, color::red}}) {
-    auto examples = with_both_signs(example2(), value);
+    auto examples = with_both_signs(points, value);
     if (!examples) return tl::unexpected(std::move(examples.error()));
     result.push_back({value, name, std::move(*examples)});
   }
   return result;
 }
 
-report::Table effect_table(const std::vector<Variant>& all) {
-  report::Table table{.title = "Figure 4: example 2 with beta2 of point 1 at 0.5, 2 and 4",
+report::Table effect_table(const std::vector<Variant>& all, const std::string& title) {
+  report::Table table{.title = title + " with beta2 of point 1 at 0.5, 2 and 4",
                       .columns = {{"signs"},
                                   {"beta2"},
                                   {"first joint to point 1 [degrees]", Notation::fixed, 3},
@@ -193,6 +236,15 @@ report::Table effect_table(const std::vector<Variant>& all) {
   return table;
 }
 
+Findings findings_of_example2(const std::vector<Variant>& all, const std::string& name, const std::string& title) {
+  std::vector<pages::NamedCurve> motions;
+  for (const Variant& variant : all)
+    for (const auto& [signs, example] : variant.examples)
+      motions.push_back(
+          {formatted("β₁,₂ = {:g}, signs {}", variant.beta2_of_point1, signs), example.keys, {example.curve}});
+  return {{residuals_table(name, all[0].examples), effect_table(all, title)}, {effect_picture(all)}, motions};
+}
+
 }  // namespace
 
 Expected<Findings> experiment::beta_example1() {
@@ -204,14 +256,26 @@ Expected<Findings> experiment::beta_example1() {
   });
 }
 
+Expected<Findings> experiment::beta_example1_on(const KeysInstead& keys) {
+  return with_both_signs(points_of(keys)).map([&](const std::vector<NamedExample>& examples) {
+    const BetaExample& given = examples[0].example;
+    return Findings{{own_control_points_table(given, keys.note), residuals_table("These keys", examples)},
+                    example1_pictures(given),
+                    {{"signs as given", given.keys, {given.curve}}}};
+  });
+}
+
 Expected<Findings> experiment::beta_example2() {
-  return variants().map([](const std::vector<Variant>& all) {
-    std::vector<pages::NamedCurve> motions;
-    for (const Variant& variant : all)
-      for (const auto& [signs, example] : variant.examples)
-        motions.push_back(
-            {formatted("β₁,₂ = {:g}, signs {}", variant.beta2_of_point1, signs), example.keys, {example.curve}});
-    return Findings{{residuals_table("Example 2", all[0].examples), effect_table(all)}, {effect_picture(all)}, motions};
+  return variants(example2()).map([](const std::vector<Variant>& all) {
+    return findings_of_example2(all, "Example 2", "Figure 4: example 2");
+  });
+}
+
+Expected<Findings> experiment::beta_example2_on(const KeysInstead& keys) {
+  return variants(points_of(keys)).map([&](const std::vector<Variant>& all) {
+    Findings findings = findings_of_example2(all, "These keys", "Figure 4: these keys");
+    findings.tables.back().notes.push_back(keys.note);
+    return findings;
   });
 }
 

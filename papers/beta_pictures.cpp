@@ -19,9 +19,9 @@ namespace {
 using report::Point;
 namespace color = report::color;
 
-report::SpherePath path_of(const CubicBezierCurve& curve, std::string_view stroke) {
+report::SpherePath path_of(const CubicBezierCurve& curve, std::string_view stroke, std::string label) {
   const AnyCurve any(curve);
-  return {axis_path(any, even_times(any.domain(), 401), Eigen::Vector3d::UnitX()), {stroke, 2.0}};
+  return {axis_path(any, even_times(any.domain(), 401), Eigen::Vector3d::UnitX()), {stroke, 2.0}, std::move(label)};
 }
 
 /// The points of the polygon.
@@ -32,12 +32,18 @@ std::vector<report::SphereDot> dots(const BetaExample& example) {
   return dots;
 }
 
-/// The joints, named if names are given.
-std::vector<report::SphereDot> joint_dots(const BetaExample& example, std::string_view painted,
-                                          std::span<const char* const> names = {}) {
+std::vector<report::SphereDot> joint_dots(const BetaExample& example, std::string_view painted) {
   std::vector<report::SphereDot> dots;
   for (const Eigen::Vector3d& x : axis_path(joints_of(example), Eigen::Vector3d::UnitX()))
-    dots.push_back({x, dots.size() < names.size() ? names[dots.size()] : "", painted});
+    dots.push_back({x, "", painted});
+  return dots;
+}
+
+/// The joints by the names of their control points: q10, q20 …, and the last one as that of the last segment.
+std::vector<report::SphereDot> named_joints(const BetaExample& example, std::string_view painted) {
+  auto dots = joint_dots(example, painted);
+  for (std::size_t i = 0; i < dots.size(); ++i)
+    dots[i].label = i + 1 < dots.size() ? formatted("q{}0", i + 1) : formatted("q{}3", i);
   return dots;
 }
 
@@ -56,6 +62,15 @@ void draw_line(report::Drawing& drawing, std::span<const Eigen::Vector3d> throug
   drawing.line(places, stroke);
 }
 
+report::Series in_plane(std::string label, std::span<const Eigen::Vector3d> points) {
+  report::Series series{.label = std::move(label), .x = {}, .y = {}};
+  for (const Eigen::Vector3d& p : points) {
+    series.x.push_back(p.x());
+    series.y.push_back(p.y());
+  }
+  return series;
+}
+
 void draw_points(report::Drawing& drawing, std::span<const NamedPoint> points, std::string_view painted) {
   for (const NamedPoint& point : points) {
     const Point at = place_of(point.at);
@@ -69,8 +84,9 @@ Picture construction() {
   const std::array<Eigen::Vector3d, 4> p{{{0.0, 0.0, 0.0}, {0.75, 1.3, 0.0}, {2.55, 1.2, 0.0}, {3.3, 0.05, 0.0}}};
   const std::vector<double> both1(p.size(), beta1), both2(p.size(), beta2);
   const auto shape = beta_shape("beta", both1, both2);
-  report::Drawing drawing(860, 360);
-  if (!shape) return {"001-figure1", std::move(drawing)};  // which these parameters never are
+  Picture picture("001-figure1", 860, 360);
+  report::Drawing& drawing = picture.drawing;
+  if (!shape) return picture;  // of these parameters there is always one
   const auto inner = [&](std::size_t arc, const std::vector<double>& share) {
     return on_geodesic(p[arc], p[arc + 1], share[arc]);
   };
@@ -93,35 +109,36 @@ Picture construction() {
   draw_points(drawing, given, color::ink);
   draw_points(drawing, inside, color::blue);
   draw_points(drawing, joints, color::green);
-  drawing.text({430.0, 345.0},
-               formatted("the segment s₁ of four points, β₁ = {:g} and β₂ = {:g} at each", beta1, beta2));
-  return {"001-figure1", std::move(drawing)};
+  const std::string title = formatted("the segment s₁ of four points, β₁ = {:g} and β₂ = {:g} at each", beta1, beta2);
+  drawing.text({430.0, 345.0}, title);
+  picture.keep({.title = title, .series = {in_plane("segment", path), in_plane("points", p)}});
+  return picture;
 }
 
 /// Figure 2, and the acceleration.
 Picture path_picture(const BetaExample& example) {
-  constexpr std::array names{"q10", "q20", "q23"};
-  report::Drawing drawing(860, 400);
-  report::SpherePicture picture{{path_of(example.curve, color::blue)}, joint_dots(example, color::green, names)};
-  for (report::SphereDot& dot : dots(example)) picture.dots.push_back(std::move(dot));
-  report::draw(drawing, report::facing(picture.paths[0].directions), {215.0, 205.0}, 165.0, picture);
-  drawing.text({215.0, 24.0}, "example 1: path of the body's x axis");
+  Picture picture("001-example1", 860, 400);
+  report::SpherePicture sphere{{path_of(example.curve, color::blue, "example 1")}, named_joints(example, color::green)};
+  for (report::SphereDot& dot : dots(example)) sphere.dots.push_back(std::move(dot));
+  picture.add(report::facing(sphere.paths[0].directions), {215.0, 205.0}, 165.0, sphere);
+  picture.drawing.text({215.0, 24.0}, "example 1: path of the body's x axis");
   report::Chart chart{.title = "angular acceleration |α| [rad/s²]: it jumps at the joint",
                       .series = {over_time(AnyCurve(example.curve), acceleration)},
                       .marks = marks_at(example.curve.knots().times())};
   chart.series[0].stroke = {color::blue, 2.0};
-  report::draw(drawing, {475.0, 90.0, 355.0, 220.0}, chart);
-  return {"001-example1", std::move(drawing)};
+  picture.add({475.0, 90.0, 355.0, 220.0}, chart);
+  return picture;
 }
 
 /// Figure 3: cubes on a straight line, at joints green.
 Picture cubes(const BetaExample& example) {
   const AnyCurve curve(example.curve);
-  const std::vector rows{frames_of("example 1", curve, even_times(curve.domain(), 17), curve.knots().times(),
-                                   {.key = color::green, .between = color::grey})};
-  report::Drawing drawing(860, 20.0 + frame_row_height);
-  draw_frames(drawing, 11.0, rows, cube());
-  return {"001-figure3", std::move(drawing)};
+  Picture picture("001-figure3", 860, 20.0 + frame_row_height);
+  picture.add_frames(11.0,
+                     {frames_of("example 1", curve, even_times(curve.domain(), 17), curve.knots().times(),
+                                {.key = color::green, .between = color::grey})},
+                     cube());
+  return picture;
 }
 
 }  // namespace
@@ -138,22 +155,22 @@ std::vector<Picture> example1_pictures(const BetaExample& example) {
 }
 
 Picture effect_picture(const std::vector<Variant>& all) {
-  report::Drawing drawing(860, 430);
+  Picture picture("001-example2", 860, 430);
   for (const std::size_t signs : {0U, 1U}) {
-    report::SpherePicture picture{{}, dots(all[0].examples[signs].example)};
+    report::SpherePicture sphere{{}, dots(all[0].examples[signs].example)};
     std::vector<report::Series> legend;
     for (const Variant& variant : all) {
       const BetaExample& example = variant.examples[signs].example;
-      picture.paths.push_back(path_of(example.curve, variant.color));
-      for (report::SphereDot& dot : joint_dots(example, variant.color)) picture.dots.push_back(std::move(dot));
+      sphere.paths.push_back(path_of(example.curve, variant.color, formatted("β₁,₂ = {:g}", variant.beta2_of_point1)));
+      for (report::SphereDot& dot : joint_dots(example, variant.color)) sphere.dots.push_back(std::move(dot));
       legend.push_back({formatted("β₁,₂ = {:g}", variant.beta2_of_point1), {}, {}, {variant.color}});
     }
     const double x = signs == 0 ? 215.0 : 645.0;
-    report::draw(drawing, report::facing(picture.paths[0].directions), {x, 250.0}, 165.0, picture);
-    drawing.text({x, 60.0}, "signs " + all[0].examples[signs].signs + "; a joint is a dot");
-    if (signs == 0) report::draw_legend(drawing, {50.0, 20.0}, legend);
+    picture.add(report::facing(sphere.paths[0].directions), {x, 250.0}, 165.0, sphere);
+    picture.drawing.text({x, 60.0}, "signs " + all[0].examples[signs].signs + "; a joint is a dot");
+    if (signs == 0) report::draw_legend(picture.drawing, {50.0, 20.0}, legend);
   }
-  return {"001-example2", std::move(drawing)};
+  return picture;
 }
 
 }  // namespace orispline::cli

@@ -38,7 +38,7 @@ std::string values_of(const Method& method, const char* parameter) {
 }
 
 Expected<report::Table> best_shapes(const Flight& flight) {
-  report::Table table{.title = "The best β₁ and β₂, five keys of the flight's first turn",
+  report::Table table{.title = "The best β₁ and β₂, " + flight.name,
                       .columns = {{"method"},
                                   {"β₁ and β₂"},
                                   {"β₁"},
@@ -73,8 +73,13 @@ Expected<report::Table> best_shapes(const Flight& flight) {
 
 }  // namespace
 
-Expected<Findings> experiment::beta_shapes() {
-  return first_turn().and_then(best_shapes).map([](report::Table table) { return Findings{{std::move(table)}}; });
+Expected<Findings> experiment::beta_shapes() { return first_turn().and_then(beta_shapes_on); }
+
+Expected<Findings> experiment::beta_shapes_on(const Flight& flight) {
+  return best_shapes(flight).map([&](report::Table table) {
+    if (!flight.note.empty()) table.notes.push_back(flight.note);
+    return Findings{{std::move(table)}};
+  });
 }
 
 }  // namespace orispline::cli

@@ -77,7 +77,7 @@ Chart chart(const Tensions& tensions, std::array<double, 4> Blending::*which, st
 }
 
 Picture figure1() {
-  report::Drawing drawing(860, 570);
+  Picture picture("000-figure1", 860, 570);
   double top = 52.0;
   for (const Tensions& tensions : tensions_of_figure1) {
     const std::string values = formatted("α = {:g}, {:g}", tensions.start, tensions.end);
@@ -85,13 +85,13 @@ Picture figure1() {
     for (const Chart& drawn :
          {chart(tensions, &Blending::functions, letters, "blending functions C_j, " + values),
           chart(tensions, &Blending::sums, sum_letters, "their sums S_j = C_j + … + C_3, " + values)}) {
-      report::draw_legend(drawing, {left, top - 36.0}, drawn.series);
-      report::draw(drawing, {left, top, 360.0, 200.0}, drawn);
+      report::draw_legend(picture.drawing, {left, top - 36.0}, drawn.series);
+      picture.add({left, top, 360.0, 200.0}, drawn);
       left += 425.0;
     }
     top += 280.0;
   }
-  return {"000-figure1", std::move(drawing)};
+  return picture;
 }
 
 }  // namespace

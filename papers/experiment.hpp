@@ -8,16 +8,13 @@
 
 #include <orispline/base/expected.hpp>
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/motion.hpp>
 #include <orispline/pages/task_pages.hpp>
-#include <orispline/report/svg.hpp>
 #include <orispline/report/table.hpp>
 
-namespace orispline::cli {
+#include "papers/picture.hpp"
 
-struct Picture {
-  std::string name;  ///< of its file, without the extension
-  report::Drawing drawing;
-};
+namespace orispline::cli {
 
 /// What an experiment computed.
 struct Findings {
@@ -31,6 +28,17 @@ struct Findings {
 struct KeysInstead {
   Keyframes keys;
   std::string note;
+  std::vector<Eigen::Quaterniond> as_given{};  ///< with the signs of their file; empty: those of the keys
+};
+
+/// A true motion, sampled, with keys of it, and what is said of them.
+struct Flight {
+  std::string name;                                ///< of the keys: `five keys of the flight's first turn`
+  std::vector<double> times{};                     ///< [s], from the first key to the last
+  std::vector<Motion> truth{};                     ///< one per time
+  std::vector<Eigen::Quaterniond> orientations{};  ///< those of the truth
+  Keyframes keys{};
+  std::string note{};
 };
 
 /// A figure, table or example of one of the papers, computed anew.
@@ -38,10 +46,12 @@ struct Experiment {
   std::string_view name;  ///< the paper's number, a dash, the part
   std::string_view title;
   Expected<Findings> (*run)();
-  Expected<Findings> (*run_with)(const KeysInstead&) = nullptr;  ///< null: its keys are part of it
+  Expected<Findings> (*run_with)(const KeysInstead&) = nullptr;  ///< null: keys alone are not taken
+  Expected<Findings> (*run_on)(const Flight&) = nullptr;         ///< null: keys with a truth are not taken
 
   /// The number of the paper: `000`.
   [[nodiscard]] constexpr std::string_view paper() const { return name.substr(0, name.find('-')); }
+  [[nodiscard]] constexpr bool takes_keys() const { return run_with || run_on; }
 };
 
 /// All of them, by paper.
@@ -56,26 +66,40 @@ namespace experiment {
 // Tan et al. 2018, the quintic.
 [[nodiscard]] Expected<Findings> blending_functions();
 [[nodiscard]] Expected<Findings> one_tension();
+[[nodiscard]] Expected<Findings> one_tension_of(const KeysInstead& keys);
 [[nodiscard]] Expected<Findings> rigid_motions();
 [[nodiscard]] Expected<Findings> rigid_motions_of(const KeysInstead& keys);
 [[nodiscard]] Expected<Findings> hermite_compared();
 [[nodiscard]] Expected<Findings> hermite_compared_on(const KeysInstead& keys);
 [[nodiscard]] Expected<Findings> schemes_compared();
 [[nodiscard]] Expected<Findings> schemes_compared_on(const KeysInstead& keys);
+[[nodiscard]] Expected<Findings> quintic_identities();
+[[nodiscard]] Expected<Findings> quintic_at_zero();
+[[nodiscard]] Expected<Findings> quintic_at_zero_on(const KeysInstead& keys);
 [[nodiscard]] Expected<Findings> quintic_claims();
 [[nodiscard]] Expected<Findings> quintic_claims_on(const KeysInstead& keys);
 // He et al. 2022, Beta curves.
 [[nodiscard]] Expected<Findings> beta_example1();
+[[nodiscard]] Expected<Findings> beta_example1_on(const KeysInstead& keys);
 [[nodiscard]] Expected<Findings> beta_example2();
+[[nodiscard]] Expected<Findings> beta_example2_on(const KeysInstead& keys);
+[[nodiscard]] Expected<Findings> beta_local();
+[[nodiscard]] Expected<Findings> beta_local_on(const KeysInstead& keys);
 [[nodiscard]] Expected<Findings> beta_shapes();
+[[nodiscard]] Expected<Findings> beta_shapes_on(const Flight& flight);
 // Eberly, quaternions.
 [[nodiscard]] Expected<Findings> quaternion_identities();
 [[nodiscard]] Expected<Findings> angular_cubic();
 // The 6th degree.
 [[nodiscard]] Expected<Findings> flight_compared();
+[[nodiscard]] Expected<Findings> flight_compared_on(const Flight& flight);
 [[nodiscard]] Expected<Findings> sudden_turn();
 [[nodiscard]] Expected<Findings> turns_of(const KeysInstead& keys);
+[[nodiscard]] Expected<Findings> sextic_identities();
+[[nodiscard]] Expected<Findings> sextic_at_zero();
+[[nodiscard]] Expected<Findings> sextic_at_zero_on(const KeysInstead& keys);
 [[nodiscard]] Expected<Findings> sextic_claims();
+[[nodiscard]] Expected<Findings> sextic_claims_on(const Flight& flight);
 }  // namespace experiment
 
 }  // namespace orispline::cli

@@ -3,25 +3,20 @@
 
 #include <vector>
 
-#include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/motion.hpp>
+#include <orispline/analysis/compared_keys.hpp>
 
 #include "papers/experiment.hpp"
 #include "papers/recipe.hpp"
 
 namespace orispline::cli {
 
-/// A true motion, sampled, and keys taken from it.
-struct Flight {
-  std::vector<double> times;
-  std::vector<Motion> truth;
-  std::vector<Eigen::Quaterniond> orientations;
-  Keyframes keys;
-};
-
 /// Five keys and the truth between them: the first turn of the bundled flight, from straight to straight flight.
 [[nodiscard]] Expected<Flight> first_turn();
 [[nodiscard]] Expected<Flight> whole_flight();
+
+/// Keys of one's own, with what a recording has between the first and the last of them. Rates that it does not have are
+/// those of `auto` through it. Error (bad_data): that curve's.
+[[nodiscard]] Expected<Flight> flight_of(const ComparedData& data, std::string name);
 
 /// The truth as keys, for a page that shows it.
 [[nodiscard]] Keyframes truth_of(const Flight& flight);

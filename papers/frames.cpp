@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <orispline/base/formatted.hpp>
+
 namespace orispline::cli {
 
 FrameRow frames_of(std::string label, const std::function<Eigen::Quaterniond(double)>& motion,
@@ -11,9 +13,24 @@ FrameRow frames_of(std::string label, const std::function<Eigen::Quaterniond(dou
   FrameRow row{std::move(label), {}};
   for (const double t : times) {
     const bool at_key = std::ranges::any_of(key_times, [t](double key) { return std::abs(t - key) < 1e-9; });
-    row.frames.push_back({motion(t), at_key ? colors.key : colors.between});
+    row.frames.push_back({t, motion(t), at_key ? colors.key : colors.between});
   }
   return row;
+}
+
+FrameRow key_frames(std::string label, const Keyframes& keys, const FrameColors& colors) {
+  constexpr std::size_t most = 17;
+  const std::size_t shown = std::min(most, keys.size());
+  FrameRow row{std::move(label), {}};
+  for (std::size_t k = 0; k < shown; ++k) {
+    const std::size_t key = k * (keys.size() - 1) / (shown - 1);
+    row.frames.push_back({keys.times()[key], keys.orientations()[key], colors.key});
+  }
+  return row;
+}
+
+std::string lettered(std::size_t row, const std::string& label) {
+  return formatted("({}) {}", static_cast<char>('a' + row), label);
 }
 
 void draw_frames(report::Drawing& drawing, double top, std::span<const FrameRow> rows,

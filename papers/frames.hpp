@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
+#include <orispline/curve/keyframe.hpp>
 #include <orispline/report/sphere.hpp>
 
 namespace orispline::cli {
 
 /// One body of a row.
 struct Frame {
+  double t;  ///< [s]
   Eigen::Quaterniond orientation;
   std::string_view color;
 };
@@ -31,6 +33,12 @@ struct FrameColors {
 [[nodiscard]] FrameRow frames_of(std::string label, const std::function<Eigen::Quaterniond(double)>& motion,
                                  std::span<const double> times, std::span<const double> key_times,
                                  const FrameColors& colors);
+
+/// The keys alone, at most as many as a row of a motion has, evenly picked.
+[[nodiscard]] FrameRow key_frames(std::string label, const Keyframes& keys, const FrameColors& colors);
+
+/// `(c) LABEL` of the third row, which is number 2.
+[[nodiscard]] std::string lettered(std::size_t row, const std::string& label);
 
 inline constexpr double frame_row_height = 66.0;  // [px]
 

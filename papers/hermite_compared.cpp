@@ -61,31 +61,23 @@ report::Table table_of(const std::vector<Served>& curves, const KeysInstead& key
 }
 
 Picture figure4(const std::vector<Served>& curves, const Keyframes& keys) {
-  report::Drawing drawing(860, 640);
-  report::SpherePicture sphere;
+  Picture picture("000-figure4", 860, 640);
   report::Chart chart{.title = "angular acceleration |α| [rad/s²]", .series = {}, .marks = marks_at(keys.times())};
   const auto paper = std::span(curves).first(2);
-  for (const auto& [recipe, curve] : paper) {
-    const auto path = axis_path(curve, even_times(curve.domain(), 401), Eigen::Vector3d::UnitX());
-    sphere.paths.push_back({path, recipe.stroke});
-    chart.series.push_back(over_time(curve, acceleration));
-    chart.series.back().label = recipe.label;
-    chart.series.back().stroke = recipe.stroke;
-  }
-  for (const Eigen::Vector3d& x : axis_path(keys.orientations(), Eigen::Vector3d::UnitX()))
-    sphere.dots.push_back({x, std::to_string(sphere.dots.size() + 1)});
-  drawing.text({20.0, 24.0}, "(a) path of the body's x axis", {report::Anchor::start});
-  report::draw(drawing, report::facing(sphere.paths[0].directions), {205.0, 212.0}, 165.0, sphere);
-  report::draw_legend(drawing, {440.0, 60.0}, chart.series);
-  report::draw(drawing, {440.0, 100.0, 395.0, 240.0}, chart);
+  for (const Served& served : paper) chart.series.push_back(over_time(served, acceleration));
+  const report::SpherePicture sphere = sphere_of(paper, keys, Eigen::Vector3d::UnitX());
+  picture.drawing.text({20.0, 24.0}, "(a) path of the body's x axis", {report::Anchor::start});
+  picture.add(report::facing(sphere.paths[0].directions), {205.0, 212.0}, 165.0, sphere);
+  report::draw_legend(picture.drawing, {440.0, 60.0}, chart.series);
+  picture.add({440.0, 100.0, 395.0, 240.0}, chart);
   const std::vector<std::pair<std::string, const AnyCurve*>> motions{{"(c) cubic Hermite", &paper[1].curve},
                                                                      {"(d) quintic, α = 1", &paper[0].curve}};
   const FrameColors colors{.key = color::green, .between = color::red};
-  std::vector<FrameRow> rows{frames_of("(b) keyframes", paper[0].curve, keys.times(), keys.times(), colors)};
+  std::vector<FrameRow> rows{key_frames("(b) keyframes", keys, colors)};
   for (const auto& [label, curve] : motions)
     rows.push_back(frames_of(label, *curve, even_times(curve->domain(), 17), keys.times(), colors));
-  draw_frames(drawing, 410.0, rows, cup());
-  return {"000-figure4", std::move(drawing)};
+  picture.add_frames(410.0, std::move(rows), cup());
+  return picture;
 }
 
 }  // namespace

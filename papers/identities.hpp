@@ -2,7 +2,11 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include <orispline/report/table.hpp>
 
 #include "papers/dice.hpp"
 
@@ -21,6 +25,13 @@ struct Misprint {
   std::string_view right;
   double (*error_corrected)(Dice&);
 };
+
+inline constexpr int draws_of_identities = 1000;
+
+/// The identities in rows, each with the largest error of all draws, which are the same on every machine.
+[[nodiscard]] report::Table identities_table(std::string title, std::span<const std::span<const Identity>> parts,
+                                             std::vector<std::string> notes);
+[[nodiscard]] report::Table misprints_table(std::span<const Misprint> misprints);
 
 /// Eberly, sections 3 to 6: calculus, slerp, squad and its spline.
 [[nodiscard]] std::span<const Identity> interpolation_identities() noexcept;

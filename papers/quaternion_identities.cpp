@@ -16,10 +16,7 @@ namespace orispline::cli {
 
 namespace {
 
-using report::Notation;
 using Vector = Eigen::Vector3d;
-
-constexpr int draws = 1000;
 
 AnyQuaternion any(Dice& dice) { return {dice.between(-1, 1), dice.vector()}; }
 AnyQuaternion pure(const Vector& v) { return {0.0, v}; }
@@ -148,41 +145,17 @@ constexpr std::array rotations{
                                std::abs(axes.w.dot(turned) - std::sin(2 * q.angle)));
              }}};
 
-double largest_of(double (*error)(Dice&)) {
-  Dice dice(20180101);
-  double largest = 0.0;
-  for (int k = 0; k < draws; ++k) largest = std::max(largest, error(dice));
-  return largest;
-}
-
-report::Table identities_table() {
-  report::Table table{.title = formatted("Eberly's identities on {} random draws each", draws),
-                      .columns = {{"equation"}, {"statement"}, {"largest error", Notation::scientific, 1}}};
-  for (const std::span<const Identity> part :
-       {std::span<const Identity>(algebra), std::span<const Identity>(rotations), interpolation_identities()})
-    for (const Identity& identity : part)
-      table.rows.push_back({std::string(identity.number), std::string(identity.statement), largest_of(identity.error)});
-  table.notes = {"Errors are lengths of differences, in double precision; the draws are the same on every machine.",
-                 "N is the squared length here, as in the note; p, q of (2) to (8) are quaternions of any length."};
-  return table;
-}
-
-report::Table misprints_table() {
-  report::Table table{.title = "What is wrong as printed",
-                      .columns = {{"equation"},
-                                  {"printed"},
-                                  {"error", Notation::scientific, 1},
-                                  {"right"},
-                                  {"its error", Notation::scientific, 1}}};
-  for (const Misprint& m : interpolation_misprints())
-    table.rows.push_back({std::string(m.number), std::string(m.printed), largest_of(m.error_as_printed),
-                          std::string(m.right), largest_of(m.error_corrected)});
-  table.notes = {"docs/errata.md has more of these, and how we know."};
-  return table;
-}
-
 }  // namespace
 
-Expected<Findings> experiment::quaternion_identities() { return Findings{{identities_table(), misprints_table()}}; }
+Expected<Findings> experiment::quaternion_identities() {
+  const std::array<std::span<const Identity>, 3> parts{algebra, rotations, interpolation_identities()};
+  return Findings{
+      {identities_table(formatted("Eberly's identities on {} random draws each", draws_of_identities), parts,
+                        {"Errors are lengths of differences, in double precision; the draws are the same "
+                         "on every machine.",
+                         "N is the squared length here, as in the note; p, q of (2) to (8) are quaternions "
+                         "of any length."}),
+       misprints_table(interpolation_misprints())}};
+}
 
 }  // namespace orispline::cli

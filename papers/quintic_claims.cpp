@@ -2,7 +2,6 @@
 // Tan et al. 2018: a claim of section 4, and the first question of section 5.
 #include "papers/experiment.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include <orispline/analysis/continuity.hpp>
@@ -139,8 +138,8 @@ Expected<report::Table> best_tensions(const Keyframes& keys) {
     if (!curve) return tl::unexpected(curve.error());
     const Energies energy = energies(*curve, inertia);
     const double curvature = curvature_energy(*curve);
-    table.rows.push_back({text_of(recipe.tension), which, energy.acceleration, energy.torque,
-                          std::isfinite(curvature) ? report::Cell(curvature) : report::Cell("–")});
+    table.rows.push_back(
+        {text_of(recipe.tension), which, energy.acceleration, energy.torque, finite_or_dash(curvature)});
   }
   return table;
 }

@@ -2,38 +2,34 @@
 #include "papers/reproduce.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
+#include <utility>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/base/quoted.hpp>
 #include <orispline/base/suggestion.hpp>
-#include <orispline/io/output_file.hpp>
-#include <orispline/io/track_file.hpp>
 #include <orispline/pages/task_pages.hpp>
 
 #include "options/option_text.hpp"
-#include "output/noted_output.hpp"
-#include "output/output_folder.hpp"
 #include "output/report_file.hpp"
 #include "output/standard_output.hpp"
+#include "papers/own_data.hpp"
+#include "papers/reproduce_files.hpp"
 #include "papers/reproduce_report.hpp"
 
 namespace orispline::cli {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-/// The experiment of that name, or all of the paper of that number or author.
+/// The experiment of that name, or all of the paper of that number or author, or all there are.
 Expected<std::vector<Experiment>> chosen(std::string_view name) {
+  constexpr std::string_view all = "all";
   std::vector<Experiment> found;
-  std::vector<std::string> words;
+  std::vector<std::string> words{std::string(all)};
   for (const Experiment& experiment : experiments()) {
     const std::string_view paper = experiment.paper(), author = author_of(experiment);
     const bool is_named = experiment.name == name || name_by_author(experiment) == name;
-    if (is_named || paper == name || author == name) found.push_back(experiment);
-    if (words.empty() || words.back() != author) words.insert(words.end(), {std::string(paper), std::string(author)});
+    if (is_named || paper == name || author == name || name == all) found.push_back(experiment);
+    if (words.back() != author) words.insert(words.end(), {std::string(paper), std::string(author)});
   }
   if (!found.empty()) return found;
   for (const Experiment& experiment : experiments())
@@ -41,73 +37,57 @@ Expected<std::vector<Experiment>> chosen(std::string_view name) {
   return usage_failure(unknown_word("experiment", name, std::vector<std::string_view>(words.begin(), words.end())));
 }
 
-/// Writes a picture into the folder; its path.
-Expected<std::string> write_picture(const std::string& folder, const Picture& picture) {
-  std::string path = (fs::path(folder) / (picture.name + ".svg")).string();
-  return open_output(path)
-      .and_then([&](Noted<io::OutputFile> output) {
-        return output.file.write(picture.drawing.document()).and_then([&] { return output.file.finish(); });
-      })
-      .map([&] { return std::move(path); });
-}
-
-/// Those of them that take other keys. Error (bad_argument): none does.
-Expected<std::vector<Experiment>> taking_keys(std::vector<Experiment> selected, std::string_view file) {
-  const auto takes_none = [](const Experiment& experiment) { return !experiment.run_with; };
-  std::erase_if(selected, takes_none);
-  if (!selected.empty()) return selected;
+/// With the names of those experiments that satisfy it.
+std::string names_where(bool (*is_meant)(const Experiment&)) {
   std::vector<std::string_view> names;
   for (const Experiment& experiment : experiments())
-    if (experiment.run_with) names.push_back(experiment.name);
-  return wanted({"--keys", file},
-                formatted("it with one of {}: the others have keys of their own", joined(names, ", ")));
+    if (is_meant(experiment)) names.push_back(experiment.name);
+  return joined(names, ", ");
 }
 
-/// The keys of a file in the place of the paper's.
-Expected<KeysInstead> keys_of(const std::string& file) {
-  constexpr std::size_t least = 4;  // that every scheme takes
-  auto track = io::read_track(file);
-  if (!track) return tl::unexpected(std::move(track.error()));
-  warn(track->warnings);
-  Keyframes& keys = track->track.keys;
-  if (keys.size() < least)
-    return failure(ErrorCode::bad_data, formatted("found {} keys, wanted {} at least", keys.size(), least),
-                   {.file = file});
-  return KeysInstead{std::move(keys), formatted("The keys are those of {}.", printable(file))};
+/// Those of them that take such data as the user has. Error (bad_argument): none does, or none takes the reference.
+Expected<std::vector<Experiment>> taking_data(std::vector<Experiment> selected, const ReproduceArguments& options) {
+  const auto takes_reference = [](const Experiment& experiment) { return experiment.run_on != nullptr; };
+  const auto takes_keys = [](const Experiment& experiment) { return experiment.takes_keys(); };
+  const bool any_takes_reference = std::ranges::any_of(selected, takes_reference);
+  if (options.reference && !any_takes_reference)
+    return wanted({"--reference", *options.reference},
+                  formatted("it with one of {}: the others need no truth", names_where(takes_reference)));
+  const bool has_reference = options.reference.has_value();
+  std::erase_if(selected, [&](const Experiment& e) { return !e.run_with && !(has_reference && e.run_on); });
+  if (!selected.empty()) return selected;
+  if (any_takes_reference) return wanted({"--keys", *options.keys}, "--reference as well, which is the true motion");
+  return wanted({"--keys", *options.keys},
+                formatted("it with one of {}: the others have keys of their own", names_where(takes_keys)));
+}
+
+Expected<Findings> findings_of(const Experiment& experiment, const std::optional<OwnData>& own) {
+  if (!own) return experiment.run();
+  return experiment.run_on ? experiment.run_on(*own->flight) : experiment.run_with(own->keys);
 }
 
 Expected<std::vector<ExperimentReport>> run_all(const std::vector<Experiment>& selected,
-                                                const std::optional<KeysInstead>& keys) {
+                                                const std::optional<OwnData>& own) {
   std::vector<ExperimentReport> reports;
   for (const Experiment& experiment : selected) {
-    auto findings = keys ? experiment.run_with(*keys) : experiment.run();
+    auto findings = findings_of(experiment, own);
     if (!findings) return tl::unexpected(std::move(findings.error()));
-    reports.push_back({std::string(experiment.name), std::string(experiment.title), std::move(*findings), {}});
+    reports.push_back({std::string(experiment.name), std::string(experiment.title), std::move(*findings)});
   }
   return reports;
 }
 
-/// With the keys of that file, where one is given.
-Expected<std::vector<ExperimentReport>> run_on(std::vector<Experiment> selected,
-                                               const std::optional<std::string>& file) {
-  if (!file) return run_all(selected, std::nullopt);
-  return taking_keys(std::move(selected), *file).and_then([&](const std::vector<Experiment>& taking) {
-    return keys_of(*file).and_then([&](const KeysInstead& keys) { return run_all(taking, keys); });
+/// On the user's own data, where there is some.
+Expected<std::vector<ExperimentReport>> run_on(std::vector<Experiment> selected, const ReproduceArguments& options) {
+  if (!options.keys) return run_all(selected, std::nullopt);
+  return taking_data(std::move(selected), options).and_then([&](const std::vector<Experiment>& taking) {
+    return read_own_data(*options.keys, options.reference).and_then([&](const OwnData& own) {
+      return run_all(taking, own);
+    });
   });
 }
 
-Expected<void> write_pictures(std::vector<ExperimentReport>& reports, const std::string& folder) {
-  if (auto made = make_folder(folder); !made) return made;
-  for (ExperimentReport& report : reports)
-    for (const Picture& picture : report.findings.pictures) {
-      auto path = write_picture(folder, picture);
-      if (!path) return tl::unexpected(std::move(path.error()));
-      report.picture_files.push_back(std::move(*path));
-    }
-  return {};
-}
-
-/// What a page shows: the motions of all experiments; with a truth, if it is that of all.
+/// What a page shows: the motions of all experiments, and the truth of those that have one.
 struct Shown {
   std::string title = "Motions of the papers' experiments";
   std::vector<pages::NamedCurve> curves{};
@@ -116,14 +96,18 @@ struct Shown {
 
 Shown shown_of(std::vector<ExperimentReport> reports) {
   std::erase_if(reports, [](const ExperimentReport& report) { return report.findings.motions.empty(); });
-  if (reports.size() == 1)
-    return {reports.front().title, std::move(reports.front().findings.motions), reports.front().findings.truth};
+  const bool is_one = reports.size() == 1;
   Shown shown;
-  for (ExperimentReport& report : reports)
+  if (is_one) shown.title = reports.front().title;
+  for (ExperimentReport& report : reports) {
+    const bool has_truth = report.findings.truth.size() > 0;
+    if (has_truth) shown.truth = std::move(report.findings.truth);
     for (pages::NamedCurve& curve : report.findings.motions) {
-      curve.name = formatted("{}: {}", report.name, curve.name);
+      if (!is_one) curve.name = formatted("{}: {}", report.name, curve.name);
+      curve.truth = has_truth ? pages::Truth::known : pages::Truth::unknown;
       shown.curves.push_back(std::move(curve));
     }
+  }
   return shown;
 }
 
@@ -143,29 +127,50 @@ Expected<void> check_motions(const std::vector<ExperimentReport>& reports, const
   return wanted({"--report", *options.path}, "it with an experiment that has motions, such as 000-figure3");
 }
 
+/// Error (bad_argument): options that say nothing without another, or contradict each other.
+Expected<void> check(const ReproduceArguments& options) {
+  if (!options.experiment)
+    for (const auto& [option, value] :
+         {std::pair{"--pictures", &options.pictures}, std::pair{"--output-folder", &options.folder},
+          std::pair{"--keys", &options.keys}, std::pair{"--reference", &options.reference},
+          std::pair{"--report", &options.report.path}})
+      if (*value) return wanted({option, **value}, "an EXPERIMENT as well");
+  for (const auto& [option, folder] :
+       {std::pair{"--pictures", &options.pictures}, std::pair{"--output-folder", &options.folder}})
+    if (*folder && (*folder)->empty()) return wanted({option, ""}, "a folder");
+  if (options.pictures && options.folder)
+    return wanted({"--pictures", *options.pictures}, "it without --output-folder, where the pictures are too");
+  if (options.reference && !options.keys) return wanted({"--reference", *options.reference}, "--keys as well");
+  return check_report(options.report,
+                      {{"--keys", options.keys.value_or("")}, {"--reference", options.reference.value_or("")}});
+}
+
+Expected<void> write_files(std::vector<ExperimentReport>& reports, const ReproduceArguments& options) {
+  if (options.folder) return write_all(reports, *options.folder);
+  if (options.pictures) return write_pictures(reports, *options.pictures);
+  return {};
+}
+
+std::string document_of(const std::vector<ExperimentReport>& reports, const ReproduceArguments& options) {
+  if (options.folder) return options.json ? files_json_of(reports) : files_text_of(reports);
+  return options.json ? json_of(reports) : text_of(reports);
+}
+
 }  // namespace
 
 Expected<void> reproduce(const ReproduceArguments& options) {
-  if (!options.experiment) {
-    if (options.pictures) return wanted({"--pictures", *options.pictures}, "an EXPERIMENT as well");
-    if (options.keys) return wanted({"--keys", *options.keys}, "an EXPERIMENT as well");
-    if (options.report.path) return wanted({"--report", *options.report.path}, "an EXPERIMENT as well");
-    return print_document(options.json ? json_of(experiments()) : text_of(experiments()));
-  }
-  if (options.pictures && options.pictures->empty()) return wanted({"--pictures", ""}, "a folder");
-  if (auto checked = check_report(options.report, {{"--keys", options.keys.value_or("")}}); !checked) return checked;
+  if (auto checked = check(options); !checked) return checked;
+  if (!options.experiment) return print_document(options.json ? json_of(experiments()) : text_of(experiments()));
   auto selected = chosen(*options.experiment);
   if (!selected) return tl::unexpected(std::move(selected.error()));
   auto page = ReportFile::open(options.report);
   if (!page) return tl::unexpected(std::move(page.error()));
-  auto reports = run_on(std::move(*selected), options.keys);
+  auto reports = run_on(std::move(*selected), options);
   if (!reports) return tl::unexpected(std::move(reports.error()));
   if (auto checked = check_motions(*reports, options.report); !checked) return checked;
-  if (options.pictures)
-    if (auto written = write_pictures(*reports, *options.pictures); !written) return written;
-  return print_document(options.json ? json_of(*reports) : text_of(*reports)).and_then([&] {
-    return write_page(std::move(*page), std::move(*reports));
-  });
+  return write_files(*reports, options)
+      .and_then([&] { return print_document(document_of(*reports, options)); })
+      .and_then([&] { return write_page(std::move(*page), std::move(*reports)); });
 }
 
 }  // namespace orispline::cli

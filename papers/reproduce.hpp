@@ -12,12 +12,12 @@ namespace orispline::cli {
 
 /// `orispline reproduce`, as typed.
 struct ReproduceArguments {
-  std::optional<std::string> experiment, keys, pictures;
+  std::optional<std::string> experiment, keys, reference, pictures, folder;
   ReportOptions report;
   bool json = false;
 };
 
-/// Lists the experiments of the papers, or runs one of them or all of one paper.
+/// Lists the experiments of the papers, or runs one of them, all of one paper or all.
 [[nodiscard]] Expected<void> reproduce(const ReproduceArguments& options);
 
 }  // namespace orispline::cli

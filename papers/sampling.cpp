@@ -48,6 +48,15 @@ std::vector<Eigen::Vector3d> axis_path(std::span<const Eigen::Quaterniond> orien
   return path;
 }
 
+report::SpherePicture sphere_of(std::span<const Served> curves, const Keyframes& keys, const Eigen::Vector3d& axis) {
+  report::SpherePicture picture;
+  for (const auto& [recipe, curve] : curves)
+    picture.paths.push_back({axis_path(curve, even_times(curve.domain(), 401), axis), recipe.stroke, recipe.label});
+  for (const Eigen::Vector3d& key : axis_path(keys.orientations(), axis))
+    picture.dots.push_back({key, std::to_string(picture.dots.size() + 1)});
+  return picture;
+}
+
 report::Series over_time(const AnyCurve& curve, const std::function<double(const Motion&)>& figure) {
   report::Series series;
   for (std::size_t segment = 0; segment < curve.knots().segments(); ++segment) {
@@ -58,6 +67,13 @@ report::Series over_time(const AnyCurve& curve, const std::function<double(const
     series.x.push_back(series.x.back());
     series.y.push_back(std::numeric_limits<double>::quiet_NaN());
   }
+  return series;
+}
+
+report::Series over_time(const Served& served, const std::function<double(const Motion&)>& figure) {
+  report::Series series = over_time(served.curve, figure);
+  series.label = served.recipe.label;
+  series.stroke = served.recipe.stroke;
   return series;
 }
 
@@ -73,28 +89,38 @@ double largest_distance(const AnyCurve& a, const AnyCurve& b, std::span<const do
 
 std::vector<report::Mark> marks_at(std::span<const double> knots) {
   std::vector<report::Mark> marks;
-  for (const double t : knots) marks.push_back({t, formatted("{:g} s", t)});
+  constexpr std::size_t most_labels = 12;
+  for (const double t : knots) marks.push_back({t, knots.size() > most_labels ? "" : formatted("{:.4g} s", t)});
   return marks;
 }
 
-double seconds_of(const std::function<void()>& work) {
-  std::array<double, 9> seconds{};
-  for (double& s : seconds) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  }
-  std::ranges::nth_element(seconds, seconds.begin() + seconds.size() / 2);
-  return seconds[seconds.size() / 2];
+report::Cell finite_or_dash(double value) {
+  if (!std::isfinite(value)) return "–";
+  return value;
 }
 
-double seconds_for(const Recipe& recipe, const Keyframes& keys, std::size_t count) {
-  std::vector<Eigen::Quaterniond> frames(count);
-  return seconds_of([&] {
-    const auto curve = curve_of(recipe, keys);
-    const auto times = even_times(curve->domain(), count);
-    std::ranges::transform(times, frames.begin(), [&](double t) { return (*curve)(t); });
-  });
+std::vector<double> seconds_in_turn(std::span<const std::function<void()>> works) {
+  constexpr std::size_t rounds = 9;
+  std::vector<std::array<double, rounds>> seconds(works.size());
+  for (std::size_t round = 0; round < rounds; ++round)
+    for (std::size_t i = 0; i < works.size(); ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      works[i]();
+      seconds[i][round] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+  std::vector<double> medians;
+  for (auto& all : seconds) {
+    std::ranges::nth_element(all, all.begin() + rounds / 2);
+    medians.push_back(all[rounds / 2]);
+  }
+  return medians;
+}
+
+std::function<void()> building(const Recipe& recipe, const Keyframes& keys, const std::vector<double>& times) {
+  return [recipe, &keys, &times, frames = std::vector<Eigen::Quaterniond>(times.size())]() mutable {
+    if (const auto curve = curve_of(recipe, keys))
+      std::ranges::transform(times, frames.begin(), [&](double t) { return (*curve)(t); });
+  };
 }
 
 }  // namespace orispline::cli

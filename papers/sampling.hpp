@@ -2,10 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include <orispline/curve/curve.hpp>
 #include <orispline/report/chart.hpp>
+#include <orispline/report/sphere.hpp>
+#include <orispline/report/table.hpp>
 
 #include "papers/recipe.hpp"
 
@@ -20,6 +23,10 @@ namespace orispline::cli {
 [[nodiscard]] std::vector<Eigen::Vector3d> axis_path(std::span<const Eigen::Quaterniond> orientations,
                                                      const Eigen::Vector3d& axis);
 
+/// The paths of an axis of the body along curves, with dots at the keys, which are numbered from 1.
+[[nodiscard]] report::SpherePicture sphere_of(std::span<const Served> curves, const Keyframes& keys,
+                                              const Eigen::Vector3d& axis);
+
 /// A figure of the motion over time, segment by segment: where it jumps at a key, the series breaks.
 [[nodiscard]] report::Series over_time(const AnyCurve& curve, const std::function<double(const Motion&)>& figure);
 
@@ -29,16 +36,30 @@ namespace orispline::cli {
 /// The largest angle between two curves at the times [rad].
 [[nodiscard]] double largest_distance(const AnyCurve& a, const AnyCurve& b, std::span<const double> times);
 
-/// Marks at the knots.
+/// Likewise, named and drawn as its recipe says.
+[[nodiscard]] report::Series over_time(const Served& served, const std::function<double(const Motion&)>& figure);
+
+/// Marks at the knots, with their times where there is room for these.
 [[nodiscard]] std::vector<report::Mark> marks_at(std::span<const double> knots);
 
-/// Median time that work takes [s], of nine times.
-[[nodiscard]] double seconds_of(const std::function<void()>& work);
+/// Median times that works take [s], of nine rounds. A round does each of them once, so that what slows the machine for
+/// a while slows all of them.
+[[nodiscard]] std::vector<double> seconds_in_turn(std::span<const std::function<void()>> works);
 
-/// Likewise, to build a curve and to compute so many frames of it [s].
-[[nodiscard]] double seconds_for(const Recipe& recipe, const Keyframes& keys, std::size_t frames);
+/// The work to build a curve through keys and to compute its orientations at times [s]. The keys and times are not
+/// copied.
+[[nodiscard]] std::function<void()> building(const Recipe& recipe, const Keyframes& keys,
+                                             const std::vector<double>& times);
 
 inline const auto speed = [](const Motion& m) { return m.angular_velocity.norm(); };             // [rad/s]
 inline const auto acceleration = [](const Motion& m) { return m.angular_acceleration.norm(); };  // [rad/s²]
+
+/// What has no value, such as the curvature at a rest, is a dash.
+[[nodiscard]] report::Cell finite_or_dash(double value);
+
+/// The speed of the body's point at distance 1 along an axis [1/s].
+[[nodiscard]] inline auto speed_of_point(const Eigen::Vector3d& axis) {
+  return [axis](const Motion& m) { return m.angular_velocity.cross(axis).norm(); };
+}
 
 }  // namespace orispline::cli

@@ -2,6 +2,9 @@
 // The 6th degree, section 4.2 and figure 7: the paper's uneven knots.
 #include "papers/experiment.hpp"
 
+#include <functional>
+#include <utility>
+
 #include <orispline/report/chart.hpp>
 
 #include "papers/bodies.hpp"
@@ -16,6 +19,7 @@ namespace {
 
 using report::Notation;
 namespace color = report::color;
+using Figure = std::function<double(const Motion&)>;
 
 const std::vector<double> paper_knots{0.0, 0.5, 1.5, 2.25, 4.0};
 constexpr auto paper_note =
@@ -60,23 +64,21 @@ report::Table jumps(const std::vector<Served>& curves, std::span<const double> k
   return table;
 }
 
-Picture figure7(const std::vector<Served>& curves, std::span<const double> knots) {
-  report::Drawing drawing(860, 560);
-  report::Chart velocity{.title = "angular velocity |ω| [rad/s]", .series = {}, .marks = marks_at(knots)};
-  report::Chart acceleration_chart{
-      .title = "angular acceleration |α| [rad/s²]", .series = {}, .marks = marks_at(knots)};
-  for (const auto& [recipe, curve] : curves) {
-    velocity.series.push_back(over_time(curve, speed));
-    acceleration_chart.series.push_back(over_time(curve, acceleration));
-    for (report::Series* series : {&velocity.series.back(), &acceleration_chart.series.back()}) {
-      series->label = recipe.label;
-      series->stroke = recipe.stroke;
-    }
+/// (c) and (d) of the figure, and the acceleration.
+Picture speeds(const std::vector<Served>& curves, std::span<const double> knots) {
+  Picture picture("003-figure7", 860, 640);
+  double top = 58.0;
+  for (const auto& [title, figure] : {std::pair{"(c) speed of the point at distance 1 along the handle [1/s]",
+                                                Figure(speed_of_point(Eigen::Vector3d::UnitX()))},
+                                      std::pair{"(d) angular speed |ω| [rad/s]", Figure(speed)},
+                                      std::pair{"angular acceleration |α| [rad/s²]", Figure(acceleration)}}) {
+    report::Chart chart{.title = title, .series = {}, .marks = marks_at(knots)};
+    for (const Served& served : curves) chart.series.push_back(over_time(served, figure));
+    if (top < 60.0) report::draw_legend(picture.drawing, {50.0, 18.0}, chart.series);
+    picture.add({50.0, top, 780.0, 140.0}, std::move(chart));
+    top += 198.0;
   }
-  report::draw_legend(drawing, {50.0, 18.0}, velocity.series);
-  report::draw(drawing, {50.0, 58.0, 780.0, 200.0}, velocity);
-  report::draw(drawing, {50.0, 318.0, 780.0, 200.0}, acceleration_chart);
-  return {"003-figure7", std::move(drawing)};
+  return picture;
 }
 
 /// (a) and (b) of the figure: the body at 17 even times, and the angle from the start, with the paper's own curve.
@@ -85,27 +87,26 @@ Picture body_and_angle(const std::vector<Served>& curves, const Keyframes& keys)
   std::vector<FrameRow> rows;
   report::Chart angle{
       .title = "(b) angle from the start [rad]: continuous", .series = {}, .marks = marks_at(keys.times())};
-  for (const auto& [recipe, curve] : paper) {
+  for (const Served& served : paper) {
+    const auto& [recipe, curve] = served;
     rows.push_back(frames_of(recipe.label, curve, even_times(curve.domain(), 17), keys.times(),
                              {.key = color::green, .between = recipe.stroke.color}));
     const Eigen::Quaterniond start = keys.orientations()[0];
     angle.series.push_back(
-        over_time(curve, [start](const Motion& m) { return angular_distance(start, m.orientation); }));
-    angle.series.back().stroke = recipe.stroke;
-    angle.series.back().label = recipe.label;
+        over_time(served, [start](const Motion& m) { return angular_distance(start, m.orientation); }));
   }
-  report::Drawing drawing(860, 430);
-  drawing.text({50.0, 24.0}, "(a) the body at 17 even times; at a key it is green", {report::Anchor::start});
-  draw_frames(drawing, 36.0, rows, cup());
-  report::draw_legend(drawing, {50.0, 194.0}, angle.series);
-  report::draw(drawing, {50.0, 228.0, 780.0, 165.0}, angle);
-  return {"003-figure7-body", std::move(drawing)};
+  Picture picture("003-figure7-body", 860, 430);
+  picture.drawing.text({50.0, 24.0}, "(a) the body at 17 even times; at a key it is green", {report::Anchor::start});
+  picture.add_frames(36.0, std::move(rows), cup());
+  report::draw_legend(picture.drawing, {50.0, 194.0}, angle.series);
+  picture.add({50.0, 228.0, 780.0, 165.0}, angle);
+  return picture;
 }
 
 Findings findings_of(const std::vector<Served>& curves, const Keyframes& keys, const std::string& title,
                      const std::string& note) {
   return {{jumps(curves, keys.times(), title, note)},
-          {body_and_angle(curves, keys), figure7(curves, keys.times())},
+          {body_and_angle(curves, keys), speeds(curves, keys.times())},
           motions_of(curves, keys)};
 }
 

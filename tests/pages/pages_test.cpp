@@ -80,6 +80,19 @@ TEST(CurvesPage, HasNoAnglesToATruthThatThereIsNot) {
   EXPECT_EQ(page.methods[0].measures.count("rms_deg"), 0U);
 }
 
+TEST(CurvesPage, HasNoAnglesOfACurveOfWhichTheTruthIsNotThat) {
+  const Keyframes truth = noisy(50).keys, keys = truth.at(std::vector<std::size_t>{0, 20, 49});
+  const PoseCurve curve = make_pose_curve(default_method, keys).value();
+  const std::vector<pages::NamedCurve> curves{{"of it", keys, curve},
+                                              {"of another", keys, curve, pages::Truth::unknown}};
+  const report::Page page = pages::curves_page(curves, head, truth);
+  EXPECT_TRUE(page.reference.has_value());
+  EXPECT_EQ(page.methods[0].measures.count("rms_deg"), 1U);
+  EXPECT_EQ(page.methods[0].samples.errors.size(), 50U);
+  EXPECT_EQ(page.methods[1].measures.count("rms_deg"), 0U);
+  EXPECT_TRUE(page.methods[1].samples.errors.empty());
+}
+
 TEST(MotionPage, ShowsOneCurveWithItsKeysAndItsShape) {
   Track track = Keyframes::make(testing_support::random_walk(3, 8, testing_support::Spacing::uneven)).value();
   const Method method{"quintic", {.parameters = {{"tension", {0.4}}}}};

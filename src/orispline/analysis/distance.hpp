@@ -16,12 +16,12 @@ struct DistanceStatistics {
   /// Half, 95 % and 99 % of the distances are not greater: linear between neighbouring ones in rising order.
   double median = 0.0, percentile_95 = 0.0, percentile_99 = 0.0;
 
-  /// The MSE of the 6th degree's table 1, with the full rotation angle for the distance [rad²].
+  /// Of the full rotation angle [rad²]; what the 6th degree's table 1 has may be that of half of it, which is a fourth.
   [[nodiscard]] double mean_square() const noexcept { return rms * rms; }
 };
 
-/// The distance of the 6th degree's figure 3, on the sphere of unit quaternions: arccos |p·q|, half the angle of the
-/// rotation from one to the other [rad].
+/// On the sphere of unit quaternions: arccos |p·q|, half the angle of the rotation from one to the other [rad]. The 6th
+/// degree's figure 3 has this or the angle itself; it does not say which.
 [[nodiscard]] inline double spherical_distance(const Eigen::Quaterniond& p, const Eigen::Quaterniond& q) noexcept {
   return 0.5 * angular_distance(p, q);
 }

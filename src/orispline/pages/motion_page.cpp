@@ -47,17 +47,17 @@ Expected<report::Page> motion_page(const Track& track, const Method& method, con
 }
 
 report::Page curves_page(std::span<const NamedCurve> curves, const PageHead& head, const Keyframes& truth) {
-  const bool compared = truth.size() > 0;
-  const CurvePage page_of_all{.recording = truth,
-                              .measures = compared ? measures_of({MeasureGroup::distance, MeasureGroup::shape})
-                                                   : measures_of({MeasureGroup::shape})};
+  const CurvePage of_shape{.measures = measures_of({MeasureGroup::shape})},
+      of_truth{.recording = truth, .measures = measures_of({MeasureGroup::distance, MeasureGroup::shape})};
+  const bool has_truth = truth.size() > 0;
   report::Page page = begun_page("", head, Decimal(), curves.front().keys);
-  if (compared) page.reference = report::thinned(path_of(truth), samples_of_few);
-  page.columns = measure_columns(page_of_all.measures);
-  for (const auto& [name, keys, curve] : curves) {
+  if (has_truth) page.reference = report::thinned(path_of(truth), samples_of_few);
+  page.columns = measure_columns((has_truth ? of_truth : of_shape).measures);
+  for (const auto& [name, keys, curve, knows] : curves) {
+    const bool compared = has_truth && knows == Truth::known;
     Measures measures = shape_of(curve.orientation, Seam::open, Eigen::Matrix3d::Identity());
     if (compared) measures.distance = distance_to_reference(curve.orientation, {truth.times(), truth.orientations()});
-    const report::PageMethod method = method_of(page_of_all, {name, keys, curve, measures});
+    const report::PageMethod method = method_of(compared ? of_truth : of_shape, {name, keys, curve, measures});
     page.methods.push_back(compared ? with_errors(method, errors_at(curve, path_of(truth)), [](double) { return true; })
                                     : method);
   }

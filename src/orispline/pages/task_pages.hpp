@@ -33,15 +33,20 @@ struct PageHead {
                                                                   const PageHead& head,
                                                                   const std::optional<Eigen::Matrix3d>& inertia = {});
 
+/// Whether the truth of a page is that of one of its curves.
+enum class Truth { known, unknown };
+
 /// A curve of any making, with the keys that it is for.
 struct NamedCurve {
   std::string name;  ///< unlike those beside it
   Keyframes keys;
   PoseCurve curve;
+  Truth truth = Truth::known;
 };
 
 /// The page to look at of curves side by side, one at least, each with its own keys, with the measures of their shapes.
-/// With a truth, orientations over time, it has the angles of all of them to it. Its title is that of the head.
+/// With a truth, orientations over time, it has the angles to it of all of which it is the truth. Its title is that of
+/// the head.
 [[nodiscard]] ORISPLINE_EXPORT report::Page curves_page(std::span<const NamedCurve> curves, const PageHead& head,
                                                         const Keyframes& truth = {});
 

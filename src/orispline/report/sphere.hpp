@@ -63,6 +63,7 @@ ORISPLINE_EXPORT void draw_body(Drawing& drawing, const View& view, Point center
 struct SpherePath {
   std::vector<Eigen::Vector3d> directions;
   Stroke stroke{.width = 2.0};
+  std::string label{};  ///< is not drawn
 };
 
 /// A point on the unit sphere.
