@@ -6,7 +6,7 @@
 
 #include "errors.hpp"
 #include "keys.hpp"
-#include "text.hpp"
+#include "method_text.hpp"
 
 namespace nb = nanobind;
 using namespace nanobind::literals;
@@ -37,6 +37,8 @@ nb::list words_of(std::span<const std::string_view> words) {
   return list;
 }
 
+}  // namespace
+
 nb::typed<nb::dict, nb::str, nb::any> info_of(const FamilyInfo& family) {
   nb::typed<nb::dict, nb::str, nb::any> info;
   nb::dict choices;
@@ -60,16 +62,12 @@ nb::typed<nb::dict, nb::str, nb::any> info_of(const FamilyInfo& family) {
   return info;
 }
 
-}  // namespace
-
 void add_methods(nb::module_& module) {
   module.def("methods", [] {
     nb::typed<nb::list, nb::typed<nb::dict, nb::str, nb::any>> list;
     for (const FamilyInfo& family : families_info()) list.append(info_of(family));
     return list;
   });
-  module.def(
-      "method_info", [](const std::string& name) { return info_of(*value_of(find_family(name))); }, "name"_a);
 }
 
 }  // namespace orispline::python

@@ -61,14 +61,6 @@ def checked_threads(threads: Any) -> int:
     return int(threads)
 
 
-def method_words(method: Any) -> str:
-    """The text form of a method, which may be that of a curve."""
-    words = getattr(method, "method", method)
-    if not isinstance(words, str):
-        raise TypeError(f"method: found {type(method).__name__}, wanted a name such as 'auto', or a curve")
-    return words
-
-
 def times_beside(keys: Keys, reference: Keys) -> np.ndarray[Any, Any] | None:
     """The times of a reference in seconds of the keys; None where those count alike."""
     if keys._clock == reference._clock == Clock():
