@@ -25,7 +25,7 @@ BELOW_JOBS = {  # header or folder below -> why a face needs it still; the exper
     "math/": "units and vectors",
     "fields/": "options as the user states them, results as data",
     "curve/": "what keys, methods and curves are",
-    "families/blending/blending_family.hpp": "blending functions of one's own, and what was found of them",
+    "families/blending/blending_family.hpp": "methods as the user states them",
     "families/handles.hpp": "samples of streams, which are no job: keys come in and rows go out",
     "families/method_text.hpp": "methods as the user types them",
     "families/method_warnings.hpp": "streams are no job",

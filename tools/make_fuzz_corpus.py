@@ -151,6 +151,22 @@ def times_files():
     yield "wrong", b"\x001,2\nx\n"
 
 
+def blending_files():
+    quintic = [["1", "1+a/5", "1+7*a/20", "1", "1", "1"], ["0", "a/5", "9*a/20", "1-9*b/20", "1-b/5", "1"],
+               ["0", "0", "0", "-7*b/20", "-b/5", "0"]]
+    for name, members in (
+            ("quintic", {"title": "Tan's", "parameters": {"tension": 0.5}, "rows": quintic, "ends": "natural"}),
+            ("points", {"rows": [[1, 0.5, 0], [0, 0.5, 0.5], [0, 0, 0.5]], "first": -1, "basis": "bezier"}),
+            ("powers", {"rows": [[0, 0, 3, -2]], "basis": "power"}),
+            ("lengths", {"parameters": {"t": {"default": 1, "min": 0, "max": 2}, "u": 0},
+                         "rows": [["1", "1+a2_1*h^2/(h_1*(h_1+h))", "1"], ["0", "-(b_1)**2*(h1+h)/h", "1"],
+                                  ["0", "1e-3*(-a)", "0"]]}),
+            ("misses", {"rows": [["0", "0.95"]]}), ("division", {"rows": [["0", "1/(h-h)"]]}),
+            ("unknown", {"rows": [["0", "c"]]}), ("ragged", {"rows": [["0", "1"], ["0"]]})):
+        yield name, json.dumps({"name": "mine", **members}).encode()
+    yield "no_json", b'{"name": "mine", "rows": [[0, 1]'
+
+
 def decimal_files():
     for name, text in (("plain", "1311868163.8697\n0.1"), ("exponents", "1e-150\n-.5e+150"), ("zeros", "-0.000\n0e99"),
                        ("long", "1234567890123456789012345678901234567\n9007199254740993"), ("huge", "1e999\n1e-999"),
@@ -231,7 +247,7 @@ def clip_files():
 
 
 TARGETS = {"curve": curve_seeds, "online": online_seeds, "optimise": optimise_seeds, "state": state_seeds,
-           "clips": clip_files, "keys": key_files, "times": times_files,
+           "clips": clip_files, "keys": key_files, "times": times_files, "blending": blending_files,
            "decimal": decimal_files, "command": command_files, "fbx": fbx_files.scene_files}
 
 

@@ -58,7 +58,8 @@ struct Command {
   Option* add(Option option) { return &options.emplace_back(std::move(option)); }
   template <class T>
   Option* add_option(std::string names, T& typed, std::string sentence) {
-    return add({.names = std::move(names), .sentence = std::move(sentence), .typed = &typed});
+    const Typed place = &typed;
+    return add({.names = std::move(names), .sentence = std::move(sentence), .typed = place});
   }
   Option* add_flag(std::string names, bool& typed, std::string sentence) {
     return add_option(std::move(names), typed, std::move(sentence));

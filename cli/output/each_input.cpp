@@ -150,7 +150,7 @@ Expected<void> work_on_each(const SeveralInputs& inputs, const SummaryOptions& s
   const auto turns = turns_of(inputs, each, *threads);
   if (!turns) return tl::unexpected(turns.error());
   const Finishing finishing = inputs.all_or_none ? Finishing::with_the_others : Finishing::at_once;
-  const auto ready = each.check(turns->front()).and_then([&] { return check_folder(*inputs.folder); }).and_then([&] {
+  auto ready = each.check(turns->front()).and_then([&] { return check_folder(*inputs.folder); }).and_then([&] {
     return inputs.all_or_none ? make_room_for(turns->size()) : Expected<void>();
   });
   if (!ready) return ready;

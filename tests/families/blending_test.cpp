@@ -68,6 +68,7 @@ class TypedIn : public testing::TestWithParam<Typed> {
     const auto typed = make_curve(Method(family_of(GetParam().data), options), keys);
     const auto built_in = make_curve(Method(GetParam().built_in, options), keys);
     ASSERT_TRUE(typed) << typed.error().message;
+    ASSERT_TRUE(built_in) << built_in.error().message;
     for (const double t : sample_times(keys.times(), 7)) {
       const Motion mine = typed->motion(t), theirs = built_in->motion(t);
       EXPECT_LE((mine.orientation.coeffs() - theirs.orientation.coeffs()).norm(), 1e-14);
@@ -97,7 +98,10 @@ TEST_P(TypedIn, AgreesWithEveryEndRule) {
   }
 }
 
-TEST_P(TypedIn, AgreesAroundALoop) { expect_agreement({.loop = Loop{.period = 30.0}}, Spacing::uneven); }
+TEST_P(TypedIn, AgreesAroundALoop) {
+  if (!find_family(GetParam().built_in).value()->closes) GTEST_SKIP() << "the built-in method has no loops";
+  expect_agreement({.loop = Loop{.period = 30.0}}, Spacing::uneven);
+}
 
 TEST_P(TypedIn, IsFoundToBeWhatTheBuiltInMethodDeclares) {
   const FamilyInfo& declared = *find_family(GetParam().built_in).value();
@@ -223,7 +227,7 @@ TEST(Blending, RefusesWhatItCannotUnderstandWithItsPlace) {
   EXPECT_EQ(refusal(data_of({{"0", "1"}, {"0", "1", "1"}, {"0", "1"}})),
             "row 2: found 3 entries, wanted 2 as in row 1");
   EXPECT_EQ(refusal(data_of({{"0", "1"}, {"0", "1"}})),
-            "first: 2 increments do not say where they begin, wanted `first`, 0 being the segment's own");
+            "first: 2 increments do not say where they begin, wanted 'first', 0 being the segment's own");
   BlendingData taken = data_of({{"0", "1"}});
   taken.name = "squad";
   EXPECT_EQ(refusal(taken), "name: found 'squad', which is a method already, wanted another name");

@@ -27,7 +27,7 @@ class FuzzInput {
   [[nodiscard]] std::size_t below(std::size_t count) { return byte() % count; }
   /// -1 … 1 in steps of 1/127; 0 for the byte 0.
   [[nodiscard]] double signed_unit() {
-    const int value = static_cast<std::int8_t>(byte());
+    const int value = (byte() ^ 0x80) - 0x80;  // the two's complement
     return value < -127 ? -1.0 : value / 127.0;
   }
   /// Numbers from -1 to 1.

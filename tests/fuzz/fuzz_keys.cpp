@@ -153,7 +153,7 @@ void claim_same_from_its_table(const TemporaryFolder& folder, ReadOptions option
   claim_same(*again, wanted);
 }
 
-void claim_track_or_plain_error(KeyFile file) {
+void claim_track_or_plain_error(const KeyFile& file) {
   for (const Signs signs : {Signs::shortest, Signs::as_given}) {
     const auto keys = Keyframes::make(file.data, signs);
     if (!keys) {

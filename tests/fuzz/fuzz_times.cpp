@@ -19,7 +19,7 @@ void claim_sound(const io::TimesList& list) {
 
 /// The times written one to a line, as the shortest text, are the same times.
 void claim_read_back(const TemporaryFolder& folder, const io::TimesList& list) {
-  std::string text = "t\n";
+  std::string text = "t_s\n";  // the unit of a huge time would be guessed
   for (const double t : list.times) text += Decimal::from_double(t).to_string() + "\n";
   const auto again = io::read_times(folder.write("again.csv", text), Decimal());
   claim(again.has_value() && again->times == list.times, "the times are not read back");

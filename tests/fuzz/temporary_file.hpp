@@ -32,7 +32,7 @@ class TemporaryFolder {
 
   /// Writes a file and gives its path.
   [[nodiscard]] std::string write(std::string_view name, std::string_view text) const {
-    const std::string to = file(name);
+    std::string to = file(name);
     std::ofstream stream(to, std::ios::binary | std::ios::trunc);
     stream.write(text.data(), static_cast<std::streamsize>(text.size()));
     claim(static_cast<bool>(stream.flush()), "cannot write {}", to);

@@ -2,6 +2,8 @@
 // Many tracks in one call: each has the samples of its own curve, whatever the threads and the other tracks.
 #include <orispline/online/sample_tracks.hpp>
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include <online/track_stream.hpp>
@@ -79,6 +81,28 @@ TEST(SampleTracks, GivesEachTrackTheSamplesOfItsOwnCurve) {
         EXPECT_TRUE(same(table->accelerations, first, wanted.accelerations));
       }
     }
+}
+
+TEST(SampleTracks, RefusesAKeyThatTooManySamplesLieBefore) {
+  Tracks tracks({20, 20, 20});
+  const std::string last =
+      "key 19: found a request for 5e+13 samples since the key before, wanted 1e+09 at most: check "
+      "the rate and the unit of the times, or set `gap`";
+  tracks.times[39] = 1e12;
+  for (const TrackGrid& grid : {TrackGrid{.step = 0.02}, TrackGrid{.step = 1.0, .parts = 50.0, .start = 0.0},
+                                TrackGrid{.request = SampleGrid::Request{.spacing = SampleRate{50.0}}}}) {
+    const auto table = sample_tracks("auto", tracks.columns(), grid).value();
+    ASSERT_EQ(table.errors.size(), 1u);
+    EXPECT_EQ(table.errors[0].where.curve, 1u);
+    EXPECT_EQ(table.errors[0].where.key, 19u);
+    EXPECT_EQ("key 19: " + table.errors[0].message, last);
+    EXPECT_EQ(table.offsets[1], table.offsets[2]);
+    EXPECT_LT(table.offsets[2], table.offsets[3]);
+    EXPECT_TRUE(sample_tracks("auto", tracks.columns(), grid, {}, {.gap = 1e6})->errors.empty());
+  }
+  tracks.times[39] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(sample_tracks("auto", tracks.columns(), {.step = 0.02})->errors.at(0).message,
+            "time is inf, wanted a finite number");
 }
 
 TEST(SampleTracks, SaysOfWhichTracksTheKeysAreBadAndSamplesTheOthers) {

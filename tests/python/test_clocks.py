@@ -110,6 +110,19 @@ def test_durations_are_written_and_drawn(tmp_path):
     assert (tmp_path / "made.csv").read_text() == "t,qw,qx,qy,qz\n0.5,1,0,0,0\n2,0.8,0.6,0,0\n"
 
 
+def test_stamps_of_several_units_in_a_list_are_never_wrapped():
+    """As NumPy wraps those that the finest of the units has no room for."""
+    now, far = np.datetime64("2026-03-01", "ns"), np.datetime64("2584-01-01", "us")
+    held = ori.Curve(np.array(["2026-02-01", "2026-03-01", "2026-04-01"], "datetime64[ns]"), Q)
+    assert np.allclose(held([now, far]), Q[1:]) and np.allclose(held([[now], [far]])[:, 0], Q[1:])
+    for times in ([now, far, np.datetime64("9999", "Y")], [datetime.datetime(2026, 3, 1), far, datetime.date(9999, 1, 1)]):
+        assert ori.Keys(times, Q).times.tolist() == [datetime.datetime(2026, 3, 1), datetime.datetime(2584, 1, 1), datetime.datetime(9999, 1, 1)]
+    spans = ori.Keys([np.timedelta64(0, "ns"), datetime.timedelta(seconds=1), np.timedelta64(10**12, "s")], Q).times
+    assert (spans / np.timedelta64(1, "s")).tolist() == [0.0, 1.0, 1e12]
+    with pytest.raises(ori.ArgumentError, match="times: found timedelta64.Y., wanted a unit of fixed length"):
+        ori.Keys([np.timedelta64(0, "s"), np.timedelta64(1, "Y"), np.timedelta64(9, "s")], Q)
+
+
 def test_dates_with_a_time_zone_are_those_of_utc():
     pandas = pytest.importorskip("pandas")
     stamps = pandas.date_range("2026-03-29T00:30:00.000000007", periods=3, freq="h", tz="Europe/Berlin")  # past a change of clocks

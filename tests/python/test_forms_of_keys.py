@@ -171,6 +171,9 @@ def test_keys_are_taken_by_masks_and_indices_and_one_by_one():
                         ([0, 3], "found indices that do not rise"), ([0, 0], "found indices that do not rise")):
         with pytest.raises(ori.ArgumentError, match=f"keys: {text}"):
             keys[wrong]
+    for none in ([], (), np.array([])):
+        with pytest.raises(ori.DataError, match="empty: no keys"):
+            keys[none]
     for wrong in ([0.5], [[0, 1]], ["a"]):
         with pytest.raises(TypeError, match="keys: found .* wanted a slice"):
             keys[wrong]

@@ -51,6 +51,39 @@ TEST(Retime, SlowsNoMoreAtTheTimesOfTodayHoweverFastTheMotionWas) {
   }
 }
 
+/// Five keys, the two in the middle so far apart in time [s].
+Keyframes uneven_keys(double step) {
+  const std::vector<Eigen::Vector3d> turns{{0.5, 0.2, -0.9}, {-0.7, 1.1, 0.3}, {0.9, -0.4, 0.8}, {-0.3, -1.2, 0.6}};
+  KeyframeData data{.times = {0.0, 1.0, 1.0 + step, 2.0, 3.0}, .orientations = {Eigen::Quaterniond::Identity()}};
+  for (const Eigen::Vector3d& turn : turns) data.orientations.push_back(data.orientations.back() * exp<double>(turn));
+  return Keyframes::make(std::move(data)).value();
+}
+
+// A body that whirls about turns more often than parts of a segment can follow.
+TEST(Retime, SlowsNoMoreThanNeededHoweverFastTheBodyWhirls) {
+  for (const std::string_view method : {"auto", "timed-c2", "timed-c3"})
+    for (const double step : {1e-3, 1e-5, 1e-7}) {
+      const Retiming slow = retimed(method, uneven_keys(step), {.jerk = 10.0});
+      EXPECT_LE(slow.slack, 1e-4) << method << step;
+      EXPECT_LE(sampled(curve_of(method, slow)).jerk, 10.0) << method << step;
+      const Retiming weak = retimed(method, uneven_keys(step), {.torque = 2.0, .inertia = inertia});
+      EXPECT_LE(weak.slack, method == "auto" ? 0.05 : 1e-4) << method << step;
+      EXPECT_LE(sampled(curve_of(method, weak)).torque, 2.0) << method << step;
+    }
+}
+
+// A step of 1 ms makes it whirl through the next one, of 18 hours, about the same axis.
+TEST(Retime, SlowsNoMoreThanNeededWhereTheBodyWhirlsAboutOneAxis) {
+  const Eigen::Quaterniond first(0.5, 0.5, 0.5, 0.5), second = first * exp<double>(Eigen::Vector3d(0.7, -0.2, 0.1));
+  const Keyframes keys = Keyframes::make({.times = {0.0, 0.001, 65536.0, 1114112.0, 1114112.001},
+                                          .orientations = {first, second, first, first, first}})
+                             .value();
+  for (const std::string_view method : {"auto", "timed-c2", "timed-c3", "timed-sextic"}) {
+    EXPECT_LE(retimed(method, keys, {.jerk = 8.0}).slack, 1e-4) << method;
+    EXPECT_LE(retimed(method, keys, {.torque = 1.0, .inertia = inertia}).slack, 1e-4) << method;
+  }
+}
+
 /// Keys that are equal up to sign and to `rounding`.
 Keyframes nearly_equal_keys(unsigned seed, const std::vector<double>& times, double rounding) {
   std::mt19937 generator(seed);

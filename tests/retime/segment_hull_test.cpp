@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <orispline/base/formatted.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/math/bernstein.hpp>
 
@@ -51,6 +52,8 @@ Motion motion_of(const SegmentForm& form, double u) {
   return motion_from_jet(q);
 }
 
+const Eigen::Vector3d common_axis(0.48, -0.6, 0.64);
+
 /// Segments that turn by about so many radians.
 class Forms {
  public:
@@ -64,6 +67,22 @@ class Forms {
   SegmentForm chart(double turn) {
     ChartForm form{.degree = 5, .base = Eigen::Quaterniond::Identity(), .rotation_vector = {}};
     for (auto& row : form.rotation_vector) row = polynomial(5, turn);
+    return form;
+  }
+  /// About axes that are no farther apart than `aside`.
+  SegmentForm winding_product(double turn, double aside) {
+    SegmentForm form = product(0.0);
+    for (auto& phi : std::get<CumulativeForm>(form).increments)
+      phi = turn * number() * (common_axis + aside * Eigen::Vector3d(number(), number(), number()));
+    return form;
+  }
+  SegmentForm winding_chart(double turn, double aside) {
+    SegmentForm form = chart(turn * aside);
+    const BernsteinForm angle = polynomial(5, 0.1 * turn);
+    auto& p = std::get<ChartForm>(form).rotation_vector;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i <= 5; ++i)
+        p[axis].coefficients[i] += common_axis[static_cast<Eigen::Index>(axis)] * (turn + angle.coefficients[i]);
     return form;
   }
   /// Of a curve of R⁴ that winds about a point at distance 1.
@@ -89,11 +108,21 @@ void expect_above(const SegmentForm& form, const std::string& what) {
   const SegmentHull hull = SegmentHull::of(form, segment_duration).value();
   for (const auto& [start, end] : {std::pair(0.0, 1.0), {0.0, 0.25}, {0.6, 0.7}, {0.99, 1.0}, {0.371, 0.372}}) {
     const HullBounds bounds = hull.on(start, end);
+    const double step = (end - start) / 200.0 * segment_duration, rounding = hull.rounding().jerk;
+    std::array<Eigen::Vector3d, 3> jerks;
+    jerks.fill(motion_of(form, start).angular_jerk);
     for (int i = 0; i <= 200; ++i) {
       const Motion m = motion_of(form, std::lerp(start, end, i / 200.0));
+      jerks = {jerks[1], jerks[2], m.angular_jerk};
+      ASSERT_LE((jerks[2] - jerks[1]).norm(), bounds.snap * step * (1.0 + 1e-9) + rounding) << what << start;
+      if (i > 1) {
+        ASSERT_LE((jerks[2] - 2.0 * jerks[1] + jerks[0]).norm(),
+                  bounds.crackle * step * step * (1.0 + 1e-9) + 4.0 * rounding)
+            << what << start;
+      }
       ASSERT_LE(m.angular_velocity.norm(), bounds.rate * (1.0 + 1e-9)) << what << start;
       ASSERT_LE(m.angular_acceleration.norm(), bounds.acceleration * (1.0 + 1e-9)) << what << start;
-      ASSERT_LE(m.angular_jerk.norm(), bounds.jerk * (1.0 + 1e-9)) << what << start;
+      ASSERT_LE(m.angular_jerk.norm(), bounds.jerk * (1.0 + 1e-9) + rounding) << what << start;
     }
   }
 }
@@ -104,6 +133,27 @@ TEST(SegmentHull, IsAboveTheMotionOnEveryPart) {
     for (int i = 0; i < 10; ++i) {
       expect_above(forms.product(turn), "product of " + std::to_string(turn) + " from ");
       expect_above(forms.chart(turn), "chart of " + std::to_string(turn) + " from ");
+    }
+}
+
+TEST(SegmentHull, IsAboveTheMotionThatWindsAboutNearlyOneAxis) {
+  Forms forms(6);
+  for (const double turn : {1.0, 60.0, 3000.0, 1e6})
+    for (const double aside : {0.0, 1e-9, 1e-3, 0.3})
+      for (int i = 0; i < 4; ++i) {
+        const std::string of = formatted("of {} with {} aside from ", turn, aside);
+        expect_above(forms.winding_product(turn, aside), "product " + of);
+        expect_above(forms.winding_chart(turn, aside), "chart " + of);
+      }
+}
+
+TEST(SegmentHull, IsNearToTheMotionThatWindsAboutOneAxis) {
+  Forms forms(7);
+  for (const SegmentForm& form : {forms.winding_product(1e4, 0.0), forms.winding_chart(1e4, 0.0)})
+    for (const double u : {0.1, 0.5, 0.9}) {
+      const HullBounds bounds = SegmentHull::of(form, segment_duration).value().on(u, u + 1e-6);
+      EXPECT_NEAR(bounds.jerk / motion_of(form, u).angular_jerk.norm(), 1.0, 1e-3);
+      EXPECT_LE(bounds.snap, 1e8);  // of polynomials of 1e4 rad; the fourth power of the rate is 1e16
     }
 }
 

@@ -241,6 +241,13 @@ TEST(Tune, RefusesWhatItCannotTune) {
             "reference: it is used by the objective fit alone, wanted `objective` fit as well");
   EXPECT_EQ(error("quintic", some_keys(), {.objective = Objective::fit, .reference = {late, there}}),
             "the reference has no time between the first and the last key, wanted some from 0 to 4 s");
+  Track since(some_keys());
+  since.epoch = Decimal::parse("1700000000.5").value();
+  const auto apart = tune(since, "quintic", {.objective = Objective::fit, .reference = {late, there}});
+  ASSERT_FALSE(apart);
+  EXPECT_EQ(describe(apart.error()),
+            "the reference has no time between the first and the last key, wanted some from "
+            "1700000000.5 to 1700000004.5 s");
   EXPECT_EQ(error("quintic", some_keys(),
                   {.objective = Objective::torque, .inertia = Eigen::Vector3d(1, -2, 3).asDiagonal()}),
             "inertia: found the principal moments -2, 1, 3, wanted all of them greater than 0");

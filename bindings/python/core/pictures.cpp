@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include <orispline/curve/motion.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/io/output_file.hpp>
+#include <orispline/jobs.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/pages/task_pages.hpp>
 #include <orispline/report/motion_drawing.hpp>
@@ -57,11 +59,9 @@ nb::dict titles_of_charts() {
 }
 
 std::string svg(const PythonCurve& curve, std::string title) {
-  const report::PageSamples samples = drawn_samples(curve);
   const nb::gil_scoped_release release;
-  report::MotionPicture picture{.title = std::move(title), .keys = report::page_keys(curve.keys().track->keys)};
-  picture.methods.push_back({.name = text_of(curve.method()), .samples = samples});
-  return report::motion_drawing(picture).document();
+  const std::array shown{jobs::NamedCurve{text_of(curve.method()), curve.pose()}};
+  return jobs::picture_of({.title = std::move(title)}, curve.keys().track->keys, shown);
 }
 
 /// Angles [deg] between orientations at the same times, the largest of every so many where there are very many.

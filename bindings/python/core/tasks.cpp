@@ -17,13 +17,6 @@ jobs::ChosenMethod method_chosen(const std::optional<MethodText>& stated, const 
   return value_of(jobs::chosen_method(named, keys, usual));
 }
 
-std::shared_ptr<const Track> reference_in(const std::optional<Keys>& recording, const std::optional<Numbers>& times) {
-  if (!recording) return nullptr;
-  if (!times) return recording->track;
-  const auto seconds = span_of(*times);
-  return shared(value_of(recording->track->with_times({seconds.begin(), seconds.end()}))).track;
-}
-
 void write_page(const std::string& path, const report::Page& page) {
   value_of([&] {
     const nb::gil_scoped_release release;

@@ -31,8 +31,10 @@ inline Keys shared(Track track) { return {std::make_shared<const Track>(std::mov
 jobs::ChosenMethod method_chosen(const std::optional<MethodText>& stated, const Track& keys,
                                  const jobs::UsualMethod& usual);
 
-/// A recording, at other times [s] where some are given; null where there is none.
-std::shared_ptr<const Track> reference_in(const std::optional<Keys>& recording, const std::optional<Numbers>& times);
+/// A recording; null where there is none.
+inline std::shared_ptr<const Track> reference_in(const std::optional<Keys>& recording) {
+  return recording ? recording->track : nullptr;
+}
 
 /// Writes a page as a file, complete or not at all. Raises AccessError.
 void write_page(const std::string& path, const report::Page& page);

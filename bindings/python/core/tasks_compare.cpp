@@ -40,13 +40,12 @@ std::vector<std::string> words_of(const std::vector<MethodText>& texts) {
   return words;
 }
 
-CompareOutcome compared(const Keys& keys, const std::optional<Keys>& reference,
-                        const std::optional<Numbers>& reference_times, const Decimations& decimations,
+CompareOutcome compared(const Keys& keys, const std::optional<Keys>& reference, const Decimations& decimations,
                         const std::optional<std::vector<MethodText>>& texts, bool tune, const std::string& sort,
                         const nb::dict& measured, unsigned threads) {
   jobs::CompareRequest request{
       .keys = keys.track,
-      .reference = reference_in(reference, reference_times),
+      .reference = reference_in(reference),
       .decimations = decimations_in(decimations),
       .methods = texts ? methods_in(*texts) : jobs::all_methods(),
       .named = texts ? words_of(*texts) : std::vector<std::string>(),
@@ -90,7 +89,7 @@ void add_compare(nb::module_& module) {
       });
   add_words<nb::list>(outcome_class);
   add_report(outcome_class);
-  module.def("compare", &compared, "keys"_a, "reference"_a.none(), "reference_times"_a.none(), "decimations"_a,
+  module.def("compare", &compared, "keys"_a, "reference"_a.none(), "decimations"_a,
              "methods"_a.none(), "tune"_a, "sort"_a, "measured"_a, "threads"_a);
 }
 

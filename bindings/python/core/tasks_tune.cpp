@@ -19,10 +19,10 @@ namespace {
 using jobs::TuneOutcome;
 
 TuneOutcome tuned(const Keys& keys, const MethodText& method, const std::optional<Keys>& reference,
-                  const std::optional<Numbers>& reference_times, const nb::dict& stated) {
+                  const nb::dict& stated) {
   jobs::TuneRequest request{.keys = keys.track,
                             .method = method_chosen(method, *keys.track, jobs::usual_tuned),
-                            .reference = reference_in(reference, reference_times),
+                            .reference = reference_in(reference),
                             .options = options_in<TuneOptions>(stated)};
   return value_of(interruptible([&](const Progress& progress) { return jobs::tune(std::move(request), progress); }));
 }
@@ -47,7 +47,7 @@ void add_tune(nb::module_& module) {
       .def_prop_ro("method", [](const TuneOutcome& outcome) { return MethodText::of(outcome.tuning.method); })
       .def("attributes", &attributes_of_tuning);
   add_words(outcome_class);
-  module.def("tune", &tuned, "keys"_a, "method"_a, "reference"_a.none(), "reference_times"_a.none(), "options"_a);
+  module.def("tune", &tuned, "keys"_a, "method"_a, "reference"_a.none(), "options"_a);
 }
 
 }  // namespace orispline::python

@@ -191,7 +191,7 @@ void append(TrackSampler& sampler, const std::vector<Numbers>& columns) {
       if (i % keys_at_a_time == 0 && progress.stopped()) return cancellation();
       StreamKey key{.time = t[i], .orientation = quaternion_xyzw(x[i], y[i], z[i], w[i])};
       if (keys.has_positions()) key.position = Eigen::Vector3d(keys[5][i], keys[6][i], keys[7][i]);
-      if (auto taken = sampler.append(std::move(key)); !taken) return taken;
+      if (auto taken = append_checked(sampler, std::move(key)); !taken) return taken;
     }
     return {};
   }));

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._errors import ArgumentError, tell
+from ._stamps import of_objects
 
 Array = NDArray[np.float64]
 
@@ -23,9 +24,13 @@ def array_of(name: str, values: Any) -> np.ndarray[Any, Any]:
         raise ArgumentError(f"{name}: found masked values, wanted a value everywhere, such as of .filled(numpy.nan)")
     try:
         array = np.asarray(_without_extensions(values))
+        if array.dtype.kind in "mM" and isinstance(values, (list, tuple)):
+            array = np.asarray(values, dtype=object)
+    except TypeError:  # durations that NumPy finds no common unit for
+        array = np.asarray(values, dtype=object)
     except ValueError:
         raise ArgumentError(f"{name}: found rows of different lengths, wanted an array") from None
-    return _stamps(name, array) if array.dtype.kind == "O" else array
+    return of_objects(name, array) if array.dtype.kind == "O" else array
 
 
 def _without_extensions(values: Any) -> Any:
@@ -45,27 +50,6 @@ def _without_extensions(values: Any) -> Any:
         unit = getattr(types[0], "unit", None) or types[0].pyarrow_dtype.unit
         return values.to_numpy(dtype=f"{types[0].kind}8[{unit}]")
     return values
-
-
-def _stamps(name: str, array: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    """Of objects that are dates, UTC where they have a time zone, or durations; all others as they are."""
-    import datetime
-    objects = list(array.reshape(-1))
-    if not objects:
-        return array
-    if all(isinstance(thing, datetime.timedelta) for thing in objects):
-        spans = [thing.to_timedelta64() if hasattr(thing, "to_timedelta64") else np.timedelta64(thing) for thing in objects]
-        return np.array(spans).reshape(array.shape)
-    if not all(isinstance(thing, datetime.date) for thing in objects):
-        return array
-    zoned = {getattr(thing, "tzinfo", None) is not None for thing in objects if thing == thing}  # but pandas' NaT
-    if len(zoned) > 1:
-        raise ArgumentError(f"{name}: found dates with a time zone and dates without one, wanted a time zone for all or for none")
-    if True in zoned:
-        objects = [thing.astimezone(datetime.timezone.utc).replace(tzinfo=None) if thing == thing else thing for thing in objects]
-    stamps = [thing.to_datetime64() if hasattr(thing, "to_datetime64") else np.datetime64(thing) for thing in objects]
-    has_room = all(1678 <= thing.year <= 2261 for thing in objects if thing == thing)  # for nanoseconds
-    return np.array(stamps, f"datetime64[{'ns' if has_room else 'us'}]").reshape(array.shape)
 
 
 def found(array: np.ndarray[Any, Any]) -> str:

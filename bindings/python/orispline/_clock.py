@@ -8,15 +8,10 @@ from typing import Any
 import numpy as np
 
 from ._arrays import Array, array_of, found, numbers
-from ._errors import ArgumentError, at_key
+from ._errors import ArgumentError, DataError, at_key
+from ._stamps import DIGITS, PER_SECOND, ROOM, UNITS_OF_STAMPS, about
 
-DIGITS = {"s": 0, "ms": 3, "us": 6, "ns": 9}
-PER_SECOND = {unit: 10**digits for unit, digits in DIGITS.items()}
 STAMPS = {"M": "datetime64", "m": "timedelta64"}  # by NumPy's kinds
-UNITS_OF_STAMPS = ("ns", "us", "ms")  # the first one that has room for all of them
-SECONDS_IN = {"W": 604800.0, "D": 86400.0, "h": 3600.0, "m": 60.0, "s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "ps": 1e-12, "fs": 1e-15,
-              "as": 1e-18}
-ROOM = 2.0**63 * (1 - 1e-12)  # of a whole number in 64 bits
 LARGEST_PLAIN_INTEGER = 10**14  # larger ones can hardly be seconds
 
 
@@ -97,6 +92,12 @@ class Clock:
             error.time_index = int(outside[0])
             raise error
 
+    def check_met(self, seconds: Array, domain: tuple[float, float]) -> None:
+        """Raises an error where no time of a reference is inside, where times are not seconds: about those the library has one."""
+        if self.unit != "s" and not ((seconds >= domain[0]) & (seconds <= domain[1])).any():
+            start, end, first, last = self.back(np.array([*seconds[[0, -1]], *domain]))
+            raise DataError(f"reference: none of the {len(seconds)} times, {start} to {end}, lies between the keys, {first} to {last}")
+
     def check_rising(self, seconds: Array) -> None:
         """Raises an error about the first time that does not come after the one before it, where times are not seconds: about those
         the library has one."""
@@ -126,9 +127,9 @@ class Clock:
             whole = stamps.astype(np.int64)
             if not (whole < self.origin - (2**63 - 1)).any():  # as NaT is, and all that is too far before
                 return np.asarray(self._counted(whole), order="C")
-        about, per_second = _about(name, stamps), PER_SECOND[self.unit]
-        since = about - self.origin / per_second
-        has_room = np.maximum(np.abs(about), np.abs(since)) < ROOM / per_second
+        roughly, per_second = about(name, stamps), PER_SECOND[self.unit]
+        since = roughly - self.origin / per_second
+        has_room = np.maximum(np.abs(roughly), np.abs(since)) < ROOM / per_second
         if not has_room.all():
             stamps = np.where(has_room, stamps, np.zeros((), stamps.dtype))
         counted = self._counted(stamps.astype(f"{self.kind}8[{self.unit}]").astype(np.int64))
@@ -173,29 +174,17 @@ def _of_numbers(array: np.ndarray[Any, Any], unit: str | None) -> tuple[Array, C
 
 def clock_of_stamps(stamps: np.ndarray[Any, Any]) -> tuple[Array, Clock]:
     """Stamps in one dimension as seconds since the first, and the clock that counts so."""
-    about = _about("times", stamps)
-    numbers("times", about, (None,))
-    if np.isnan(about).any():
-        raise at_key(int(np.isnan(about).argmax()), "found NaT, wanted a time")
-    largest = max(np.abs(about).max(initial=0.0), np.ptp(about) if len(about) else 0.0)
+    roughly = about("times", stamps)
+    numbers("times", roughly, (None,))
+    if np.isnan(roughly).any():
+        raise at_key(int(np.isnan(roughly).argmax()), "found NaT, wanted a time")
+    largest = max(np.abs(roughly).max(initial=0.0), np.ptp(roughly) if len(roughly) else 0.0)
     units = [unit for unit in UNITS_OF_STAMPS if largest * PER_SECOND[unit] < ROOM]
     if not units:
         raise ArgumentError("times: found stamps more than 292 million years apart, wanted less")
     first = stamps[:1].astype(f"{stamps.dtype.kind}8[{units[0]}]").astype(np.int64)
     clock = Clock(units[0], int(first[0]) if len(first) else 0, stamps.dtype.kind)
     return clock._since("times", stamps), clock
-
-
-def _about(name: str, stamps: np.ndarray[Any, Any]) -> Array:
-    """Stamps as floats [s], which cannot overflow."""
-    unit, count = np.datetime_data(stamps.dtype)
-    if unit in ("Y", "M") and stamps.dtype.kind == "M":  # of no fixed length
-        stamps, (unit, count) = stamps.astype("M8[D]"), ("D", 1)
-    if unit == "generic" and np.isnat(stamps).all():
-        return np.full(stamps.shape, np.nan)
-    if unit not in SECONDS_IN:
-        raise ArgumentError(f"{name}: found {stamps.dtype}, wanted a unit of fixed length, such as timedelta64[s]")
-    return np.where(np.isnat(stamps), np.nan, stamps.astype(np.int64).astype(np.float64) * (SECONDS_IN[unit] * count))
 
 
 def _told_apart(first: Any, last: Any) -> tuple[str, str]:

@@ -17,7 +17,7 @@ from ._files import Path, path_text
 from ._html import table
 from ._keys import Keys
 from ._methods import method_words
-from ._options import checked_keys, checked_threads, new_keys, plain, times_beside
+from ._options import checked_keys, checked_threads, new_keys, plain, reference_of
 from ._results import now
 
 if TYPE_CHECKING:
@@ -97,8 +97,7 @@ class Comparison:
 
 
 def _work(keys: Keys, reference: Keys | None, *arguments: Any) -> Any:
-    times = None if reference is None else times_beside(keys, reference)
-    return _core.compare(keys._core, None if reference is None else reference._core, times, *arguments)
+    return _core.compare(keys._core, reference_of(keys, reference), *arguments)
 
 
 def _decimations(keep_every: Any, jitter: bool, random: int | None, reference: Keys | None) -> list[dict[str, Any]]:

@@ -348,6 +348,8 @@ def _chosen(part: Any, count: int) -> list[int]:
             raise ArgumentError(f"keys: found the step {part.step}, wanted one above 0, since times rise")
         return list(range(first, last, step))
     array = array_of("keys", part)
+    if array.shape == (0,):
+        return []
     if array.ndim != 1 or array.dtype.kind not in "biu":
         raise wrong_type("keys", part, "a slice such as keys[2:5], a mask, or rising indices")
     if array.dtype.kind == "b" and len(array) != count:

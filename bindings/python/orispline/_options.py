@@ -8,7 +8,6 @@ from typing import Any, Callable, Mapping, Sequence, TypeVar
 import numpy as np
 
 from . import _core
-from ._clock import Clock
 from ._errors import ArgumentError
 from ._keys import Keys
 
@@ -61,11 +60,14 @@ def checked_threads(threads: Any) -> int:
     return int(threads)
 
 
-def times_beside(keys: Keys, reference: Keys) -> np.ndarray[Any, Any] | None:
-    """The times of a reference in seconds of the keys; None where those count alike."""
-    if keys._clock == reference._clock == Clock():
+def reference_of(keys: Keys, reference: Keys | None) -> Any:
+    """A reference as the library takes it, which brings its times and those of the keys together by their epochs."""
+    if reference is None:
         return None
-    return keys._clock.seconds("reference", reference.times)
+    times = checked_keys(reference, "reference").times
+    if reference._clock.kind != keys._clock.kind or keys._clock.kind:  # else the library says what is to be said
+        keys._clock.check_met(keys._clock.seconds("reference", times), tuple(keys._core.times[[0, -1]]))
+    return reference._core
 
 
 def new_keys(core: Any, like: Keys) -> Keys:

@@ -93,7 +93,7 @@ def _as_python(kind: str, value: Any, given: Keys) -> Any:
     if value is None:
         return None
     if kind == "sample":
-        return given.times[value]
+        return given._clock.time(given._core.times[value])
     if kind == "samples":
         return np.array(value, dtype=np.intp)
     if kind == "vector":

@@ -11,7 +11,7 @@ from ._checks import flag, real, wrong_type
 from ._errors import ArgumentError, tell
 from ._keys import Keys
 from ._methods import method_words
-from ._options import checked_keys, checked_threads, plain, takes, times_beside
+from ._options import checked_keys, checked_threads, plain, reference_of, takes
 from ._results import Reduction, Retiming, Smoothing, Tuning
 
 SMOOTHNESS = ("noise", "smoothing_time", "position_noise")  # options of smoothing that reducing takes too
@@ -290,8 +290,7 @@ def tune(keys: Keys, method: Any, *, reference: Keys | None = None, **options: A
     (True, ['tension'])
     """
     checked_keys(keys)
-    times = None if reference is None else times_beside(keys, checked_keys(reference, "reference"))
-    arguments = (method_words(method), None if reference is None else reference._core, times, plain(options))
+    arguments = (method_words(method), reference_of(keys, reference), plain(options))
     core = _core.tune(keys._core, *arguments)
     tell(core.warnings)
     return Tuning._of(core, keys, ())

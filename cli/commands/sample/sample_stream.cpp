@@ -115,7 +115,7 @@ class PiecewiseSampling {
   void warn_of_first(const io::KeyFile& piece) const {
     auto keys = Keyframes::make(piece.data, *request_.input.signs);
     if (!keys) return;  // which append() tells
-    Track track(std::move(*keys));
+    Track track(*keys);
     track.name = request_.input.path;
     track.lines = piece.lines;
     track.settings = piece.parameters;
@@ -150,8 +150,7 @@ class PiecewiseSampling {
 
   [[nodiscard]] Expected<void> write_ready() {
     if (sampler_->ready() == 0) return {};
-    const auto number =
-        check_number(times_wanted_, static_cast<double>(samples_) + static_cast<double>(sampler_->ready()));
+    auto number = check_number(times_wanted_, static_cast<double>(samples_) + static_cast<double>(sampler_->ready()));
     if (!number) return number;
     if (!output_) {
       const auto size = sampler_->grid()->size();

@@ -35,7 +35,7 @@ Expected<void> agree(const TuneArguments& options) {
   if (auto checked = check_summary(options.summary, options.output, "keys"); !checked) return checked;
   std::vector<OtherFile> others{{"INPUT", options.input.path}};
   if (const auto& reference = reference_of(options)) others.push_back({"that of --reference", *reference});
-  const auto output = check_output_apart("-o", options.output, others).and_then([&] {
+  auto output = check_output_apart("-o", options.output, others).and_then([&] {
     return check_extension("-o", options.output, {".csv", ".txt"});
   });
   if (!output) return output;

@@ -97,7 +97,7 @@ KeyframeData kept_keys(const KeyframeData& data, std::span<const std::size_t> ke
 }
 
 std::string name_of(const Decimation& decimation) {
-  const std::string every = formatted("every {}", ordinal(decimation.keep_every));
+  std::string every = formatted("every {}", ordinal(decimation.keep_every));
   switch (decimation.spacing) {
     case Spacing::jittered:
       return formatted("{}, jittered (seed {})", every, decimation.seed);

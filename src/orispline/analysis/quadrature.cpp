@@ -9,7 +9,21 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-using Nodes = std::array<double, gauss_nodes>;  // in [0, 1]
+using Nodes = Eigen::Array<double, gauss_nodes, 1>;  // in [0, 1], or what there is of each
+
+struct GaussRule {
+  Nodes u, weights;
+};
+GaussRule gauss_rule() {
+  GaussRule rule;
+  const auto nodes = gauss_legendre<gauss_nodes>();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    rule.u[at] = nodes[i].u;
+    rule.weights[at] = nodes[i].weight;
+  }
+  return rule;
+}
 
 /// Nodes nearer than this to those of the rule have its weights: their sums differ by rounding.
 constexpr double same_nodes = 1e-13;
@@ -25,49 +39,36 @@ double rounding_of_times(double a, double b) {
 
 bool is_long_enough(double a, double b) { return b - a >= shortest_piece * rounding_of_times(a, b); }
 
-/// Barycentric weights of the polynomial through values at the nodes (Berrut & Trefethen 2004).
-Nodes barycentric(const Nodes& u) {
+/// The weights of values at nodes that lie beside those of a rule: what the rule makes of Lagrange's polynomials there.
+Nodes weights_beside(const GaussRule& rule, const Nodes& u) {
+  std::array<Nodes, gauss_nodes> before;  // products of the rule's distances from the nodes before each
+  Nodes product = rule.weights, across = Nodes::Ones();
+  for (Eigen::Index i = 0; i < u.size(); ++i) {
+    before[static_cast<std::size_t>(i)] = product;
+    product *= rule.u - u[i];
+    Nodes others = u - u[i];
+    others[i] = 1.0;
+    across *= others;
+  }
   Nodes weights;
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    double product = 1.0;
-    for (std::size_t j = 0; j < u.size(); ++j)
-      if (j != i) product *= u[i] - u[j];
-    weights[i] = 1.0 / product;
+  product.setOnes();
+  for (Eigen::Index i = u.size(); i-- > 0;) {
+    weights[i] = (before[static_cast<std::size_t>(i)] * product).sum();
+    product *= rule.u - u[i];
   }
-  return weights;
-}
-
-/// The weights of values at nodes that lie beside those of a rule: what the rule makes of the polynomial through them.
-Nodes weights_beside(const std::array<QuadratureNode, gauss_nodes>& rule, const Nodes& u) {
-  const Nodes through = barycentric(u);
-  Nodes weights{};
-  for (std::size_t m = 0; m < rule.size(); ++m) {
-    if (rule[m].u == u[m]) {
-      weights[m] += rule[m].weight;
-      continue;
-    }
-    Nodes shares;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < u.size(); ++i) sum += shares[i] = through[i] / (rule[m].u - u[i]);
-    for (std::size_t i = 0; i < u.size(); ++i) weights[i] += rule[m].weight * shares[i] / sum;
-  }
-  return weights;
+  return weights / across;
 }
 
 }  // namespace
 
 TimeRule time_rule(double a, double b) noexcept {
-  static const auto gauss = gauss_legendre<gauss_nodes>();
+  static const GaussRule gauss = gauss_rule();
   TimeRule rule;
-  Nodes u;
-  double moved = 0.0;
-  for (std::size_t i = 0; i < gauss_nodes; ++i) {
-    rule.times[i] = std::lerp(a, b, gauss[i].u);
-    rule.weights[i] = gauss[i].weight;
-    u[i] = (rule.times[i] - a) / (b - a);
-    moved = std::max(moved, std::abs(u[i] - gauss[i].u));
-  }
-  if (moved > same_nodes && is_long_enough(a, b)) rule.weights = weights_beside(gauss, u);
+  Eigen::Map<Nodes> times(rule.times.data()), weights(rule.weights.data());
+  times = a + gauss.u * (b - a);
+  weights = gauss.weights;
+  const Nodes u = (times - a) / (b - a);
+  if ((u - gauss.u).abs().maxCoeff() > same_nodes && is_long_enough(a, b)) weights = weights_beside(gauss, u);
   return rule;
 }
 

@@ -67,7 +67,7 @@ inline constexpr int most_halvings = 10;
 template <int N, class F>
 [[nodiscard]] Figures<N> halved_integral(F& f, const Piece& piece, const Figures<N>& whole, const Figures<N>& left,
                                          const Figures<N>& right, const Figures<N>& allowed, int halvings) {
-  const Figures<N> sum = left + right;
+  Figures<N> sum = left + right;
   const double middle = piece.middle();
   if (halvings <= 1 || !((sum - whole).abs() > allowed).any() || !can_be_halved(piece.start, middle)) return sum;
   const Piece first{piece.start, middle}, second{middle, piece.end};

@@ -29,6 +29,44 @@ Eigen::Vector3d missing(const Eigen::Vector3d& rate, const Eigen::Vector3d& p, c
   return rate - of_order(Order, chart_rate<double, Order + 1>(taylor<Order + 1>(p, d)));
 }
 
+/// What exp(p) and the change of chart of ω and α have of θ = |p| alone: it is the same at p and -p.
+struct ChartSeries {
+  double cosine, sinc;          // cos(θ/2) and sin(θ/2)/(θ/2), of which half the square is (1 - cos θ)/θ²
+  double sinc_slope;            // by θ²
+  double defect, defect_slope;  // (θ - sin θ)/θ³, and its derivative by θ²
+  double inverse;               // (1 - (θ/2) cot(θ/2))/θ²
+
+  explicit ChartSeries(const Eigen::Vector3d& p) {
+    const auto x = Jet<double, 1>::variable(p.squaredNorm());
+    const auto quarter = x * 0.25, half_sinc = series::sinc_sqrt(quarter), sine_defect = series::sine_defect_ratio(x);
+    cosine = series::cos_sqrt(quarter.c[0]);
+    sinc = half_sinc.c[0];
+    sinc_slope = half_sinc.c[1];
+    defect = sine_defect.c[0];
+    defect_slope = sine_defect.c[1];
+    inverse = series::cotangent_defect_ratio(x.c[0]);
+  }
+};
+
+/// The α of exp(p(t)) where p̈ = 0, as in chart_rate().
+Eigen::Vector3d drift(const ChartSeries& series, const Eigen::Vector3d& p, const Eigen::Vector3d& velocity) {
+  const Eigen::Vector3d turn = p.cross(velocity);
+  const double square_rate = 2.0 * p.dot(velocity);
+  return p.cross(turn) * (series.defect_slope * square_rate) + velocity.cross(turn) * series.defect -
+         turn * (series.sinc * (series.sinc_slope * square_rate));
+}
+
+/// The derivatives of orders 1 and 2 that give ω and α.
+ChartDerivatives first_two(const ChartSeries& series, const Eigen::Vector3d& p,
+                           const std::array<Eigen::Vector3d, 3>& rates) {
+  const auto through_inverse = [&](const Eigen::Vector3d& rate) -> Eigen::Vector3d {
+    const Eigen::Vector3d turn = p.cross(rate);
+    return rate + 0.5 * turn + series.inverse * p.cross(turn);
+  };
+  const Eigen::Vector3d velocity = through_inverse(rates[0]);
+  return {velocity, through_inverse(rates[1] - drift(series, p, velocity)), Eigen::Vector3d::Zero()};
+}
+
 }  // namespace
 
 ChartAcceleration::ChartAcceleration(const Eigen::Vector3d& p) : p_(p), jacobian_(right_jacobian<double>(p)) {
@@ -46,15 +84,25 @@ std::array<Eigen::Vector3d, 3> body_rates(const Eigen::Vector3d& p, const ChartD
 
 template <std::size_t K>
 ChartDerivatives chart_derivatives(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 3>& rates) {
-  const Eigen::Matrix3d inverse = right_jacobian_inverse<double>(p);
-  ChartDerivatives d{inverse * rates[0], Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-  if constexpr (K > 1) d[1] = inverse * missing<1>(rates[1], p, d);
-  if constexpr (K > 2) d[2] = inverse * missing<2>(rates[2], p, d);
+  if constexpr (K == 1)
+    return {right_jacobian_inverse<double>(p) * rates[0], Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  ChartDerivatives d = first_two(ChartSeries(p), p, rates);
+  if constexpr (K > 2) d[2] = right_jacobian_inverse<double>(p) * missing<2>(rates[2], p, d);
   return d;
 }
 
 template ChartDerivatives chart_derivatives<1>(const Eigen::Vector3d&, const std::array<Eigen::Vector3d, 3>&);
 template ChartDerivatives chart_derivatives<2>(const Eigen::Vector3d&, const std::array<Eigen::Vector3d, 3>&);
 template ChartDerivatives chart_derivatives<3>(const Eigen::Vector3d&, const std::array<Eigen::Vector3d, 3>&);
+
+ChartPiece<5> hermite_piece_about_middle(const Eigen::Quaterniond& start, const Eigen::Vector3d& step,
+                                         const std::array<Eigen::Vector3d, 3>& leaving,
+                                         const std::array<Eigen::Vector3d, 3>& arriving, double h) {
+  const Eigen::Vector3d half = 0.5 * step, before = -half;
+  const ChartSeries series(half);
+  const Eigen::Vector3d axis = 0.5 * series.sinc * half;
+  const Eigen::Quaterniond middle = start * Eigen::Quaterniond(series.cosine, axis.x(), axis.y(), axis.z());
+  return chart_piece<2>(middle, before, half, first_two(series, before, leaving), first_two(series, half, arriving), h);
+}
 
 }}  // namespace orispline

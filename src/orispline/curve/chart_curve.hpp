@@ -127,21 +127,20 @@ class ChartCurve {
   std::vector<ChartPiece<Degree>> pieces_;
 };
 
-/// The piece of degree 2K+1 from `start` to `end` in the chart at `base`, with the given body rates of orders 1…K at
-/// both. h is its duration [s].
+/// The piece of degree 2K+1 from `start` to `end` in the chart at `base`, with these derivatives of orders 1…K at both.
+/// h is its duration [s].
 template <std::size_t K>
-[[nodiscard]] ChartPiece<2 * K + 1> hermite_piece(const Eigen::Quaterniond& base, const Eigen::Vector3d& start,
-                                                  const Eigen::Vector3d& end,
-                                                  const std::array<Eigen::Vector3d, 3>& leaving,
-                                                  const std::array<Eigen::Vector3d, 3>& arriving, double h) {
+[[nodiscard]] ChartPiece<2 * K + 1> chart_piece(const Eigen::Quaterniond& base, const Eigen::Vector3d& start,
+                                                const Eigen::Vector3d& end, const ChartDerivatives& leaving,
+                                                const ChartDerivatives& arriving, double h) {
   const auto local = [h](const ChartDerivatives& d) {  // in the local parameter: order m times h^m
     std::array<Eigen::Vector3d, K> scaled;
     double power = 1.0;
     for (std::size_t m = 0; m < K; ++m) scaled[m] = (power *= h) * d[m];
     return scaled;
   };
-  const auto left = bernstein_from_taylor(start, local(chart_derivatives<K>(start, leaving)));
-  const auto right = bernstein_from_taylor(end, inwards(local(chart_derivatives<K>(end, arriving))));
+  const auto left = bernstein_from_taylor(start, local(leaving));
+  const auto right = bernstein_from_taylor(end, inwards(local(arriving)));
   ChartPiece<2 * K + 1> piece{.base = base, .coefficients = {}};
   for (std::size_t i = 0; i <= K; ++i) {
     piece.coefficients[i] = left[i];
@@ -149,5 +148,21 @@ template <std::size_t K>
   }
   return piece;
 }
+
+/// The piece of degree 2K+1 after `start` by `step`, in the chart at `start`, with the given body rates of orders 1…K
+/// at both ends.
+template <std::size_t K>
+[[nodiscard]] ChartPiece<2 * K + 1> hermite_piece(const Eigen::Quaterniond& start, const Eigen::Vector3d& step,
+                                                  const std::array<Eigen::Vector3d, 3>& leaving,
+                                                  const std::array<Eigen::Vector3d, 3>& arriving, double h) {
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  return chart_piece<K>(start, zero, step, chart_derivatives<K>(zero, leaving), chart_derivatives<K>(step, arriving),
+                        h);
+}
+
+/// The quintic after `start` by `step`, in the chart at the middle between its ends, with the given ω and α at both.
+[[nodiscard]] ChartPiece<5> hermite_piece_about_middle(const Eigen::Quaterniond& start, const Eigen::Vector3d& step,
+                                                       const std::array<Eigen::Vector3d, 3>& leaving,
+                                                       const std::array<Eigen::Vector3d, 3>& arriving, double h);
 
 }}  // namespace orispline

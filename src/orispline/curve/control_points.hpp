@@ -38,13 +38,16 @@ struct EndNeighbourhood {
 ///
 /// `inward_rate` is the prescribed rate for clamped and rest ends. Errors (bad_argument): a clamped end whose tension
 /// is zero, for then no ghost can give it a rate. Source: docs/conventions.md.
-[[nodiscard]] Expected<Eigen::Vector3d> ghost_increment(EndRule rule, const Eigen::Vector3d& inward_rate,
-                                                        RateWeights weights, const EndNeighbourhood& end);
+[[nodiscard]] ORISPLINE_EXPORT Expected<Eigen::Vector3d> ghost_increment(EndRule rule,
+                                                                         const Eigen::Vector3d& inward_rate,
+                                                                         RateWeights weights,
+                                                                         const EndNeighbourhood& end);
 
 /// The four-key polygon with a ghost beyond either end: segment i starts from key i-1, n keys give n+1 increments.
 template <CurvePoint P>
-[[nodiscard]] Expected<ControlPolygon<P>> ghosted_polygon(const Keyframes& keys, const FamilySettings& settings,
-                                                          RateWeights at_start, RateWeights at_end);
+[[nodiscard]] ORISPLINE_EXPORT Expected<ControlPolygon<P>> ghosted_polygon(const Keyframes& keys,
+                                                                           const FamilySettings& settings,
+                                                                           RateWeights at_start, RateWeights at_end);
 
 /// Weights of the first knot's rate in a four-key basis, read off the basis itself.
 template <CumulativeBasis B>

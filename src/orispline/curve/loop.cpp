@@ -30,7 +30,7 @@ Eigen::Quaterniond come_round(const Eigen::Quaterniond& key, const Closure& clos
 Eigen::Vector3d come_round(const Eigen::Vector3d& key, const Closure&) { return key; }
 
 /// The keys of a loop, unless steps beside its seam are too uneven.
-Expected<ClosedKeys> comparable_around(Keyframes keys, const Closure& closure) {
+Expected<ClosedKeys> comparable_around(const Keyframes& keys, const Closure& closure) {
   const auto t = keys.times();
   const std::size_t last = t.size() - 1;
   const double closing_step = closure.period - (t[last] - t[0]);
@@ -40,7 +40,7 @@ Expected<ClosedKeys> comparable_around(Keyframes keys, const Closure& closure) {
                      formatted("the closing step is {:g} s and one beside it {:g} s, wanted neither longer than {:g} "
                                "times the other",
                                closing_step, step, widest_step_ratio));
-  return ClosedKeys{std::move(keys), closure};
+  return ClosedKeys{keys, closure};
 }
 
 }  // namespace

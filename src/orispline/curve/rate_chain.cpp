@@ -62,6 +62,7 @@ Expected<HermitePath<3>> cubic_spline_path(std::string_view method, const Keyfra
   return solve_rates<FlatPiece>(method, chords, knots, rate_conditions(ends, chords, knots))
       .map([&](const std::vector<Eigen::Vector3d>& velocities) {
         std::vector<HermitePath<3>::Derivatives> derivatives;
+        derivatives.reserve(velocities.size());
         for (const Eigen::Vector3d& v : velocities) derivatives.push_back({size * v});
         return HermitePath<3>(std::move(knots), std::move(positions), std::move(derivatives));
       });

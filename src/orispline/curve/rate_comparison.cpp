@@ -78,7 +78,7 @@ Eigen::Vector3d mean_of(const std::vector<Eigen::Vector3d>& vectors) {
   return sum / static_cast<double>(vectors.size());
 }
 
-double root_mean_square(std::vector<Eigen::Vector3d> vectors, RateComparison::Bias bias) {
+double root_mean_square(const std::vector<Eigen::Vector3d>& vectors, RateComparison::Bias bias) {
   if (vectors.empty()) return 0.0;
   const Eigen::Vector3d mean =
       bias == RateComparison::Bias::constant ? mean_of(vectors) : Eigen::Vector3d(Eigen::Vector3d::Zero());
@@ -106,9 +106,8 @@ double misfit_of(const RateComparison& rates, GivenIn frame, const Eigen::Matrix
     wanted.emplace_back(times * seen_in(frame, rates.orientations[i], rates.turned[i]));
     differences.emplace_back(given[i] - wanted.back());
   }
-  const double size =
-      std::max(root_mean_square(std::move(given), rates.bias), root_mean_square(std::move(wanted), rates.bias));
-  return size > 0.0 ? root_mean_square(std::move(differences), rates.bias) / size : 0.0;
+  const double size = std::max(root_mean_square(given, rates.bias), root_mean_square(wanted, rates.bias));
+  return size > 0.0 ? root_mean_square(differences, rates.bias) / size : 0.0;
 }
 
 std::string code_of(const Candidate& candidate, const RateUnit& unit) {

@@ -54,16 +54,16 @@ Track Track::at(std::span<const std::size_t> indices) const {
   return some;
 }
 
-Track Track::with_keys(Keyframes others) const {
+Track Track::with_keys(const Keyframes& others) const {
   Track track = *this;
-  track.keys = std::move(others);
+  track.keys = others;
   track.table = {};
   return track;
 }
 
 Expected<Track> Track::with_times(std::vector<double> times) const {
-  return keys.with_times(std::move(times)).map([this](Keyframes moved) {
-    Track track = with_keys(std::move(moved));
+  return keys.with_times(std::move(times)).map([this](const Keyframes& moved) {
+    Track track = with_keys(moved);
     track.exact_times.clear();
     return track;
   });

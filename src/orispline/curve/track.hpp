@@ -65,7 +65,7 @@ struct ORISPLINE_EXPORT Track {
   /// These keys at other times; exact times and the table are forgotten. Errors: those of Keyframes::with_times().
   [[nodiscard]] Expected<Track> with_times(std::vector<double> times) const;
   /// Other keys at the same times, such as smoothed ones; the table is forgotten.
-  [[nodiscard]] Track with_keys(Keyframes others) const;
+  [[nodiscard]] Track with_keys(const Keyframes& others) const;
 
   /// The error with the name of the track and, where it names a key, its line.
   [[nodiscard]] Error located(Error error) const;

@@ -20,7 +20,7 @@ struct Window {
 
   [[nodiscard]] double step(std::size_t i) const noexcept { return times[i + 1] - times[i]; }
   [[nodiscard]] Eigen::Vector3d secant(std::size_t i) const noexcept {
-    return (displacements[i + 1] - displacements[i]) / step(i);
+    return (1.0 / step(i)) * (displacements[i + 1] - displacements[i]);
   }
 };
 
@@ -53,17 +53,5 @@ struct WindowRates {
 [[nodiscard]] inline WindowRates blended(const WindowRates& a, const WindowRates& b, double share_of_b) noexcept {
   return {a.first + share_of_b * (b.first - a.first), a.second + share_of_b * (b.second - a.second)};
 }
-
-/// Newton's divided differences of the displacements: the one of order i is that of the first i + 1 keys.
-[[nodiscard]] std::array<Eigen::Vector3d, Window::capacity> divided_differences(const Window& window) noexcept;
-
-/// Derivatives of orders 1…3 at the window's centre of the polynomial through all its keys (2 to 7).
-[[nodiscard]] std::array<Eigen::Vector3d, 3> polynomial_derivatives(const Window& window) noexcept;
-
-/// The first two of these.
-[[nodiscard]] WindowRates polynomial_rates(const Window& window) noexcept;
-
-/// Of the natural cubic spline through the keys of the window (2 to 7).
-[[nodiscard]] WindowRates natural_spline_rates(const Window& window) noexcept;
 
 }}  // namespace orispline

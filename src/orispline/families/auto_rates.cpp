@@ -7,7 +7,8 @@
 #include <numbers>
 
 #include <orispline/curve/key_knots.hpp>
-#include <orispline/curve/left_out.hpp>
+#include <orispline/curve/natural_spline.hpp>
+#include <orispline/curve/window_polynomial.hpp>
 #include <orispline/math/number.hpp>
 
 // The steps are numbered as on docs/families/auto.md, which also says where the constants come from.
@@ -29,6 +30,7 @@ double window_share(double turn) noexcept {
 
 double gap_of(double step_ratio) noexcept {
   constexpr double log_of_5 = 1.6094379124341003, log_of_15 = 2.70805020110221;
+  if (step_ratio <= 5.0) return 0.0;
   return switched(elementary::natural_logarithm(step_ratio), log_of_5, log_of_15);
 }
 
@@ -64,16 +66,16 @@ struct Belief {
 
 /// (2) Whether the polynomial through seven keys foretells a key from the others better than their natural spline does:
 /// 1 where clearly, 0 where not at all. In a window at an end of the track, whether it foretells that end too.
-double polynomial_trust(const Window& window) {
+double polynomial_trust(const WindowPolynomial& polynomial, const NaturalSpline& spline, std::size_t centre) {
   constexpr std::size_t last = Window::capacity - 1;
   constexpr Belief inside{0.3, 1.0, -1.2039728043259361, 0.0};
   constexpr Belief with_end{4.0, 20.0, 1.3862943611198906, 2.995732273553991};
-  const LeftOutErrors inner = left_out_errors(window, 1, last);
-  const double trust = inside(inner.polynomial, inner.natural_spline);
-  if (!(trust > 0.0) || window.centre == last / 2) return trust;
-  const std::size_t end = window.centre < last / 2 ? 0 : last;
-  const LeftOutErrors outer = left_out_errors(window, end, end + 1);
-  return trust * with_end(inner.polynomial * outer.polynomial, inner.natural_spline * outer.natural_spline);
+  const double of_polynomial = polynomial.left_out_error(1, last), of_spline = spline.left_out_error(1, last);
+  const double trust = inside(of_polynomial, of_spline);
+  if (!(trust > 0.0) || centre == last / 2) return trust;
+  const std::size_t end = centre < last / 2 ? 0 : last;
+  return trust * with_end(of_polynomial * polynomial.left_out_error(end, end + 1),
+                          of_spline * spline.left_out_error(end, end + 1));
 }
 
 }  // namespace
@@ -110,12 +112,12 @@ void AutoRates::go_to(std::size_t i) {
 Rates AutoRates::rates(std::size_t i, double belief) const {
   if (hold_ && ((i > 0 && rests_after(i - 1)) || (i + 1 < size() && rests_after(i)))) return {};
   if (size() == 2) return {secant(0), Eigen::Vector3d::Zero()};
-  const Rates rates = windowed_rates(i, belief);
+  Rates rates = windowed_rates(i, belief);
   if (i == 0 || i + 1 == size()) return rates;
-  const double before = step(i - 1), after = step(i);
-  const double gap =
-      switched(roughness({i, i}, stretch_of(i)), 0.8, 1.0) * gap_of(std::max(after / before, before / after));
-  return gap > 0.0 ? blended(rates, geodesic_rates({before, after, secant(i - 1), secant(i)}), gap) : rates;
+  const double before = step(i - 1), after = step(i), uneven = gap_of(std::max(after / before, before / after));
+  if (!(uneven > 0.0)) return rates;
+  const double gap = uneven * switched(roughness({i, i}, stretch_of(i)), 0.8, 1.0);
+  return blended(rates, geodesic_rates({before, after, secant(i - 1), secant(i)}), gap);
 }
 
 Eigen::Vector3d AutoRates::found(std::size_t i, std::size_t j) const {
@@ -142,7 +144,7 @@ Eigen::Vector3d AutoRates::increment(std::size_t i, std::size_t j) const {
 }
 
 Window AutoRates::window(std::size_t centre, std::size_t first, std::size_t count) const {
-  return window_of(times_, centre, first, count, [this](std::size_t i, std::size_t j) { return increment(i, j); });
+  return window_of(times_, centre, first, count, increments());
 }
 
 /// Up to `reach` keys on either side, fewer at the ends.
@@ -175,12 +177,14 @@ double AutoRates::roughness(const Stretch& of, const Stretch& beside) const {
 
 /// (2) Natural spline and polynomial over the window of that reach, mixed by `smooth`.
 Rates AutoRates::mixed_rates(std::size_t i, std::size_t reach, double smooth) const {
-  const Rates natural = natural_spline_rates(cut_window(i, reach));
+  const Window window = shifted_window(times_, i, reach, increments());
+  const NaturalSpline spline(window);
+  const bool near_end = i < reach || i + reach >= size();
+  Rates natural = near_end ? NaturalSpline(cut_window(i, reach)).rates() : spline.rates();
   if (!(smooth > 0.0)) return natural;
-  const auto between = [this](std::size_t from, std::size_t to) { return increment(from, to); };
-  const Window shifted = shifted_window(times_, i, reach, between);
-  if (guarded_ && shifted.size == Window::capacity) smooth *= polynomial_trust(shifted);
-  return smooth > 0.0 ? blended(natural, polynomial_rates(shifted), smooth) : natural;
+  const WindowPolynomial polynomial(window);
+  if (guarded_ && window.size == Window::capacity) smooth *= polynomial_trust(polynomial, spline, window.centre);
+  return smooth > 0.0 ? blended(natural, polynomial.rates(), smooth) : natural;
 }
 
 double AutoRates::turn_beside(std::size_t i, std::size_t reach) const {
@@ -226,9 +230,8 @@ ChartCurve<5> quintics_through(const Keyframes& keys, AutoRates& along, const Ra
   auto leaving = at(0);
   for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
     const auto arriving = at(i + 1);
-    const Eigen::Vector3d half = 0.5 * along.step_from(i);
-    const Eigen::Quaterniond middle = keys.orientations()[i] * exp<double>(half);
-    pieces.push_back(hermite_piece<2>(middle, -half, half, leaving, arriving, keys.times()[i + 1] - keys.times()[i]));
+    pieces.push_back(hermite_piece_about_middle(keys.orientations()[i], along.step_from(i), leaving, arriving,
+                                                keys.times()[i + 1] - keys.times()[i]));
     leaving = arriving;
   }
   return ChartCurve<5>(key_knots(keys), std::move(pieces));

@@ -96,6 +96,9 @@ class AutoRates {
   [[nodiscard]] Eigen::Vector3d found(std::size_t i, std::size_t j) const;
   [[nodiscard]] bool rests_after(std::size_t i) const;
   void find(std::size_t i);
+  [[nodiscard]] auto increments() const {
+    return [this](std::size_t i, std::size_t j) { return increment(i, j); };
+  }
   [[nodiscard]] Window window(std::size_t centre, std::size_t first, std::size_t count) const;
   [[nodiscard]] Window cut_window(std::size_t centre, std::size_t reach) const;
   [[nodiscard]] static Bends bends_of(const Window& window);

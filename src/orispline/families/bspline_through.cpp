@@ -22,9 +22,10 @@ Basis basis_of(const Knots& knots, const FamilySettings& settings) {
   const auto knot = [&](std::ptrdiff_t i) -> double {
     const auto at = [&](std::ptrdiff_t k) { return t[static_cast<std::size_t>(k)]; };
     if (0 <= i && i <= last) return at(i);
-    if (settings.closure)
-      return i < 0 ? at((i % last + last) % last) + static_cast<double>((i + 1) / last - 1) * settings.closure->period
-                   : at(i % last) + static_cast<double>(i / last) * settings.closure->period;
+    if (settings.closure) {
+      const std::ptrdiff_t periods = i < 0 ? (i + 1) / last - 1 : i / last;
+      return at(i - periods * last) + static_cast<double>(periods) * settings.closure->period;
+    }
     if (settings.choice("phantom") == "reflect") return mirrored[i];
     return i < 0 ? at(0) + static_cast<double>(i) * (at(1) - at(0))
                  : at(last) + static_cast<double>(i - last) * (at(last) - at(last - 1));

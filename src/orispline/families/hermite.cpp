@@ -7,7 +7,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/window.hpp>
+#include <orispline/curve/window_polynomial.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
@@ -32,9 +32,10 @@ std::size_t reach_of(const FamilySettings& settings) { return settings.choice("s
 /// The derivatives of orders 1…3 at key i of the polynomial through the nearest keys as they are seen from it.
 template <CurvePoint P>
 std::array<Displacement<P>, 3> stencil_derivatives(const Keyframes& keys, std::size_t i, std::size_t reach) {
-  return polynomial_derivatives(shifted_window(
+  const Window window = shifted_window(
       keys.times(), i, reach,
-      [p = keys.points<P>()](std::size_t from, std::size_t to) { return displacement<double>(p[from], p[to]); }));
+      [p = keys.points<P>()](std::size_t from, std::size_t to) { return displacement<double>(p[from], p[to]); });
+  return WindowPolynomial(window).derivatives();
 }
 
 /// The key's orientation with its own rates where it has them, else, and where they are free, with those of the
@@ -79,8 +80,7 @@ Expected<ChartCurve<2 * K + 1>> Hermite<K>::chart(const Keyframes& keys, const F
                                  "keys in between, or set form=cumulative",
                                  info.name, turn, widest_turn),
                        {.key = key});
-    pieces.push_back(hermite_piece<K>(start.orientation, Eigen::Vector3d::Zero(), step, start.rates, end.rates,
-                                      knots.span(i).step()));
+    pieces.push_back(hermite_piece<K>(start.orientation, step, start.rates, end.rates, knots.span(i).step()));
   }
   return ChartCurve<2 * K + 1>(std::move(knots), std::move(pieces));
 }

@@ -53,7 +53,7 @@ class FittedRates {
 
   [[nodiscard]] WindowRates at(std::size_t i) {
     windows_.go_to(i);
-    const WindowRates rates = with_nine(windows_.along().rates(i, belief_.polynomial));
+    WindowRates rates = with_nine(windows_.along().rates(i, belief_.polynomial));
     const double share = windows_.trust() * (1.0 - belief_.polynomial * windows_.smooth());
     const double sum = shares_.sum();
     if (!(share * sum > 0.0)) return rates;

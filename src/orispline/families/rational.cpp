@@ -95,7 +95,7 @@ struct EndEquations {
 /// derivative at the next key, this end's own derivative taken for the first.
 EndEquations end_equations(const End& end, const Eigen::Quaterniond& key, const Derivative& next,
                            const Vector4d& secant) {
-  const Vector4d k = key.coeffs();
+  const Vector4d& k = key.coeffs();
   const Eigen::Matrix4d radial = k * k.transpose(), beside = Eigen::Matrix4d::Identity() - radial;
   if (end.rule == EndRule::natural)
     return {(2.0 + next.by_first) * beside + radial, next.by_last * beside, beside * (3.0 * secant - next.own)};

@@ -19,8 +19,8 @@ Expected<ChartCurve<3>> RotationSpline::curve(const Keyframes& keys, const Famil
         std::vector<ChartPiece<3>> pieces;
         pieces.reserve(increments.size());
         for (std::size_t i = 0; i < increments.size(); ++i)
-          pieces.push_back(hermite_piece<1>(joints[i], Eigen::Vector3d::Zero(), increments[i], only(rates[i]),
-                                            only(rates[i + 1]), knots.span(i).step()));
+          pieces.push_back(
+              hermite_piece<1>(joints[i], increments[i], only(rates[i]), only(rates[i + 1]), knots.span(i).step()));
         return ChartCurve<3>(std::move(knots), std::move(pieces));
       });
 }

@@ -50,7 +50,7 @@ tl::unexpected<Error> not_json(std::string_view text) {
   Nlohmann::sax_parse(text, &finder);
   const std::string_view before = text.substr(0, finder.position == 0 ? 0 : finder.position - 1);
   const auto line = static_cast<std::size_t>(std::ranges::count(before, '\n'));
-  return failure(ErrorCode::bad_data, "found text that is not valid JSON, wanted an object with `name` and `rows`",
+  return failure(ErrorCode::bad_data, "found text that is not valid JSON, wanted an object with 'name' and 'rows'",
                  {.line = line + 1, .column = before.size() - (before.rfind('\n') + 1) + 1});
 }
 
@@ -85,7 +85,7 @@ Expected<BlendingParameter> parameter_in(const std::string& name, const Nlohmann
   }
   if (!value.is_object())
     return refused(
-        formatted("{}found {}, wanted its default, or an object with `default`, `min`, `max`", place, shown(value)));
+        formatted("{}found {}, wanted its default, or an object with 'default', 'min', 'max'", place, shown(value)));
   if (auto checked = check_members(value, place, parameter_members); !checked)
     return tl::unexpected(std::move(checked.error()));
   const std::array places{std::pair("default", &parameter.initial), std::pair("min", &parameter.lowest),
@@ -162,7 +162,7 @@ void put(std::optional<Error>& error, T& place, Expected<T> found) {
 Expected<BlendingData> blending_from_json(std::string_view text) {
   const Nlohmann json = Nlohmann::parse(text, nullptr, false);
   if (json.is_discarded()) return not_json(text);
-  if (!json.is_object()) return refused(formatted("found {}, wanted an object with `name` and `rows`", shown(json)));
+  if (!json.is_object()) return refused(formatted("found {}, wanted an object with 'name' and 'rows'", shown(json)));
   if (auto checked = check_members(json, "", members); !checked) return tl::unexpected(std::move(checked.error()));
   BlendingData data;
   std::optional<Error> error;

@@ -27,22 +27,31 @@ std::string title_of(const PlotRequest& request) {
 
 }  // namespace
 
-Expected<PlotOutcome> plot(const PlotRequest& request) {
+std::string picture_of(const PictureLook& look, const Keyframes& keys, std::span<const NamedCurve> curves) {
   constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
-  const auto axis = static_cast<std::size_t>(request.axis);
-  report::MotionPicture picture{.title = title_of(request),
-                                .keys = report::page_keys(request.keys->keys),
+  const auto axis = static_cast<std::size_t>(look.axis);
+  report::MotionPicture picture{.title = look.title,
+                                .keys = report::page_keys(keys),
                                 .body_axis = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(axis)),
                                 .axis_name = std::string(names[axis]),
-                                .ghosts = request.ghosts};
+                                .ghosts = look.ghosts};
+  for (const NamedCurve& one : curves)
+    picture.methods.push_back({.name = one.name, .samples = report::sampled(one.curve, report::samples_to_draw)});
+  return report::motion_drawing(picture).document();
+}
+
+Expected<PlotOutcome> plot(const PlotRequest& request) {
+  std::vector<PoseCurve> curves;
   PlotOutcome outcome;
   for (const Method& method : request.methods) {
-    const auto curve = shaped_curve(method, *request.keys);
-    if (!curve) return tl::unexpected(curve.error());
+    auto curve = shaped_curve(method, *request.keys);
+    if (!curve) return tl::unexpected(std::move(curve.error()));
     std::ranges::move(warnings_of(method, *request.keys), std::back_inserter(outcome.warnings));
-    picture.methods.push_back({.name = method.name, .samples = report::sampled(*curve, report::samples_to_draw)});
+    curves.push_back(std::move(*curve));
   }
-  outcome.svg = report::motion_drawing(picture).document();
+  std::vector<NamedCurve> named;
+  for (std::size_t i = 0; i < curves.size(); ++i) named.push_back({request.methods[i].name, curves[i]});
+  outcome.svg = picture_of({title_of(request), request.axis, request.ghosts}, request.keys->keys, named);
   return outcome;
 }
 

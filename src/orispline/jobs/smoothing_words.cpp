@@ -42,7 +42,7 @@ std::string places_text(const std::vector<std::size_t>& samples, const Track& re
 }
 
 std::string choice_line(const Smoothing& smoothing) {
-  const std::string line =
+  std::string line =
       formatted("smoothing time  {}\n", choice_text(smoothing.smoothing_time, smoothing.cutoff(), smoothing.criterion,
                                                     smoothing.chosen_on, smoothing.keys.size()));
   if (smoothing.smoothing_times.empty()) return line;

@@ -43,7 +43,7 @@ Expected<void> feed(TrackSampler& sampler, const TrackColumns& keys, std::size_t
     StreamKey key{.time = keys.times[i], .orientation = quaternion_xyzw(x[i], y[i], z[i], w[i])};
     if (!keys.positions[0].empty())
       key.position = Eigen::Vector3d(keys.positions[0][i], keys.positions[1][i], keys.positions[2][i]);
-    if (auto taken = sampler.append(key); !taken) return taken;
+    if (auto taken = append_checked(sampler, std::move(key)); !taken) return taken;
   }
   return sampler.finish().and_then([&] { return sampler.prepare(); });
 }
@@ -150,6 +150,17 @@ Progress half_of(const Progress& progress, double start) {
 
 }  // namespace
 
+Expected<void> append_checked(TrackSampler& sampler, StreamKey key) {
+  const double wanted = sampler.samples_until(key.time);
+  if (wanted <= most_samples_between_keys) return sampler.append(std::move(key));
+  return failure(
+      ErrorCode::bad_data,
+      formatted("found a request for {:.4g} samples since the key before, wanted {:g} at most: check the rate "
+                "and the unit of the times, or set `gap`",
+                wanted, most_samples_between_keys),
+      {.key = static_cast<std::size_t>(sampler.keys())});
+}
+
 Expected<TrackBatch> TrackBatch::make(const Method& method, const TrackColumns& keys, const TrackGrid& grid,
                                       const TrackOptions& options, Work work, const Progress& progress) {
   if (auto error = check_keys(keys)) return tl::unexpected(std::move(*error));
@@ -187,7 +198,7 @@ Expected<void> TrackBatch::take(const TrackSampleColumns& out, Work work, const 
   if (begin == taken_) return {};
   const std::size_t first_track = track_of(begin), tracks = track_of(taken_ - 1) + 1 - first_track;
   std::vector<Expected<void>> outcomes(tracks);
-  const auto done = for_each_track(tracks, work, progress, [&](std::size_t i) {
+  auto done = for_each_track(tracks, work, progress, [&](std::size_t i) {
     const std::size_t track = first_track + i;
     const std::size_t first = std::max(static_cast<std::size_t>(offsets_[track]), begin);
     const std::size_t end = std::min(static_cast<std::size_t>(offsets_[track + 1]), taken_);

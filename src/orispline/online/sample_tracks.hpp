@@ -44,14 +44,21 @@ struct TrackSampleColumns {
   std::array<std::span<double>, 3> positions{}, velocities{}, accelerations{};
 };
 
+/// More samples between two keys are those of a wrong time, which would go on for days.
+inline constexpr double most_samples_between_keys = 1e9;
+
+/// Takes the next key of a track that somebody may have put together wrongly. Errors: those of TrackSampler::append(),
+/// and bad_data for a key which so many samples lie before.
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> append_checked(TrackSampler& sampler, StreamKey key);
+
 /// The curves of many tracks, of which the samples are counted but not taken: the caller makes room for them first.
 class ORISPLINE_EXPORT TrackBatch {
  public:
   /// Samples every track on a grid of its own, as a TrackSampler does; the samples do not depend on the threads.
   ///
-  /// A track whose keys are refused, or make no curve, has no samples and does not hinder the others. Errors
-  /// (bad_argument): those of TrackSampler::make; columns of different length, offsets that do not rise from 0 on
-  /// within them; cancelled. The share that is shown is that of the tracks.
+  /// A track whose keys are refused by append_checked(), or make no curve, has no samples and does not hinder the
+  /// others. Errors (bad_argument): those of TrackSampler::make; columns of different length, offsets that do not rise
+  /// from 0 on within them; cancelled. The share that is shown is that of the tracks.
   [[nodiscard]] static Expected<TrackBatch> make(const Method& method, const TrackColumns& keys, const TrackGrid& grid,
                                                  const TrackOptions& options = {}, Work work = {},
                                                  const Progress& progress = {});

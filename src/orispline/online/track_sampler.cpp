@@ -152,6 +152,14 @@ Expected<void> TrackSampler::append(const KeyframeData& keys,
   return {};
 }
 
+double TrackSampler::samples_until(double time) const noexcept {
+  const double step = newest_ ? time - *newest_ : 0.0;
+  if (!(step > 0.0) || !std::isfinite(step) || (options_.gap && step > *options_.gap)) return 0.0;
+  if (!grid_.request) return step / grid_.step * grid_.parts;
+  const auto* const rate = std::get_if<SampleGrid::Rate>(&grid_.request->spacing);
+  return rate ? step * rate->per_second() : 0.0;
+}
+
 /// The grid, as far as the keys say where it starts and ends.
 Expected<void> TrackSampler::place_grid() {
   if (!start_ && !stretches_.empty()) start_ = stretches_.front().start();

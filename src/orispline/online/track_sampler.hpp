@@ -91,6 +91,9 @@ class ORISPLINE_EXPORT TrackSampler {
   [[nodiscard]] const KeyframeReport& report() const noexcept { return alignment_.report; }
   /// Keys taken so far.
   [[nodiscard]] std::uint64_t keys() const noexcept { return keys_; }
+  /// So many samples, about, are between the newest key and one at that time; 0 where there is none or no such time,
+  /// and across a gap.
+  [[nodiscard]] double samples_until(double time) const noexcept;
   /// Of them those that are still there.
   [[nodiscard]] std::size_t kept() const noexcept;
 

@@ -29,8 +29,8 @@ std::vector<Eigen::Vector3d> torques_of(const report::PageSamples& samples, cons
 
 }  // namespace
 
-report::Page begun_page(std::string title, const PageHead& head, const Decimal& epoch, const Keyframes& keys) {
-  report::Page page{.title = head.title.empty() ? std::move(title) : head.title,
+report::Page begun_page(const std::string& title, const PageHead& head, const Decimal& epoch, const Keyframes& keys) {
+  report::Page page{.title = head.title.empty() ? title : head.title,
                     .command = head.command,
                     .date = head.date,
                     .version = std::string(version),

@@ -15,7 +15,7 @@
 namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
 /// A page that says what it is about, with the keys; of very many some, and a note that says so.
-[[nodiscard]] report::Page begun_page(std::string title, const PageHead& head, const Decimal& epoch,
+[[nodiscard]] report::Page begun_page(const std::string& title, const PageHead& head, const Decimal& epoch,
                                       const Keyframes& keys);
 
 /// Orientations over time, all of them.

@@ -41,7 +41,7 @@ Expected<report::Page> motion_page(const Track& track, const Method& method, con
                                  inertia.value_or(Eigen::Matrix3d::Identity()));
     report::Page page = begun_page(title_of(track, method), head, track.epoch, track.keys);
     page.columns = measure_columns(curves.measures);
-    page.methods.push_back(method_of(curves, {text_of(method), track.keys, curve, std::move(measures)}));
+    page.methods.push_back(method_of(curves, {text_of(method), track.keys, curve, measures}));
     return page;
   });
 }
@@ -57,7 +57,7 @@ report::Page curves_page(std::span<const NamedCurve> curves, const PageHead& hea
   for (const auto& [name, keys, curve] : curves) {
     Measures measures = shape_of(curve.orientation, Seam::open, Eigen::Matrix3d::Identity());
     if (compared) measures.distance = distance_to_reference(curve.orientation, {truth.times(), truth.orientations()});
-    const report::PageMethod method = method_of(page_of_all, {name, keys, curve, std::move(measures)});
+    const report::PageMethod method = method_of(page_of_all, {name, keys, curve, measures});
     page.methods.push_back(compared ? with_errors(method, errors_at(curve, path_of(truth)), [](double) { return true; })
                                     : method);
   }

@@ -33,8 +33,7 @@ Expected<Measures> shape_of(const Candidate& whole, const std::vector<Stretch>& 
   for (const Stretch& stretch : stretches) {
     std::vector<std::size_t> indices(stretch.count);
     std::iota(indices.begin(), indices.end(), std::exchange(first, first + stretch.count));
-    const auto part =
-        make_curve(whole.method, whole.keys.at(indices)).map([](const AnyCurve& c) { return shape_of(c); });
+    auto part = make_curve(whole.method, whole.keys.at(indices)).map([](const AnyCurve& c) { return shape_of(c); });
     if (!part) return part;
     measures.energies.acceleration += part->energies.acceleration;
     measures.energies.jerk += part->energies.jerk;

@@ -160,7 +160,7 @@ std::optional<CubicTangents<P>> CubicSpans<P>::within(std::size_t i, std::size_t
   if constexpr (std::same_as<P, Eigen::Quaterniond>)  // readers may turn the other way by nearly 180°, and do by more
     if (targets_.points[i].dot(targets_.points[j]) < cosine_near_half_turn) return std::nullopt;
   if (const std::size_t every = (j - i) / (most_at_once / 2); j - i > most_at_once) {
-    const auto of_some = within(i, j, given, every);
+    auto of_some = within(i, j, given, every);
     if (!of_some || holds(i, j, *of_some)) return of_some;
   }
   return within(i, j, given, 1);

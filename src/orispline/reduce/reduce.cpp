@@ -109,7 +109,7 @@ Expected<Reduction> certified(const LocalMethod& local, const ToleranceCheck& re
   if (deviation->angle > tolerance.angle) return missed(deviation->angle, tolerance.angle, "rad");
   if (deviation->position.value_or(0.0) > tolerance.position)
     return missed(*deviation->position, tolerance.position, "m");
-  Track reduced = track.at(found.samples).with_keys(std::move(*keys));
+  Track reduced = track.at(found.samples).with_keys(*keys);
   reduced.settings = settings_per_key(method, found.samples.size());
   reduced.recipe = recipe_for(method, reduced);
   return Reduction{std::move(reduced), method, std::move(found.samples), *deviation};

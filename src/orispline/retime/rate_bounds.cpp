@@ -5,6 +5,8 @@
 #include <limits>
 #include <span>
 
+#include <Eigen/Eigenvalues>
+
 #include <orispline/base/parallel.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/curve/path.hpp>
@@ -47,7 +49,9 @@ class Turning {
   HullBounds rounding_;
   std::span<const LimitedQuantity> quantities_;
   Eigen::Matrix3d inertia_;
-  double weight_;
+  double weight_;  ///< what of rounding there is in torques
+  double moment_;  ///< the largest
+  double spread_;  ///< what |ω × Iω| is at most for |ω| = 1, half of what the moments differ by
   Motion m_{};
 };
 
@@ -77,6 +81,8 @@ using Limited = LimitedQuantity::Vector;
 /// Of an increment so much is rounding [rad]: that of two keys, also when they are written, read and normalised again.
 constexpr double rounding_of_keys = 16.0 * std::numeric_limits<double>::epsilon();
 
+constexpr double rounding_of_moments = 1e-12;  // of the largest
+
 /// The larger size at the ends of the line a ± b r.
 double largest(const LimitedQuantity& quantity, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double r) {
   return std::max(quantity.size_of(a + b * r), quantity.size_of(a - b * r));
@@ -90,7 +96,11 @@ Turning::Turning(const AnyCurve& curve, std::size_t segment, const SegmentHull& 
       rounding_(hull.rounding()),
       quantities_(quantities.all),
       inertia_(quantities.inertia.value_or(Eigen::Matrix3d::Zero())),
-      weight_(inertia_.norm()) {}
+      weight_(inertia_.norm()) {
+  const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia_).eigenvalues();
+  moment_ = (1.0 + rounding_of_moments) * moments[2];
+  spread_ = 0.5 * (moments[2] - moments[0]) + rounding_of_moments * moments[2];
+}
 
 double Turning::size(std::size_t k) const {
   const LimitedQuantity& quantity = quantities_[k];
@@ -177,10 +187,11 @@ double Turning::torque_bound(const LimitedQuantity& quantity, double r, const Hu
   const double acceleration =
       std::min(hull.acceleration, longest(m_.angular_acceleration, m_.angular_jerk) + 0.5 * hull.snap * r * r) +
       rounding_.acceleration;
-  const double bend = weight_ * (hull.snap + 2.0 * ((jerk + hull.snap * r) * rate + acceleration * acceleration));
+  const double bend =
+      moment_ * hull.snap + 2.0 * spread_ * ((jerk + hull.snap * r) * rate + acceleration * acceleration);
   const double along = largest(quantity, torque(m_, inertia_), torque_rate(m_, inertia_), r) + 0.5 * bend * r * r +
                        weight_ * (rounding_.acceleration + 2.0 * rate * rounding_.rate);
-  return std::min(along, weight_ * (acceleration + rate * rate));
+  return std::min(along, moment_ * acceleration + spread_ * rate * rate);
 }
 
 double Moving::size(std::size_t k) const {
@@ -207,7 +218,7 @@ constexpr double gap = 1e-4;           // of a bound above the largest value fou
 constexpr std::size_t keys_near = 3;   // so many segments away a short step still shapes the curve
 constexpr std::size_t first_cuts = 4;  // of a segment
 /// Parts that the segments of a curve are cut into, all together, and those of each that it has in any case.
-constexpr std::size_t most_parts = std::size_t{1} << 20, fewest_parts = std::size_t{1} << 10;
+constexpr std::size_t most_parts = std::size_t{1} << 16, fewest_parts = std::size_t{1} << 10;
 
 /// A part of a segment, and what the motion is nowhere above on it.
 struct Part {

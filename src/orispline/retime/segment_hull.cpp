@@ -44,6 +44,110 @@ HullBounds bounds_of(double rate, double acceleration, const Orders& a) {
           .crackle = 2.0 * (q5 + 5.0 * q1 * q4 + 10.0 * q2 * q3)};
 }
 
+/// √(a² + b²). Not std::hypot, whose version of glibc 2.35 would keep programs from older systems.
+double hypotenuse(double a, double b) { return norm_of(Eigen::Vector3d(a, b, 0.0)); }
+
+/// A bound of the n-th derivative of a product, by bounds of the derivatives of its factors.
+double product(const Orders& a, const Orders& b, std::size_t n) {
+  double sum = 0.0, ways = 1.0;  // in which n derivatives fall on the two
+  for (std::size_t k = 0; k <= n; ++k) {
+    sum += ways * a[k] * b[n - k];
+    ways *= static_cast<double>(n - k) / static_cast<double>(k + 1);
+  }
+  return sum;
+}
+
+/// Bounds of x' + y z and its derivatives, one order fewer than those of x, y and z.
+Orders derivative_and_product(const Orders& x, const Orders& y, const Orders& z) {
+  Orders sum{};
+  for (std::size_t n = 0; n + 1 < sum.size(); ++n) sum[n] = x[n + 1] + product(y, z, n);
+  return sum;
+}
+
+Orders sum_of(const Orders& a, const Orders& b) {
+  Orders sum{};
+  for (std::size_t n = 0; n < sum.size(); ++n) sum[n] = a[n] + b[n];
+  return sum;
+}
+
+/// The derivatives of what these are bounds of.
+Orders derivatives(Orders orders) {
+  std::shift_left(orders.begin(), orders.end(), 1);
+  orders.back() = 0.0;
+  return orders;
+}
+
+/// Of a vector of this length in a plane that turns at this rate.
+Orders turning(Orders length, const Orders& rate) {
+  Orders turned{};
+  for (std::size_t n = 0; n < turned.size(); ++n) {
+    turned[n] = length[0];
+    length = derivative_and_product(length, rate, length);
+  }
+  return turned;
+}
+
+/// Rates of the three factors, and what is nowhere above their derivatives.
+struct FactorRates {
+  Orders all, before_last, after_first;  ///< along the axis of the second
+  Orders second, first_across;           ///< across the axis the others have parts of their own
+  Orders last_along, last_across;
+};
+
+/// What ω and its derivatives are nowhere above, of a product of three turns. Before the last turn, which leaves its
+/// own rate v as it is, ω is u + v, and its n-th derivative Dⁿu + v⁽ⁿ⁾ with D u = u' - v × u. What these products add
+/// along the axis of the second turn is `along`.
+Orders derivatives_of_rate(const FactorRates& r) {
+  Orders sizes{}, along{}, across = turning(r.first_across, r.second), before = r.before_last;
+  for (std::size_t n = 0; n < sizes.size(); ++n) {
+    sizes[n] = hypotenuse(r.all[n] + along[0], across[0] + r.last_across[n]);
+    const Orders next = derivative_and_product(along, r.last_across, across);
+    across = sum_of(derivative_and_product(across, r.last_along, across),
+                    derivative_and_product({}, r.last_across, sum_of(before, along)));
+    along = next;
+    before = derivatives(before);
+  }
+  return sizes;
+}
+
+/// What ω = θ' n + sin θ n' + (1 - cos θ) n' × n and its derivatives are nowhere above for a rotation vector θ n that
+/// is nowhere shorter than this; of its derivatives the lengths, and how far they reach across n. With θ' = n · p' the
+/// derivatives of n are those of p / θ.
+Orders derivatives_of_winding(const Orders& lengths, const Orders& across, double shortest) {
+  Orders axis{}, angle{};
+  for (std::size_t n = 1; n < axis.size(); ++n) {
+    const double tilted = product(axis, derivatives(lengths), n - 1);
+    angle[n] = lengths[n] + tilted;
+    axis[n] = (across[n] + tilted + product(axis, angle, n)) / shortest;
+  }
+  const Orders rate = derivatives(angle), bend = derivatives(axis);
+  axis[0] = 1.0;
+  Orders crossed{}, about{};  // n' × n, and it with n' in the plane that turns by θ
+  for (std::size_t n = 0; n + 1 < crossed.size(); ++n) {
+    crossed[n] = product(axis, bend, n);
+    about[n] = bend[n] + (n == 0 ? 0.0 : crossed[n]);
+  }
+  Orders sizes = turning(about, rate);
+  for (std::size_t n = 0; n + 1 < sizes.size(); ++n) sizes[n] += product(rate, axis, n) + crossed[n];
+  return sizes;
+}
+
+/// The lower of two bounds of the jerk and its derivatives; `rate`: of ω and its derivatives.
+HullBounds lesser(HullBounds bounds, const Orders& rate) {
+  bounds.jerk = std::min(bounds.jerk, rate[2]);
+  bounds.snap = std::min(bounds.snap, rate[3]);
+  bounds.crackle = std::min(bounds.crackle, rate[4]);
+  return bounds;
+}
+
+/// The length across a unit vector that no vector of these components exceeds.
+double longest_across(const HullVector& components, const Eigen::Vector3d& axis) {
+  double length = 0.0;
+  for (std::size_t i = 0; i <= components[0].degree; ++i)
+    length = std::max(length, coefficient(components, i).cross(axis).norm());
+  return length;
+}
+
 Eigen::Vector4d control(const std::array<HullPolynomial, 4>& s, std::size_t i) {
   return {s[0].form.coefficients[i], s[1].form.coefficients[i], s[2].form.coefficients[i], s[3].form.coefficients[i]};
 }
@@ -73,9 +177,6 @@ double shortest_in_space(const Parts& parts, double start, double end, int cuts 
   const double middle = 0.5 * (start + end);
   return std::min(shortest_in_space(parts, start, middle, cuts - 1), shortest_in_space(parts, middle, end, cuts - 1));
 }
-
-/// √(a² + b²). Not std::hypot, whose version of glibc 2.35 would keep programs from older systems.
-double hypotenuse(double a, double b) { return norm_of(Eigen::Vector3d(a, b, 0.0)); }
 
 constexpr double rounded_up = 1.0 + 1e-12;
 constexpr double rounding_share = 1e-14;  // of evaluation, of the size of what is added up
@@ -183,32 +284,45 @@ HullBounds SegmentHull::on(double start, double end) const {
 
 HullBounds SegmentHull::rounding() const {
   double size = 0.0;  // of coefficients, which are not differences yet
-  for (std::size_t k = 0; k < lengths_.size(); ++k)
-    size += (kind_ == Kind::product ? lengths_[k] : 1.0) * largest(parts_[k][0]);
+  Orders halves{};    // of exponents: of their products, what cancels is rounded as well
+  for (std::size_t k = 0; k < lengths_.size(); ++k) {
+    const double length = kind_ == Kind::product ? lengths_[k] : 1.0;
+    size += length * largest(parts_[k][0]);
+    for (std::size_t order = 1; order < halves.size(); ++order)
+      halves[order] += 0.5 * length * largest(parts_[k][order]);
+  }
   if (kind_ == Kind::rational) size += largest(parts_[3][0]);
   const double per_time = 2.0 * static_cast<double>(parts_[0][0].degree) / duration_;
   const HullBounds whole = on(0.0, 1.0);
   return {rounding_share * (size * per_time + whole.rate),
           rounding_share * (size * per_time * per_time + whole.acceleration),
-          rounding_share * (size * per_time * per_time * per_time + whole.jerk), 0.0, 0.0};
+          rounding_share * (size * per_time * per_time * per_time + whole.jerk + bounds_of(0.0, 0.0, halves).jerk), 0.0,
+          0.0};
 }
 
 HullBounds SegmentHull::product_on(double start, double end) const {
   // |ω| is that of R ω₁ + β₃' φ₃, ω₁ = β₁' φ₁ + β₂' φ₂, R a turn about φ₂; the bounds are those of all such turns.
-  const Three first = restricted(parts_, 1, start, end), second = restricted(parts_, 2, start, end);
-  const double b1 = largest(first[0]), b3 = largest(first[2]), c1 = largest(second[0]), c3 = largest(second[2]);
-  const double rate = hypotenuse(largest(sum_of(first, along_)), b1 * across_[0] + b3 * across_[2]);
-  const double before = largest(sum_of(first, {along_[0], along_[1], 0.0}));
-  const double behind = largest(sum_of(first, {0.0, along_[1], along_[2]}));
+  Orders halves{};
+  FactorRates rates{};
+  for (std::size_t order = 1; order < halves.size(); ++order) {
+    const std::size_t n = order - 1;  // of the derivative of a rate
+    const Three p = restricted(parts_, order, start, end);
+    const std::array<double, 3> b{largest(p[0]), largest(p[1]), largest(p[2])};
+    halves[order] = 0.5 * (lengths_[0] * b[0] + lengths_[1] * b[1] + lengths_[2] * b[2]);
+    rates.all[n] = largest(sum_of(p, along_));
+    rates.before_last[n] = largest(sum_of(p, {along_[0], along_[1], 0.0}));
+    rates.after_first[n] = largest(sum_of(p, {0.0, along_[1], along_[2]}));
+    rates.second[n] = std::abs(along_[1]) * b[1];
+    rates.first_across[n] = across_[0] * b[0];
+    rates.last_along[n] = std::abs(along_[2]) * b[2];
+    rates.last_across[n] = across_[2] * b[2];
+  }
+  const double rate = hypotenuse(rates.all[0], rates.first_across[0] + rates.last_across[0]);
   const double acceleration =
-      hypotenuse(largest(sum_of(second, along_)) + b1 * b3 * across_[0] * across_[2],
-                 across_[0] * hypotenuse(c1, b1 * behind) + across_[2] * hypotenuse(c3, b3 * before));
-  const auto size_of = [this](const Three& p) {
-    return 0.5 * (lengths_[0] * largest(p[0]) + lengths_[1] * largest(p[1]) + lengths_[2] * largest(p[2]));
-  };
-  return bounds_of(rate, acceleration,
-                   {0.0, size_of(first), size_of(second), size_of(restricted(parts_, 3, start, end)),
-                    size_of(restricted(parts_, 4, start, end)), size_of(restricted(parts_, 5, start, end))});
+      hypotenuse(rates.all[1] + rates.first_across[0] * rates.last_across[0],
+                 hypotenuse(rates.first_across[1], rates.first_across[0] * rates.after_first[0]) +
+                     hypotenuse(rates.last_across[1], rates.last_across[0] * rates.before_last[0]));
+  return lesser(bounds_of(rate, acceleration, halves), derivatives_of_rate(rates));
 }
 
 HullBounds SegmentHull::rational_on(double start, double end) const {
@@ -230,19 +344,22 @@ HullBounds SegmentHull::rational_on(double start, double end) const {
 
 HullBounds SegmentHull::chart_on(double start, double end) const {
   const double middle = 0.5 * (start + end), radius = 0.5 * (end - start) * duration_;
-  const double speed = longest(restricted(parts_, 1, start, end));
-  const double change = longest(restricted(parts_, 2, start, end));
-  const Eigen::Vector3d p = coefficient(restricted(parts_, 0, middle, middle), 0);
+  const Eigen::Vector3d p = coefficient(restricted(parts_, 0, middle, middle), 0), axis = p.stableNormalized();
   const Eigen::Vector3d velocity = coefficient(restricted(parts_, 1, middle, middle), 0);
-  // α = J p'' + N(p, p'), |J| ≤ 1 and |N| ≤ |p'| min(|p'|/2, |p'⊥| 5.2/|p|), p'⊥ what p' has across p.
-  const double shortest = p.norm() - radius * speed;
-  double turning = 0.5 * speed;
-  if (shortest > 0.0) {
-    const double area = p.cross(velocity).norm() + radius * longest(restricted(parts_, 0, start, end)) * change;
-    turning = std::min(turning, area * std::min(1.0, 5.2 / shortest) / shortest);
+  Orders lengths{}, halves{}, across{};
+  for (std::size_t order = 0; order < lengths.size(); ++order) {
+    const HullVector part = restricted(parts_, order, start, end);
+    lengths[order] = longest(part);
+    halves[order] = 0.5 * lengths[order];
+    across[order] = longest_across(part, axis);
   }
-  const auto half = [&](std::size_t order) { return 0.5 * longest(restricted(parts_, order, start, end)); };
-  return bounds_of(speed, change + speed * turning, {0.0, 0.5 * speed, 0.5 * change, half(3), half(4), half(5)});
+  // α = J p'' + N(p, p'), |J| ≤ 1 and |N| ≤ |p'| min(|p'|/2, |p'⊥| 5.2/|p|), p'⊥ what p' has across p.
+  const double speed = lengths[1], change = lengths[2], shortest = p.norm() - radius * speed;
+  if (!(shortest > 0.0)) return bounds_of(speed, change + 0.5 * speed * speed, halves);
+  const double area = p.cross(velocity).norm() + radius * lengths[0] * change;
+  const double turns = std::min(0.5 * speed, area * std::min(1.0, 5.2 / shortest) / shortest);
+  for (std::size_t order = 1; order < across.size(); ++order) across[order] += across[0] / shortest * lengths[order];
+  return lesser(bounds_of(speed, change + speed * turns, halves), derivatives_of_winding(lengths, across, shortest));
 }
 
 std::optional<PathHull> PathHull::of(const AnyPath& path, std::size_t segment) {

@@ -301,7 +301,7 @@ Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options,
       .and_then([&](Smoothing smoothing) -> Expected<Smoothing> {
         auto made = smoothed_keyframes(keys, smoothing);
         if (!made) return tl::unexpected(std::move(made.error()));
-        smoothing.track = recording.at(smoothing.keys).with_keys(std::move(*made));
+        smoothing.track = recording.at(smoothing.keys).with_keys(*made);
         smoothing.track.recipe = recipe_for(smoothing.method, recording);
         if (progress.stopped()) return cancellation();
         smoothing.distances = distances_of(smoothing, keys, CountedSamples::all);

@@ -78,10 +78,13 @@ SmoothedNodes recorded_nodes(const SmoothingProblem& problem) {
   return nodes;
 }
 
-constexpr double cost_rounding = 1e-12;  // a cost that rises by no more than this share has not risen
-constexpr double contraction = 0.5;      // of steps, that tells that the iteration converges
-constexpr int most_steps_across = 6;     // of a valley
-constexpr double smallest_share = 1e-4;  // of the step that Gauss and Newton propose
+constexpr double cost_rounding = 1e-12;    // a cost that rises by no more than this share has not risen
+constexpr double contraction = 0.5;        // of steps, that tells that the iteration converges
+constexpr int most_steps_across = 6;       // of a valley
+constexpr double doubt = 3.0;              // of a step that is foreseen, at most so much longer
+constexpr double farthest_foreseen = 0.1;  // [rad], beyond which a step tells nothing of the next
+constexpr double farthest_alike = 10.0;    // a step this many times as long as one known is no guide to the next
+constexpr double smallest_share = 1e-4;    // of the step that Gauss and Newton propose
 
 /// The iteration for a penalty of order P, with or without a gyro.
 template <int P, bool Gyro>
@@ -111,11 +114,13 @@ class Minimisation {
   [[nodiscard]] SmoothingFit run(const SmoothingIteration& iteration) {
     Evaluation now = evaluated(state_);
     SmoothingFit fit;
+    fit.steps = iteration.steps;
     double turn_before = std::numeric_limits<double>::infinity();
     for (fit.iterations = 1;; ++fit.iterations) {
       const Step step = proposed(now);
       if (objective_.stopped()) break;
       fit.last_step = step.largest_turn;
+      if (fit.iterations > 1) fit.steps = {.ratio = step.largest_turn / turn_before, .of = turn_before};
       if (!std::isfinite(step.size)) break;
       const double cost_before = now.cost;
       const double length = advance(now, step);
@@ -124,6 +129,12 @@ class Minimisation {
           std::abs(now.cost - cost_before) <= cost_rounding * cost_before;  // a step that grows is rounding
       if (step.largest_turn < iteration.tolerance && length == 1.0) break;
       if (stays && step.largest_turn >= turn_before) break;
+      const bool known = step.largest_turn <= std::min(farthest_foreseen, farthest_alike * fit.steps.of);
+      const double next = doubt * fit.steps.next(step.largest_turn);
+      if (iteration.foresees && length == 1.0 && known && next < iteration.tolerance) {
+        fit.last_step = next;
+        break;
+      }
       if (fit.iterations >= iteration.most || objective_.stopped()) break;
       turn_before = step.largest_turn;
     }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <orispline/base/progress.hpp>
@@ -49,10 +51,21 @@ struct SmoothingObjective {
   [[nodiscard]] bool stopped() const noexcept { return work && work->stopped(); }
 };
 
+/// How much shorter than the last step the next one is: by a constant factor, and by more the shorter the steps are,
+/// for near the minimum they shrink by squares.
+struct StepRatio {
+  double ratio = std::numeric_limits<double>::infinity();
+  double of = 0.0;  ///< after a step of this length [rad]
+
+  [[nodiscard]] double next(double step) const { return ratio * step * std::max(1.0, step / of); }
+};
+
 /// When the iteration ends; also where the cost stays and steps do not get shorter: that is rounding.
 struct SmoothingIteration {
   double tolerance = 1e-9;  ///< largest turn of a node in the last step [rad], or move of it
   int most = 60;            ///< steps
+  bool foresees = false;    ///< ends too where the next step is sure to be within the tolerance, without making it
+  StepRatio steps{};        ///< of a fit like this one, so that one step may be enough
 };
 
 /// The minimum and what is known about it.
@@ -64,7 +77,8 @@ struct SmoothingFit {
   double cost = 0.0;                             ///< data + λ penalty + gyro
   std::vector<double> interval_penalties{};      ///< of each interval, without any λ
   int iterations = 0;
-  double last_step = 0.0;  ///< largest turn of a node in the last step [rad], or move of it
+  double last_step = 0.0;  ///< largest turn of a node in the last step [rad], or move of it; of the one foreseen
+  StepRatio steps{};
 };
 
 /// Minimises Σ ρ(w |r|²) + λ ∫|ω^(p-1)|² dt + Σ w_g |ω - g - b|² over orientations, rates and bias at the times of the

@@ -22,8 +22,12 @@ constexpr double longest_relative_time = 500.0;  // beyond it the conditioning s
 constexpr double scan_ratio = 1.3;
 constexpr int coarse_step = 2, rises_until_sure = 2;  // in steps of the ratio; in coarse steps
 constexpr int most_scan_iterations = 20;
-constexpr double scan_tolerance = 1e-3, least_scan_tolerance = 1e-9;  // of the iteration, in units of the noise; [rad]
+constexpr double scan_tolerance = 1e-3, tolerance_upward = 1e-2;  // of the iteration, in units of the noise
+constexpr double least_scan_tolerance = 1e-9;                     // [rad]
+
+constexpr double most_noise_foreseen = 0.2;  // [rad], with more the minima are many
 constexpr std::size_t part_size = 2500;
+constexpr std::size_t most_times_upward = 2500, part_size_upward = 625;
 
 double power(double base, int exponent) {
   double result = 1.0;
@@ -52,41 +56,46 @@ double parabola_minimum(double before, double middle, double after) {
 /// The criterion at τ = τ₀ ratio^k, each value found once.
 class Scan {
  public:
-  Scan(const StretchProblems& stretches, SmoothingObjective objective, SmoothingCriterion criterion, double noise,
-       double interval, double origin)
+  Scan(const StretchProblems& stretches, const StretchFits& start, SmoothingObjective objective,
+       SmoothingCriterion criterion, double noise, double interval, double origin, double tolerance)
       : stretches_(stretches),
+        start_(start),
         objective_(objective),
         criterion_(criterion),
         noise_(noise),
         interval_(interval),
         origin_(origin),
+        tolerance_(std::max(tolerance * noise, least_scan_tolerance)),
         shortest_(shortest_relative_time * interval),
         longest_(longest_smoothing_time(stretches, interval)) {}
 
-  /// Upward until the criterion has risen for some time, then around the least value.
-  [[nodiscard]] LambdaChoice from_below() {
+  /// Where the least value is, upward until the criterion has risen for some time.
+  [[nodiscard]] int from_below() {
     int least = 0;
     for (int k = 0; k - least <= rises_until_sure * coarse_step && inside(k) && !objective_.stopped(); k += coarse_step)
       if (value(k) < value(least)) least = k;
-    return around(least);
+    return least;
   }
 
   /// Down to the least value next to k, and by a parabola between the steps.
-  [[nodiscard]] LambdaChoice around(int k) {
+  [[nodiscard]] ChosenLambda around(int k) {
     while (!objective_.stopped()) {
       if (inside(k - 1) && value(k - 1) < value(k)) --k;
       else if (inside(k + 1) && value(k + 1) < value(k)) ++k;
       else break;
     }
-    LambdaChoice choice;
+    ChosenLambda chosen;
     double time = time_at(k);
-    if (!inside(k - 1)) choice.edge = LambdaChoice::Edge::shortest;
-    else if (!inside(k + 1)) choice.edge = LambdaChoice::Edge::longest;
+    if (!inside(k - 1)) chosen.choice.edge = LambdaChoice::Edge::shortest;
+    else if (!inside(k + 1)) chosen.choice.edge = LambdaChoice::Edge::longest;
     else if (!objective_.stopped())
       time *= exponential(natural_logarithm(scan_ratio) * parabola_minimum(value(k - 1), value(k), value(k + 1)));
-    choice.lambda = lambda(time);
-    return choice;
+    chosen.choice.lambda = lambda(time);
+    chosen.fits = nearest_fits(k);
+    return chosen;
   }
+
+  [[nodiscard]] bool converges_at(int k) { return value(k) < std::numeric_limits<double>::infinity(); }
 
  private:
   struct Tried {
@@ -103,8 +112,8 @@ class Scan {
   double value(int k) {
     if (const auto known = tried_.find(k); known != tried_.end()) return known->second.value;
     objective_.lambda = lambda(time_at(k));
-    const SmoothingIteration iteration{.tolerance = std::max(scan_tolerance * noise_, least_scan_tolerance),
-                                       .most = most_scan_iterations};
+    const SmoothingIteration iteration{
+        .tolerance = tolerance_, .most = most_scan_iterations, .foresees = noise_ < most_noise_foreseen};
     StretchFits fits = fit_stretches(stretches_, objective_, iteration, nearest_fits(k));
     const double value = converged(fits, noise_) ? criterion_value(stretches_, fits, criterion_, objective_)
                                                  : std::numeric_limits<double>::infinity();
@@ -112,16 +121,17 @@ class Scan {
     return value;
   }
 
-  [[nodiscard]] StretchFits nearest_fits(int k) const {
+  [[nodiscard]] const StretchFits& nearest_fits(int k) const {
     const auto nearest =
         std::ranges::min_element(tried_, {}, [k](const auto& tried) { return std::abs(tried.first - k); });
-    return nearest == tried_.end() ? StretchFits() : nearest->second.fits;
+    return nearest == tried_.end() ? start_ : nearest->second.fits;
   }
 
   const StretchProblems& stretches_;
+  const StretchFits& start_;
   SmoothingObjective objective_;
   SmoothingCriterion criterion_;
-  double noise_, interval_, origin_, shortest_, longest_;
+  double noise_, interval_, origin_, tolerance_, shortest_, longest_;
   std::map<int, Tried> tried_;
 };
 
@@ -130,6 +140,63 @@ std::vector<T> part_of(const std::vector<T>& all, std::size_t first, std::size_t
   if (all.empty()) return {};
   const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
   return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+}
+
+std::size_t times_of(const StretchProblems& stretches) {
+  std::size_t times = 0;
+  for (const SmoothingProblem& stretch : stretches) times += stretch.size();
+  return times;
+}
+
+SmoothingProblem part_of(const SmoothingProblem& stretch, std::size_t first, std::size_t size) {
+  return {.times = part_of(stretch.times, first, size),
+          .orientations = part_of(stretch.orientations, first, size),
+          .positions = part_of(stretch.positions, first, size),
+          .weights = part_of(stretch.weights, first, size),
+          .gyro = part_of(stretch.gyro, first, size),
+          .gyro_weights = part_of(stretch.gyro_weights, first, size),
+          .relative_lambdas = part_of(stretch.relative_lambdas, first, size - 1)};
+}
+
+SmoothingFit part_of(const SmoothingFit& fit, std::size_t first, std::size_t size) {
+  const SmoothedNodes& nodes = fit.nodes;
+  return {.nodes = {.orientations = part_of(nodes.orientations, first, size),
+                    .angular_velocities = part_of(nodes.angular_velocities, first, size),
+                    .angular_accelerations = part_of(nodes.angular_accelerations, first, size),
+                    .positions = part_of(nodes.positions, first, size),
+                    .gyro_correction = nodes.gyro_correction},
+          .steps = fit.steps};
+}
+
+/// Of one of the stretches.
+struct Part {
+  std::size_t stretch, first, size;
+};
+
+/// Evenly spread, with `most` times altogether, or a little more, and about so many each; or the whole stretches.
+std::vector<Part> spread_parts(const StretchProblems& stretches, std::size_t most, std::size_t each) {
+  const std::size_t all = times_of(stretches);
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    const std::size_t times = stretches[i].size();
+    if (all <= most) {
+      parts.push_back({i, 0, times});
+      continue;
+    }
+    const std::size_t share = most * times / all, count = std::max<std::size_t>(1, share / each);
+    const std::size_t size = std::min(times, std::max<std::size_t>(share / count, 100));
+    for (std::size_t k = 0; k < count; ++k)
+      parts.push_back({i, count == 1 ? (times - size) / 2 : k * (times - size) / (count - 1), size});
+  }
+  return parts;
+}
+
+template <class T>
+std::vector<T> cut(const std::vector<T>& stretches, const std::vector<Part>& parts) {
+  std::vector<T> those;
+  if (stretches.empty()) return those;
+  for (const auto& [stretch, first, size] : parts) those.push_back(part_of(stretches[stretch], first, size));
+  return those;
 }
 
 }  // namespace
@@ -155,9 +222,12 @@ double StretchFits::data() const noexcept {
 StretchFits fit_stretches(const StretchProblems& stretches, const SmoothingObjective& objective,
                           const SmoothingIteration& iteration, const StretchFits& start) {
   StretchFits result;
-  for (std::size_t i = 0; i < stretches.size(); ++i)
-    result.fits.push_back(
-        fit_smoothing(stretches[i], objective, iteration, start.fits.empty() ? nullptr : &start.fits[i].nodes));
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    const SmoothingFit* const before = start.fits.empty() ? nullptr : &start.fits[i];
+    SmoothingIteration own = iteration;
+    if (before) own.steps = before->steps;
+    result.fits.push_back(fit_smoothing(stretches[i], objective, own, before ? &before->nodes : nullptr));
+  }
   return result;
 }
 
@@ -201,33 +271,32 @@ double criterion_value(const StretchProblems& stretches, const StretchFits& fits
   return fits.data() / (3.0 * count) / (freedom * freedom);
 }
 
-LambdaChoice chosen_lambda(const StretchProblems& stretches, const SmoothingObjective& objective,
-                           SmoothingCriterion criterion, double noise, double interval, std::optional<double> near) {
-  Scan scan(stretches, objective, criterion, noise, interval, near.value_or(first_relative_time * interval));
-  return near ? scan.around(0) : scan.from_below();
+ChosenLambda chosen_lambda(const StretchProblems& stretches, const StretchFits& start,
+                           const SmoothingObjective& objective, SmoothingCriterion criterion, double noise,
+                           double interval, std::optional<double> near) {
+  const std::vector<Part> places = spread_parts(stretches, most_times_for_choice, part_size);
+  const StretchProblems parts = cut(stretches, places);
+  const StretchFits fits{cut(start.fits, places)};
+  const double origin = near.value_or(first_relative_time * interval);
+  Scan scan(parts, fits, objective, criterion, noise, interval, origin, scan_tolerance);
+  int from = 0;
+  if (!near) {
+    const std::vector<Part> few = spread_parts(parts, most_times_upward, part_size_upward);
+    const StretchProblems fewer = cut(parts, few);
+    const StretchFits fewer_fits{cut(fits.fits, few)};
+    const bool all = times_of(fewer) == times_of(parts);
+    if (!all)
+      from = Scan(fewer, fewer_fits, objective, criterion, noise, interval, origin, tolerance_upward).from_below();
+    if (all || !scan.converges_at(from)) from = scan.from_below();
+  }
+  ChosenLambda chosen = scan.around(from);
+  chosen.times = times_of(parts);
+  if (chosen.times < times_of(stretches)) chosen.fits = {};
+  return chosen;
 }
 
 StretchProblems representative_parts(const StretchProblems& stretches, std::size_t most) {
-  std::size_t all = 0;
-  for (const SmoothingProblem& stretch : stretches) all += stretch.size();
-  if (all <= most) return stretches;
-  StretchProblems parts;
-  for (const SmoothingProblem& stretch : stretches) {
-    const std::size_t share = most * stretch.size() / all;  // of the times
-    const std::size_t count = std::max<std::size_t>(1, share / part_size);
-    const std::size_t size = std::min(stretch.size(), std::max<std::size_t>(share / count, 100));
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t first = count == 1 ? (stretch.size() - size) / 2 : k * (stretch.size() - size) / (count - 1);
-      parts.push_back({.times = part_of(stretch.times, first, size),
-                       .orientations = part_of(stretch.orientations, first, size),
-                       .positions = part_of(stretch.positions, first, size),
-                       .weights = part_of(stretch.weights, first, size),
-                       .gyro = part_of(stretch.gyro, first, size),
-                       .gyro_weights = part_of(stretch.gyro_weights, first, size),
-                       .relative_lambdas = part_of(stretch.relative_lambdas, first, size - 1)});
-    }
-  }
-  return parts;
+  return cut(stretches, spread_parts(stretches, most, part_size));
 }
 
 double expected_work(std::size_t samples, std::size_t most_of_choice) noexcept {

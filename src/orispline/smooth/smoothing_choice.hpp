@@ -48,12 +48,21 @@ struct StretchFits {
 /// The longest τ that is to be trusted [s]: beyond it rounding spoils the fit, and no motion is left to find.
 [[nodiscard]] double longest_smoothing_time(const StretchProblems& stretches, double interval);
 
+/// λ, the fits from which it was chosen that are nearest to it, and the times that they saw.
+struct ChosenLambda {
+  LambdaChoice choice{};
+  StretchFits fits{};  ///< of all stretches; none where parts of them were enough
+  std::size_t times = 0;
+};
+
 /// Scans τ upward from half the interval until the criterion has risen for two steps of 1.3², looks about the least
 /// value in steps of 1.3 and refines it by a parabola in log τ. `noise`, `interval`: as of lambda_of(). The objective's
-/// λ is not used. Where `near` is given the scan goes from that τ downhill.
-[[nodiscard]] LambdaChoice chosen_lambda(const StretchProblems& stretches, const SmoothingObjective& objective,
-                                         SmoothingCriterion criterion, double noise, double interval,
-                                         std::optional<double> near = std::nullopt);
+/// λ is not used. `start`: fits of the same stretches, or none. Where `near` is given the scan goes from that τ
+/// downhill. Where the stretches have more than `most_times_for_choice` times, their representative parts are enough;
+/// to scan upward a quarter of that is.
+[[nodiscard]] ChosenLambda chosen_lambda(const StretchProblems& stretches, const StretchFits& start,
+                                         const SmoothingObjective& objective, SmoothingCriterion criterion,
+                                         double noise, double interval, std::optional<double> near = std::nullopt);
 
 /// Parts of the stretches, evenly spread, with `most` times altogether, or a little more; the stretches themselves
 /// where they have no more: for a choice of λ that need not see everything.

@@ -90,14 +90,12 @@ void SmoothingSearch::set_lambda(SmoothingCriterion criterion) {
 }
 
 void SmoothingSearch::choose(SmoothingCriterion criterion) {
-  const StretchProblems parts = representative_parts(problems_, most_times_for_choice);
   const auto near = finding_.criterion == criterion ? std::optional(smoothing_time()) : std::nullopt;
-  const LambdaChoice choice = chosen_lambda(parts, objective_, criterion, plan_.noise, plan_.interval, near);
-  objective_.lambda = choice.lambda;
+  const ChosenLambda chosen = chosen_lambda(problems_, {}, objective_, criterion, plan_.noise, plan_.interval, near);
+  objective_.lambda = chosen.choice.lambda;
   finding_.criterion = criterion;
-  finding_.edge = choice.edge;
-  finding_.chosen_on = 0;
-  for (const SmoothingProblem& part : parts) finding_.chosen_on += part.size();
+  finding_.edge = chosen.choice.edge;
+  finding_.chosen_on = chosen.times;
 }
 
 /// Where hardly any noise was found the samples are followed as they are. What one λ finds no end for is refused, and

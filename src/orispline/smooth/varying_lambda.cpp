@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <orispline/math/number.hpp>
 #include <orispline/smooth/smooth.hpp>
@@ -42,9 +43,10 @@ struct Softness {
 };
 
 constexpr std::array softnesses{Softness{32.0, 0.05}, Softness{8.0, 0.1}, Softness{2.0, 0.15}, Softness{0.5, 0.15}};
+constexpr double least_gain = 0.01;  // likewise, over the softness before: with less, softer ones are not tried
 constexpr int most_updates = 10;
 constexpr double settled = 0.1;           // of log λ, in one update
-constexpr double rough_tolerance = 1e-3;  // of the iteration, in units of the noise
+constexpr double rough_tolerance = 1e-2;  // of the iteration, in units of the noise
 constexpr std::size_t samples_per_knot = 3;
 
 /// One try: λ as a curve of each stretch, and the fits with it.
@@ -67,12 +69,13 @@ class Adaptation {
   /// From where the last one ended.
   void soften(double stiffness) {
     for (int update = 0; update < most_updates && !objective_.stopped(); ++update) {
-      const double scale = noise_scale();
+      const std::vector<std::vector<double>> freedoms = freedoms_of_intervals();
+      const double scale = noise_scale(freedoms);
       double change = 0.0;
       for (std::size_t k = 0; k < problems_.size(); ++k) {
-        std::vector<double> energies = fits_.fits[k].interval_penalties, freedoms = freedoms_of(k);
+        std::vector<double> energies = fits_.fits[k].interval_penalties;
         for (double& energy : energies) energy /= scale;
-        change = std::max(change, curves_[k].update(energies, freedoms, stiffness));
+        change = std::max(change, curves_[k].update(energies, freedoms[k], stiffness));
       }
       take_curves();
       refit();
@@ -80,12 +83,12 @@ class Adaptation {
     }
   }
 
-  /// With the mean λ that the criterion likes best.
-  void choose_level(double interval) {
-    const StretchProblems parts = representative_parts(problems_, most_times_for_choice);
-    const double near = smoothing_time_of(objective_.lambda, objective_.penalty, noise_, interval);
-    const double level = chosen_lambda(parts, objective_, criterion_, noise_, interval, near).lambda;
-    objective_.lambda = level;
+  /// With the mean λ that the criterion likes best, next to this one.
+  void choose_level(double near, double interval) {
+    const double time = smoothing_time_of(near, objective_.penalty, noise_, interval);
+    ChosenLambda chosen = chosen_lambda(problems_, fits_, objective_, criterion_, noise_, interval, time);
+    objective_.lambda = chosen.choice.lambda;
+    if (!chosen.fits.fits.empty()) fits_ = std::move(chosen.fits);
     refit();
   }
 
@@ -104,22 +107,29 @@ class Adaptation {
   [[nodiscard]] double lambda() const noexcept { return objective_.lambda; }
 
  private:
-  /// The variance of the samples over that of which their weights are.
-  [[nodiscard]] double noise_scale() const {
+  /// The variance of the samples over that of which their weights are. The trace of the hat matrix is the freedom of
+  /// the intervals with that of a motion without penalty.
+  [[nodiscard]] double noise_scale(const std::vector<std::vector<double>>& freedoms) const {
     if (criterion_ == SmoothingCriterion::ubre) return 1.0;
-    const double rest = static_cast<double>(observations(problems_)) * (1.0 - freedom());
+    auto rest = static_cast<double>(observations(problems_));
+    for (const std::vector<double>& those : freedoms)
+      rest -= std::accumulate(those.begin(), those.end(), 0.0) / 3.0 + order_of(objective_.penalty);
     return fits_.data() / (3.0 * std::max(rest, 1.0));
   }
 
-  [[nodiscard]] std::vector<double> freedoms_of(std::size_t k) const {
-    const std::vector<double> weights = weights_left(problems_[k], fits_.fits[k]);
-    std::vector<double> freedoms = interval_freedoms({.times = problems_[k].times,
-                                                      .weights = weights,
-                                                      .penalty = objective_.penalty,
-                                                      .lambda = objective_.lambda,
-                                                      .relative_lambdas = problems_[k].relative_lambdas});
-    for (double& freedom : freedoms) freedom = 3.0 * std::max(0.0, freedom);
-    return freedoms;
+  /// Of all axes, for each stretch.
+  [[nodiscard]] std::vector<std::vector<double>> freedoms_of_intervals() const {
+    std::vector<std::vector<double>> all;
+    for (std::size_t k = 0; k < problems_.size(); ++k) {
+      const std::vector<double> weights = weights_left(problems_[k], fits_.fits[k]);
+      auto& freedoms = all.emplace_back(interval_freedoms({.times = problems_[k].times,
+                                                           .weights = weights,
+                                                           .penalty = objective_.penalty,
+                                                           .lambda = objective_.lambda,
+                                                           .relative_lambdas = problems_[k].relative_lambdas}));
+      for (double& freedom : freedoms) freedom = 3.0 * std::max(0.0, freedom);
+    }
+    return all;
   }
 
   void take_curves() {
@@ -134,7 +144,10 @@ class Adaptation {
     }
   }
 
-  void refit() { fits_ = fit_stretches(problems_, objective_, {.tolerance = rough_tolerance * noise_}, fits_); }
+  void refit() {
+    const SmoothingIteration iteration{.tolerance = rough_tolerance * noise_, .foresees = true};
+    fits_ = fit_stretches(problems_, objective_, iteration, fits_);
+  }
 
   StretchProblems problems_;
   SmoothingObjective objective_;
@@ -222,19 +235,24 @@ void adapt_lambda(StretchProblems& problems, SmoothingObjective& objective, Stre
   Adaptation adaptation(problems, objective, fits, criterion, noise, interval);
   double best = adaptation.value();
   const double cost_of_freedom = adaptation.freedom();
+  double level = objective.lambda, before = best;
   bool taken = false;
   for (const auto& [stiffness, gain] : softnesses) {
     adaptation.soften(stiffness);
     Adaptation levelled = adaptation;
-    levelled.choose_level(interval);
+    levelled.choose_level(level, interval);
     if (objective.stopped()) return;
+    level = levelled.lambda();
     const double value = levelled.value();
-    if (!(value < best * (1.0 - gain * cost_of_freedom))) continue;
-    best = value;
-    problems = levelled.problems();
-    objective.lambda = levelled.lambda();
-    fits = levelled.fits();
-    taken = true;
+    if (value < best * (1.0 - gain * cost_of_freedom)) {
+      best = value;
+      problems = levelled.problems();
+      objective.lambda = levelled.lambda();
+      fits = levelled.fits();
+      taken = true;
+    }
+    if (!(value < before * (1.0 - least_gain * cost_of_freedom))) break;
+    before = value;
   }
   if (taken) fits = fit_stretches(problems, objective, {}, fits);
 }

@@ -40,7 +40,7 @@ Expected<std::vector<std::string>> parameters_of(const FamilyInfo& family, const
 }
 
 /// Where the reference's orientations lie on the segments; those beyond the ends are left out.
-Expected<Goal> with_reference(Goal goal, const Knots& knots, const TuneOptions& options) {
+Expected<Goal> with_reference(Goal goal, const Track& track, const Knots& knots, const TuneOptions& options) {
   goal.reference_samples.resize(knots.segments());
   for (std::size_t i = 0; i < options.reference.times.size(); ++i) {
     const double t = options.reference.times[i];
@@ -50,17 +50,18 @@ Expected<Goal> with_reference(Goal goal, const Knots& knots, const TuneOptions& 
     ++goal.sample_count;
   }
   if (goal.sample_count > 0) return goal;
+  const TimeOrigin epoch(track.epoch);
   return failure(ErrorCode::bad_data,
                  formatted("the reference has no time between the first and the last key, wanted some from {} to {} s",
-                           knots.front(), knots.back()));
+                           epoch.plus(knots.front()).to_string(), epoch.plus(knots.back()).to_string()));
 }
 
 /// The knots are those of the curve, which does not begin at the first key where the family approximates.
-Expected<Goal> goal_of(const Method& method, const Keyframes& keys, const TuneOptions& options) {
+Expected<Goal> goal_of(const Method& method, const Track& track, const TuneOptions& options) {
   Goal goal{.objective = options.objective, .inertia = options.inertia.value_or(Eigen::Matrix3d::Identity())};
   if (options.objective != Objective::fit) return goal;
-  return make_curve(method, keys).and_then([&](const AnyCurve& curve) {
-    return with_reference(std::move(goal), curve.knots(), options);
+  return make_curve(method, track.keys).and_then([&](const AnyCurve& curve) {
+    return with_reference(std::move(goal), track, curve.knots(), options);
   });
 }
 
@@ -235,7 +236,7 @@ Expected<Tuning> tune(const Track& track, const Method& given, const TuneOptions
   if (!parameters) return tl::unexpected(parameters.error());
   if (auto checked = check_keys(**info, keys, method.options); !checked)
     return tl::unexpected(std::move(checked.error()));
-  const auto goal = goal_of(method, keys, options);
+  const auto goal = goal_of(method, track, options);
   if (!goal) return tl::unexpected(goal.error());
   OpenEndedWork work(progress, expected_steps);
   const Problem problem{**info, keys, method.options, *parameters, *goal, options, work};

@@ -14,11 +14,11 @@ from .._checks import FRAMES, flag, in_world, index_of, rate_text, real, text, t
 from .._curve import BEYOND
 from .._errors import ArgumentError
 from .._methods import method_text
-from ._layout import UNIT_QUATERNION, Layout, layout
+from ._layout import UNIT_QUATERNION, Layout, converted, layout
 from ._per_track import PerTrack
 from ._resampling import Resampling, sampled_schema
 from ._source import Source, ordered, selected, source_of
-from ._works import SIDE, Comparison, Evaluation, Reduction, Smoothing, united
+from ._works import SIDE, SIDES, Comparison, Evaluation, Reduction, Smoothing, united
 
 if TYPE_CHECKING:
     from .._types import Extrapolate, Method
@@ -250,17 +250,19 @@ class Both:
 
     def __iter__(self) -> Iterator[Any]:
         for side, source in enumerate((self.keys, self.at)):
+            row = 0
             for batch in source.batches:
-                columns = [self._column(batch, field, side) for field in self.schema]
+                columns = [self._column(batch, field, side, row) for field in self.schema]
                 yield pa.RecordBatch.from_arrays(columns, schema=self.schema)
+                row += batch.num_rows
 
     @staticmethod
-    def _column(batch: Any, field: Any, side: int) -> Any:
+    def _column(batch: Any, field: Any, side: int, row: int) -> Any:
         if field.name == SIDE:
             return pa.array(np.full(batch.num_rows, side, np.int8))
         if field.name not in batch.schema.names:
             return pa.nulls(batch.num_rows, field.type)
-        return batch.column(field.name).cast(field.type)
+        return converted(batch.column(field.name), field.type, SIDES[side], field.name, row)
 
 
 def run(job: Job, source: Source, *, assume_sorted: bool, memory_limit: str, progress: Progress | None) -> Any:

@@ -13,7 +13,7 @@ import pyarrow.compute as pc
 from numpy.typing import NDArray
 
 from .._checks import wrong_type
-from .._errors import ArgumentError
+from .._errors import ArgumentError, DataError
 
 Floats = NDArray[np.float64]
 Whole = NDArray[np.int64]
@@ -99,10 +99,47 @@ def time_type(what: str, name: str, found: Any) -> Any:
 def number_column(column: Any) -> Floats:
     """Numbers of a column, NaN where there are none."""
     if column.type != pa.float64():
-        column = column.cast(pa.float64())
+        column = column.cast(pa.float64(), safe=False)  # whole numbers above 2^53 to the nearest
     if column.null_count:
         column = pc.fill_null(column, np.nan)
     return np.asarray(column.to_numpy(zero_copy_only=False))
+
+
+def converted(column: Any, kind: Any, place: str, name: str, first_row: int = 0) -> Any:
+    """A column as another type, that of the same column elsewhere. Raises DataError for the first value which that has no room for,
+    and ArgumentError where it has none like it; the column begins in that row of the place."""
+    if column.type == kind:
+        return column
+    try:
+        return column.cast(kind)
+    except pa.ArrowNotImplementedError:
+        raise ArgumentError(f"{place}: found {column.type} in the column {name!r}, which is {kind} elsewhere, wanted one type for "
+                            "both: cast one of them") from None
+    except pa.ArrowInvalid:
+        row = _first_without_room(column, kind)
+    raise DataError(f"{place}: found {_shown(column[row])} in row {first_row + row} of the column {name!r}, wanted what {kind} has room "
+                    f"for, which is its type elsewhere: cast both columns to one type that has room for all, or leave the row out")
+
+
+def _first_without_room(column: Any, kind: Any) -> int:
+    """The row of the first value that cannot be of that type, by halves."""
+    first, end = 0, len(column)
+    while end - first > 1:
+        middle = (first + end) // 2
+        try:
+            column.slice(first, middle - first).cast(kind)
+            first = middle
+        except pa.ArrowInvalid:
+            end = middle
+    return first
+
+
+def _shown(value: Any) -> str:
+    """A value for people to read; stamps beyond the years of Python's dates as what they count."""
+    try:
+        return str(value.as_py())
+    except (OverflowError, ValueError):
+        return f"{value.value} {value.type.unit} since 1970"
 
 
 def plain(column: Any) -> Any:
@@ -178,7 +215,9 @@ class Times:
 
     def units(self, seconds: Floats, origins: Whole) -> Whole:
         """Stamps as whole numbers; an origin for each."""
-        return np.rint(seconds * (10**9 // NANOSECONDS[self.kind.unit])).astype(np.int64) + origins
+        since = np.rint(seconds * (10**9 // NANOSECONDS[self.kind.unit]))
+        since = np.where(since < 2.0**63, since, since - 2.0**64)  # what is added wraps round, as differences of centuries do
+        return since.astype(np.int64) + origins
 
 
 def period_of(rate: str) -> int:

@@ -18,7 +18,7 @@ import pyarrow.parquet as pq
 from pyarrow.fs import LocalFileSystem
 
 from .._errors import AccessError, ArgumentError, DataError, Error
-from ._layout import plain, plain_type
+from ._layout import converted, plain, plain_type
 from ._tracks import ROWS_AT_A_TIME, in_order
 
 ROWS_OF_DUCKDB = 1 << 14  # in a batch: what it holds of them lies beyond its memory_limit
@@ -43,7 +43,7 @@ def source_of(given: Any, what: str = "source") -> Source:
     if isinstance(given, pa.RecordBatch):
         given = pa.Table.from_batches([given])
     if isinstance(given, pa.Table) or _is_frame(given):
-        table = given if isinstance(given, pa.Table) else pa.table(given)
+        table = given if isinstance(given, pa.Table) else _table_of(given, what)
         return Source(table.schema, table.to_batches(max_chunksize=ROWS_AT_A_TIME), True, table.num_rows)
     if isinstance(given, ds.Dataset):
         return _of_dataset(given)
@@ -51,6 +51,14 @@ def source_of(given: Any, what: str = "source") -> Source:
         reader = given if isinstance(given, pa.RecordBatchReader) else pa.RecordBatchReader.from_stream(given)
         return Source(reader.schema, reader)
     raise TypeError(f"{what}: found {type(given).__name__}, wanted {WANTED}")
+
+
+def _table_of(frame: Any, what: str) -> Any:
+    try:
+        return pa.table(frame)
+    except (pa.ArrowInvalid, pa.ArrowTypeError) as error:  # such as a column of numbers and texts
+        reason = str(error.args[0] if error.args else error).splitlines()[0]
+        raise ArgumentError(f"{what}: found a data frame that is no table ({reason}), wanted columns of one type each") from None
 
 
 def _is_frame(given: Any) -> bool:
@@ -124,12 +132,21 @@ class _Scanned:
     def __iter__(self) -> Iterator[Any]:
         names = list(self.columns or self.dataset.schema.names)
         for fragment in self.dataset.get_fragments():
-            with telling_of(getattr(fragment, "path", "source")):
+            path, row = getattr(fragment, "path", "source"), 0
+            with telling_of(path):
                 for batch in self._of(fragment, names):
                     for column in batch.columns:
                         if not pa.types.is_primitive(column.type):  # texts that are not UTF-8: pyarrow does not look
                             column.validate(full=True)
-                    yield batch
+                    yield self._in_types(batch, path, row)
+                    row += batch.num_rows
+
+    def _in_types(self, batch: Any, path: str, row: int) -> Any:
+        """A batch of a file with the types of the dataset, dictionaries written out."""
+        names = batch.schema.names
+        kinds = [plain_type(self.dataset.schema.field(name).type) for name in names]
+        return pa.RecordBatch.from_arrays([converted(plain(column), kind, path, name, row)
+                                           for column, kind, name in zip(batch.columns, kinds, names)], names)
 
     def _of(self, fragment: Any, names: list[str]) -> Iterator[Any]:
         if isinstance(fragment, ds.ParquetFileFragment) and isinstance(fragment.filesystem, LocalFileSystem) \
@@ -161,9 +178,8 @@ class _Selected:
 
     def __iter__(self) -> Iterator[Any]:
         for batch in self.batches:
-            columns = [plain(batch.column(name)) for name in self.schema.names]
-            yield pa.RecordBatch.from_arrays([column.cast(field.type) if column.type != field.type else column
-                                              for column, field in zip(columns, self.schema)], schema=self.schema)
+            columns = [converted(plain(batch.column(field.name)), field.type, "source", field.name) for field in self.schema]
+            yield pa.RecordBatch.from_arrays(columns, schema=self.schema)
 
 
 def ordered(source: Source, order: Sequence[str], *, assume_sorted: bool, threads: int, memory_limit: str) -> Iterator[Any]:

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from .._types import Extrapolate
 
 SIDE = "side"  # of rows of two tables: 0 of keys, 1 of those that orientations are wanted for
+SIDES = ("keys", "at")
 OF_THIS_MACHINE = ("build_seconds", "seconds")  # measures that another run does not repeat
 OUTSIDE = "found a time outside the keys of the track"
 NO_KEYS = "found no keys of this track"

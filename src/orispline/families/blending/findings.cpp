@@ -280,13 +280,21 @@ Surroundings<Modular> same_everywhere(const std::vector<Modular>& values, Times 
   return around;
 }
 
-/// The default values in the field.
+/// A default in the field: the fraction of small numbers that it is nearest to, such as 1/12, or else its decimal.
+Modular exact_default(double value) {
+  constexpr int largest_denominator = 1000;
+  for (int q = 1; q <= largest_denominator; ++q) {
+    const double p = std::round(value * q);
+    if (p / q != value || std::abs(p) > 1e9) continue;
+    const Modular numerator(static_cast<std::uint64_t>(std::abs(p)));
+    return (p < 0.0 ? -numerator : numerator) / Modular(static_cast<std::uint64_t>(q));
+  }
+  return Expression::parse(formatted("{}", value), 0).value().over(SegmentField<Modular>{Surroundings<Modular>{}, 0});
+}
+
 std::vector<Modular> exact_defaults(const BlendingData& data) {
   std::vector<Modular> values;
-  for (const BlendingParameter& parameter : data.parameters)
-    values.push_back(Expression::parse(formatted("{}", parameter.initial), 0)
-                         .value()
-                         .over(SegmentField<Modular>{Surroundings<Modular>{}, 0}));
+  for (const BlendingParameter& parameter : data.parameters) values.push_back(exact_default(parameter.initial));
   return values;
 }
 

@@ -21,7 +21,7 @@ Expected<int> first_of(const BlendingData& data, std::size_t increments) {
   const int count = static_cast<int>(increments);
   if (!data.first) {
     if (count % 2 == 1) return -(count / 2);
-    return refused(formatted("first: {} do not say where they begin, wanted `first`, 0 being the segment's own",
+    return refused(formatted("first: {} do not say where they begin, wanted 'first', 0 being the segment's own",
                              counted(increments, "increment")));
   }
   if (*data.first > 0 || *data.first + count - 1 < 0)

@@ -70,7 +70,9 @@ bool is_continuity(Promise promise) {
 
 }  // namespace
 
-std::string_view promise_name(BlendingFinding::Promise promise) noexcept { return names[static_cast<std::size_t>(promise)]; }
+std::string_view promise_name(BlendingFinding::Promise promise) noexcept {
+  return names[static_cast<std::size_t>(promise)];
+}
 
 std::string sentence_of(const BlendingFinding& found) {
   const bool is_order = is_continuity(found.promise);

@@ -149,12 +149,11 @@ LeastProblem stated(const Keyframes& keys, const FamilySettings& settings, const
 
 ChartPiece<5> piece_after(const LeastProblem& problem, std::size_t node) {
   const LeastNode &from = problem.nodes[node], &to = problem.nodes[node + 1];
-  const Eigen::Vector3d half = 0.5 * problem.increment_after(node);
   const auto rates = [](const LeastNode& n) {
     return std::array<Eigen::Vector3d, 3>{n.rates.head<3>(), n.rates.tail<3>(), Eigen::Vector3d::Zero()};
   };
-  return hermite_piece<2>(from.orientation * exp<double>(half), -half, half, rates(from), rates(to),
-                          problem.durations[node]);
+  return hermite_piece_about_middle(from.orientation, problem.increment_after(node), rates(from), rates(to),
+                                    problem.durations[node]);
 }
 
 /// The curve through the nodes, and the excess of each interval.

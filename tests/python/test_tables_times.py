@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Times of tables that are too far away: for the type of the other table, for the number of samples, for the difference of two."""
+import datetime
+import re
+
+import numpy as np
+import orispline as ori
+import pytest
+from track_data import QUATERNION, columns, table_of, tracks
+
+pa = pytest.importorskip("pyarrow")
+pytest.importorskip("duckdb")
+import pyarrow.parquet as pq  # noqa: E402
+from orispline import tables  # noqa: E402
+from orispline.tables import _tracks  # noqa: E402
+
+FAR = datetime.datetime(2584, 1, 1)  # nanoseconds reach to 2262
+NOW = datetime.datetime(2026, 3, 1)
+
+
+def keys_at(times, kind, track=1):
+    half = np.linspace(0, 0.5, len(times))
+    q = [0 * half, 0 * half, np.sin(half), np.cos(half)]
+    return pa.table({"track": [track] * len(times), "t": pa.array(times, kind), **dict(zip(QUATERNION, q))})
+
+
+def at(times, kind):
+    return pa.table({"track": [1] * len(times), "t": pa.array(times, kind)})
+
+
+def test_a_time_without_room_in_the_type_of_the_other_table_is_named():
+    seconds = [NOW + datetime.timedelta(seconds=k) for k in range(3)]
+    wanted = ("found 2584-01-01 00:00:00 in row 2 of the column 't', wanted what timestamp[ns] has room for, which is its type elsewhere: "
+              "cast both columns")
+    with pytest.raises(ori.DataError, match="^at: " + re.escape(wanted)):
+        tables.evaluate(keys_at(seconds, pa.timestamp("ns")), at([NOW, NOW, FAR, FAR], pa.timestamp("us"))).read_all()
+    with pytest.raises(ori.DataError, match="^keys: " + re.escape(wanted)):
+        tables.evaluate(keys_at([*seconds[:2], FAR], pa.timestamp("us")), at([NOW], pa.timestamp("ns"))).read_all()
+    with pytest.raises(ori.DataError, match=r"^at: found 9000000000000000000 us since 1970 in row 0 of"):
+        tables.evaluate(keys_at(seconds, pa.timestamp("ns")), at([9 * 10**18], pa.timestamp("us"))).read_all()
+    found = tables.evaluate(keys_at(seconds, pa.timestamp("us")), at([NOW, FAR], pa.timestamp("ms"))).read_all()
+    assert found["error"].to_pylist() == [None, "found a time outside the keys of the track"]
+
+
+def test_ids_without_room_are_named_too():
+    keys = keys_at([0.0, 1.0], pa.float64(), track=2**40)
+    with pytest.raises(ori.DataError, match=r"^keys: found 1099511627776 in row 0 of the column 'track', wanted what int32 has room for"):
+        tables.evaluate(keys, at([0.5], pa.float64()).set_column(0, "track", pa.array([1], pa.int32()))).read_all()
+    with pytest.raises(ori.ArgumentError, match=r"^keys: found int64 in the column 'track', which is date32\[day\] elsewhere, wanted one type"):
+        tables.evaluate(keys, at([0.5], pa.float64()).set_column(0, "track", pa.array([1], pa.date32()))).read_all()
+
+
+@pytest.mark.parametrize("assume_sorted", [False, True])
+def test_files_of_other_types_say_which_row_has_no_room(tmp_path, assume_sorted):
+    pq.write_table(keys_at([NOW], pa.timestamp("ms"), track=0), tmp_path / "a.parquet")
+    pq.write_table(keys_at([NOW, NOW + datetime.timedelta(microseconds=7)], pa.timestamp("us")), tmp_path / "b.parquet")
+    with pytest.raises(ori.DataError, match=r"b.parquet: found 2026-03-01 00:00:00.000007 in row 1 of the column 't', wanted what timestamp\[ms\]"):
+        tables.resample([tmp_path / "a.parquet", tmp_path / "b.parquet"], assume_sorted=assume_sorted).read_all()
+
+
+def test_large_whole_numbers_become_the_nearest_doubles():
+    keys = keys_at([0.0, 1.0], pa.float64())
+    for k, name in enumerate(("x", "y", "z")):
+        keys = keys.append_column(name, pa.array([2**53 + 1, k]))
+    found = tables.resample(keys, position=["x", "y", "z"], rate=1).read_all()
+    assert found["x"].to_pylist() == [2.0**53, 0.0]
+
+
+def test_a_frame_that_is_no_table():
+    pandas = pytest.importorskip("pandas")
+    with pytest.raises(ori.ArgumentError, match="^source: found a data frame that is no table .*, wanted columns of one type each"):
+        tables.resample(pandas.DataFrame({"track": [1, 1], "t": [0.0, "x"]}))
+
+
+def test_stamps_of_centuries_apart_come_back():
+    """Nanoseconds of 500 years are more than 2^63."""
+    ends = [datetime.datetime(1700, 1, 1), datetime.datetime(2200, 1, 1)]
+    found = tables.resample(keys_at(ends, pa.timestamp("ns")), rate="1/1000000000", derivatives=0, method="slerp").read_all()
+    first, last = (pa.scalar(time, pa.timestamp("ns")).value for time in ends)
+    stamps = found["t"].cast(pa.int64()).to_pylist()
+    assert len(stamps) == (last - first) // 10**18 + 1 and np.abs(np.diff([s / 1e18 for s in stamps]) - 1).max() < 1e-6
+
+
+FLIPPED = "found a request for 1e+14 samples since the key before, wanted 1e+09 at most: check the rate and the unit of the times, or set `gap`"
+
+
+@pytest.mark.parametrize("align", ["start", "epoch"])
+@pytest.mark.parametrize("in_pieces", [False, True])
+def test_a_flipped_time_asks_for_no_endless_rows(in_pieces, align, monkeypatch):
+    if in_pieces:
+        monkeypatch.setattr(_tracks.tracks_in, "__defaults__", (5,))
+    made = tracks(3, least=9)
+    good = table_of(made)
+    made[1][0][-1] = 1e12
+    flipped = table_of(made)
+    found = tables.resample(flipped, align=align).read_all()
+    failed, = found.filter(found["error"].is_valid()).to_pylist()
+    assert failed["track"] == 1 and failed["error"] == f"key {len(made[1][0]) - 1}: {FLIPPED}"
+    others = tables.resample(good, align=align).read_all()
+    for track in (0, 2):
+        assert np.array_equal(*(columns(t.filter(pa.compute.equal(t["track"], track)), ["t", *QUATERNION]) for t in (found, others)))
+    apart = tables.resample(flipped, gap=1000.0, align=align).read_all()
+    assert apart["error"].null_count == len(apart) < 10**6
+
+
+def test_a_live_track_goes_on_without_a_flipped_time():
+    pytest.importorskip("pyspark")
+    pandas = pytest.importorskip("pandas")
+    from orispline.spark._live import LiveTrack
+    from orispline.tables._jobs import resampling_of
+    live = LiveTrack(resampling_of({"rate": 100.0, "method": "slerp", "derivatives": 0}), "us", (1,), None)
+    for times in ([0, 1, 10**12], [2, 3]):  # [s]
+        frame = pandas.DataFrame({"track": 1, "t": [t * 10**6 for t in times], **dict(zip(QUATERNION, [0.0, 0.0, 0.0, 1.0]))})
+        live.add(frame)
+        rows = pandas.concat(list(live.samples()))
+        live = LiveTrack(resampling_of({"rate": 100.0, "method": "slerp", "derivatives": 0}), "us", (1,), live.state)
+        assert rows["error"].dropna().tolist() == (["key 2: " + FLIPPED] if 10**12 in times else [])
+    assert rows["t"].max() == 2_990_000  # the sample at 3 s waits for the next key
