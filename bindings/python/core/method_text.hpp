@@ -55,7 +55,8 @@ struct type_caster<orispline::python::MethodText> {
 
   static handle from_cpp(const orispline::python::MethodText& method, rv_policy, cleanup_list*) noexcept {
     try {
-      return method.own ? orispline::python::carrying(method).release() : orispline::python::text(method.words).release();
+      return method.own ? orispline::python::carrying(method).release()
+                        : orispline::python::text(method.words).release();
     } catch (python_error& error) {
       error.restore();
       return {};
