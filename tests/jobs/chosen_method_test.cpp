@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <orispline/families/blending/blending_family.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/jobs/retime.hpp>
 
@@ -25,6 +26,20 @@ TEST(ChosenMethod, IsElseTheOneThatTheKeysAreFor) {
   EXPECT_EQ(text_of(chosen->method), "timed-c2:ends=rest");
   EXPECT_EQ(chosen->by, NamedBy::keys);
   EXPECT_TRUE(chosen->warnings.empty());
+}
+
+TEST(ChosenMethod, SetsAsideOtherBlendingFunctionsOfTheSameName) {
+  const auto family = [](const char* middle) {
+    return BlendingFamily::make({.name = "mine", .title = "", .rows = {{"0", middle, "1"}}}).value();
+  };
+  const Method stated(family("2/5")), same(family("2/5")), other(family("3/5"));
+  Track keys;
+  keys.recipe = recipe_for(stated, keys);
+  EXPECT_TRUE(chosen_method(same, keys, {}).value().warnings.empty());
+  const auto chosen = chosen_method(other, keys, {});
+  ASSERT_EQ(chosen->warnings.size(), 1u);
+  EXPECT_EQ(chosen->warnings.front().message,
+            "these keys are for mine, and they are used for other blending functions of that name");
 }
 
 TEST(ChosenMethod, IsElseTheUsualOne) {

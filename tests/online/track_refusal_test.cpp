@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <online/track_stream.hpp>
+#include <orispline/families/blending/blending_family.hpp>
 #include <orispline/online/state_bytes.hpp>
 #include <support/not_finite.hpp>
 
@@ -17,7 +18,7 @@ std::string refusal(const Expected<T>& result) {
   return result ? "taken" : describe(result.error());
 }
 
-TrackSampler fed(std::string_view method, std::size_t keys, const TrackOptions& options = {}) {
+TrackSampler fed(const Method& method, std::size_t keys, const TrackOptions& options = {}) {
   TrackSampler sampler = TrackSampler::make(method, {.step = 0.1}, options).value();
   EXPECT_TRUE(sampler.append(raw_walk(831, keys)));
   return sampler;
@@ -112,6 +113,17 @@ TEST(TrackSampler, SaysAtWhichKeyOfTheTrackACurveFails) {
   EXPECT_EQ(sampler.prepare().error().where.key, 17u);
 }
 
+/// A family of one's own, with all that its data may say.
+std::shared_ptr<const OwnFamily> own_family() {
+  const BlendingData data{.name = "mine",
+                          .title = "Typed in",
+                          .parameters = {{.name = "tension", .initial = 0.5, .lowest = -2.0, .highest = 2.0}},
+                          .rows = {{"1", "1+a/3", "1", "1"}, {"0", "a/3", "1-b/3", "1"}, {"0", "0", "-b/3", "0"}},
+                          .first = -1,
+                          .ends = "natural"};
+  return BlendingFamily::make(data).value();
+}
+
 /// States of several kinds of tracks.
 std::vector<std::vector<std::byte>> states() {
   std::vector<std::vector<std::byte>> all{TrackSampler::make("auto", {}).value().state(),
@@ -119,7 +131,8 @@ std::vector<std::vector<std::byte>> states() {
                                           fed("auto", 30).state(),
                                           fed("bezier", 12).state(),
                                           fed("rotation-spline", 9).state(),
-                                          fed("timed-c2", 20, {.gap = 0.7}).state()};
+                                          fed("timed-c2", 20, {.gap = 0.7}).state(),
+                                          fed(own_family(), 20).state()};
   TrackSampler settings = TrackSampler::make({"tcb", {.parameters = {{"bias", {}}}}}, {}).value();
   EXPECT_TRUE(settings.append(raw_walk(834, 6), {{"bias", std::vector(6, 0.3)}}));
   all.push_back(settings.state());

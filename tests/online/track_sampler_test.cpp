@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <online/track_stream.hpp>
+#include <orispline/families/blending/blending_family.hpp>
 
 namespace orispline { namespace {
 
@@ -42,6 +43,26 @@ TEST_P(EveryMethodOfTracks, HasTheSamplesOfTheWholeCurveHoweverItsKeysAreCut) {
       EXPECT_TRUE(streamed(TrackSampler::make(GetParam().name, {.step = track_step}).value(), data, {},
                            seed + 100 * cuts) == wanted)
           << seed << ", cuts " << cuts;
+  }
+}
+
+TEST(TrackSampler, HasTheSamplesOfTheWholeCurveOfBlendingFunctionsOfOnesOwn) {
+  const std::vector<std::string> done{"1", "9/10", "1"}, own{"0", "2/5", "1"}, begun{"0", "1/10", "0"};
+  const std::vector<BlendingData> families{
+      {.name = "one", .title = "", .rows = {own}},
+      {.name = "two-behind", .title = "", .rows = {own, begun}, .first = 0},
+      {.name = "two-before", .title = "", .rows = {done, own}, .first = -1},
+      {.name = "three", .title = "", .rows = {done, own, begun}},
+      {.name = "five", .title = "", .rows = {done, done, own, begun, begun}},
+  };
+  const KeyframeData data = posed_walk(805, 60, Spacing::uneven, 1.0);
+  for (const BlendingData& stated : families) {
+    const Method method(BlendingFamily::make(stated).value());
+    const PoseCurve whole = make_pose_curve(method, keyframes(data, Signs::shortest)).value();
+    const TrackSamples wanted = of_whole(whole, whole.orientation.domain().start, track_step);
+    for (const std::uint64_t cuts : {1u, 2u, 3u})
+      EXPECT_TRUE(streamed(TrackSampler::make(method, {.step = track_step}).value(), data, {}, cuts) == wanted)
+          << stated.name << ", cuts " << cuts;
   }
 }
 

@@ -105,7 +105,10 @@ TYPES = {"curve(0.5)": SCALAR, "curve(np.float64(0.5))": SCALAR, "curve(1)": SCA
          "curve.angle_travelled()": "float", "curve.angle_travelled(0.5)": "float", "curve.angle_travelled(t)": ARRAY,
          "curve.motion(0.5, 'left').angular_velocity": ARRAY, "curve.bake(1e-9)(0.5)": "ndarray[tuple[int], dtype[Any]]",
          "stack(0.5)": STACK, "stack.angular_velocity(t)": ARRAY, "online(0.5)": SCALAR, "online(t)": ARRAY,
-         "spline(0.5, 1)": SCALAR, "spline(t, 2)": ARRAY, "curve.sample(rate=100).times": "ndarray[Any, Any]"}
+         "spline(0.5, 1)": SCALAR, "spline(t, 2)": ARRAY, "curve.sample(rate=100).times": "ndarray[Any, Any]",
+         "ori.blending('mine', [[0, 1]], basis='power').with_settings(ends='rest')": "str",
+         "ori.compare(curve.keys, [ori.read_blending('mine.json'), curve, 'auto']).curve().method": "str",
+         "ori.Curve(t, t, ori.blending('mine', np.eye(2))).domain": "tuple[Any, Any]"}
 USE = """
 import numpy as np
 import orispline as ori
@@ -120,6 +123,7 @@ def use(curve: ori.Curve, stack: ori.CurveStack, online: ori.OnlineCurve, spline
 MISTAKES = {"curve.sampel(rate=1)": '"Curve" has no attribute "sampel"', "curve.motion(0.5, 'before')": 'Argument 2 to "motion"',
             "curve.angular_velocity(0.5, frame='camera')": 'No overload variant of "__call__" of "Rate"',
             "ori.Curve(t, t, extrapolate='far')": '"extrapolate" to "Curve"', "ori.Keys(t, t, signs='long')": '"signs" to "Keys"',
+            "ori.blending('mine', t, basis='hermite')": '"basis" to "blending"', "curve.keys.curve(3)": 'Argument 1 to "curve"',
             "ori.tune(1, 'quintic')": 'Argument 1 to "tune"', "spline(t, 4)": 'No overload variant of "__call__"'}
 
 

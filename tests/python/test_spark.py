@@ -137,6 +137,19 @@ def test_evaluation_smoothing_reduction_and_comparison(frame, collected):
                  tables.compare(table, ["slerp", "auto"], keep_every=[2, 4]).read_all(), *order)
 
 
+def test_blending_functions_of_ones_own_go_to_the_workers(frame, collected, tmp_path):
+    from orispline import spark as distributed
+    table = table_of(tracks(12, least=30, seed=2))
+    mine, other = (ori.blending("mine", [[0, middle, 1]]) for middle in (0.4, 0.6))
+    keys = frame(shuffled(table))
+    expect_equal(collected(distributed.resample(keys, rate=20, method=mine)), tables.resample(table, rate=20, method=mine).read_all())
+    expect_equal(collected(distributed.reduce(keys, "2deg", method=mine)), tables.reduce(table, "2deg", method=mine).read_all())
+    place = str(tmp_path / "rounds")
+    distributed.resample_to(keys, place, rounds=1, rate=20, method=mine)
+    with pytest.raises(ori.ArgumentError, match="made with .*0.4.*wanted .*0.6.*name another folder"):
+        distributed.resample_to(keys, place, rounds=1, rate=20, method=other)
+
+
 def test_rounds_that_are_done_are_not_done_again(frame, spark, tmp_path):
     """The job is killed behind some of its rounds."""
     from orispline import spark as distributed

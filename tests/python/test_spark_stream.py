@@ -6,6 +6,7 @@ import subprocess
 import sys
 
 import numpy as np
+import orispline as ori
 import pytest
 from track_data import QUATERNION, columns, rows_of, table_of, tracks
 
@@ -94,6 +95,16 @@ def test_three_triggers_give_the_samples_of_the_batch_job(kind, stream):
     found = live.trigger(third, expected.num_rows, idle=0.01)
     assert 0 < counts[0] < counts[1] < found.num_rows
     assert found.cast(expected.schema).equals(expected)
+
+
+def test_the_state_of_a_track_carries_blending_functions_of_ones_own(stream):
+    table = table_of(tracks(12, least=9))
+    options = {"rate": 50, "method": ori.blending("mine", [[0, "1-a", 1]], parameters={"lag": 0.4}), "lag": 0.3}
+    expected = tables.resample(table, **options).read_all()
+    live = stream(table, **options)
+    for part in thirds(table)[:2]:
+        live.trigger(part)
+    assert live.trigger(thirds(table)[2], expected.num_rows, idle=0.01).cast(expected.schema).equals(expected)
 
 
 def test_keys_that_come_late_are_rows_with_an_error(stream):

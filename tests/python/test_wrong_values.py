@@ -33,13 +33,16 @@ class Calls:
         keys.write("keys.csv")
         curve, online = keys.curve("timed-c2"), ori.OnlineCurve("slerp")
         stack = ori.CurveStack(T, [[q] for q in Q])
+        own = ori.blending("mine", [["0", "1-a", "1"]], parameters={"lag": 0})
+        open("mine.json", "w", encoding="utf-8").write(own.to_json())
         self.functions = {
             "Keys": (ori.Keys, {"times": T, "rotations": Q}), "Keys.from_pandas": (ori.Keys.from_pandas, {"frame": keys.to_pandas()}),
             "Curve": (ori.Curve, {"times": T, "rotations": Q}), "CurveStack": (ori.CurveStack, {"times": T, "rotations": [[q] for q in Q]}),
             "OnlineCurve": (ori.OnlineCurve, {}), "BakedCurve": (ori.BakedCurve, {}), "Scene": (ori.Scene, {}),
             "RotationSpline": (ori.RotationSpline, {"times": T, "rotations": rotations}),
             "Slerp": (ori.Slerp, {"times": T, "rotations": rotations}), "methods": (ori.methods, {}),
-            "read": (ori.read, {"path": "keys.csv"}), "write": (ori.write, {"what": keys, "path": "out.csv"}),
+            "blending": (ori.blending, {"name": "mine", "rows": [[0, 1]]}), "read_blending": (ori.read_blending, {"path": "mine.json"}),
+            "Blending": (ori.Blending, {}), "read": (ori.read, {"path": "keys.csv"}), "write": (ori.write, {"what": keys, "path": "out.csv"}),
             "read_scene": (ori.read_scene, {"path": "nod.bvh"}), "reduce_scene": (ori.reduce_scene, {"scene": scene, "tolerance": "1deg"}),
             "shell_distance": (ori.shell_distance, {"a": scene, "b": scene}), "smooth": (ori.smooth, {"keys": recording}),
             "reduce": (ori.reduce, {"keys": recording, "tolerance": "1deg"}),
@@ -48,7 +51,7 @@ class Calls:
             "compare": (ori.compare, {"keys": recording, "methods": ["slerp"]}), "plot_sphere": (ori.plot_sphere, {"curves": curve}),
             "plot_comparison": (ori.plot_comparison, {"curves": curve})}
         self.objects = {
-            "Keys": keys, "Curve": curve, "CurveStack": stack, "OnlineCurve": online, "BakedCurve": curve.bake(1e-6),
+            "Keys": keys, "Curve": curve, "Blending": own, "CurveStack": stack, "OnlineCurve": online, "BakedCurve": curve.bake(1e-6),
             "RotationSpline": ori.RotationSpline(T, rotations), "Slerp": ori.Slerp(T, rotations), "Samples": stack.sample(rate=2),
             "Scene": scene, "Smoothing": ori.smooth(recording, smoothing_time=0.1), "Reduction": ori.reduce(recording, "1deg"),
             "Retiming": ori.retime(keys, max_rate=1), "Tuning": ori.tune(keys, "quintic"), "Comparison": ori.compare(recording, ["slerp"])}
@@ -120,7 +123,7 @@ def test_all_public_calls_are_walked(calls):
     """A call that comes is walked too: it is in the table above, or it is a method of what stands there."""
     walked = {name for name, _, _ in calls} | NOT_CALLED
     values = {name for name in ori.__all__ if inspect.isclass(getattr(ori, name))} - {name.split(".")[0] for name in walked}
-    assert values <= {"AccessError", "ArgumentError", "Certificate", "Channel", "Clip", "ConvergenceError", "DataError", "DistanceStatistics",
+    assert values <= {"AccessError", "ArgumentError", "BlendingFinding", "Certificate", "Channel", "Clip", "ConvergenceError", "DataError", "DistanceStatistics",
                       "Energies", "Error", "HandleTurn", "KeyStatistics", "Motion", "Peak", "Peaks", "SceneReduction", "ShapeWarning",
                       "Skeleton", "Spread", "Worst"}  # which hold values that were found
     assert {name for name in ori.__all__ if not inspect.isclass(getattr(ori, name))} <= walked

@@ -7,7 +7,6 @@
 #include <nanobind/stl/pair.h>
 
 #include <orispline/analysis.hpp>
-#include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 
 #include "arrays.hpp"
@@ -20,10 +19,10 @@ using namespace nanobind::literals;
 
 namespace orispline::python {
 
-PythonCurve::PythonCurve(Keys keys, const std::string& method_text)
+PythonCurve::PythonCurve(Keys keys, const MethodText& stated)
     : keys_(std::move(keys)),
       method_([&] {
-        Method method = value_of(method_from_text(method_text));
+        Method method = stated.method();
         const FamilyInfo& family = *value_of(family_of_method(method));
         return completed(std::move(method), family, *keys_.track);
       }()),
@@ -32,8 +31,8 @@ PythonCurve::PythonCurve(Keys keys, const std::string& method_text)
         return make_pose_curve(method_, keys_.track->keys);
       }()) {
   if (pose_) return;
-  const std::size_t stated = value_of(method_from_text(method_text)).options.parameters.size();
-  raise(placed(*keys_.track, method_.options.parameters.size() > stated, pose_.error()));
+  const bool has_columns = method_.options.parameters.size() > stated.method().options.parameters.size();
+  raise(placed(*keys_.track, has_columns, pose_.error()));
 }
 
 const CompiledCurve<double>& PythonCurve::compiled() const {
@@ -96,10 +95,11 @@ void add_curve(nb::module_& module) {
   add_analysis(module, curve_class);
   add_baked(module, curve_class);
   add_pictures(module, curve_class);
-  curve_class.def(nb::init<Keys, const std::string&>(), "keys"_a, "method"_a)
+  curve_class.def(nb::init<Keys, const MethodText&>(), "keys"_a, "method"_a)
       .def_prop_ro("keys", &PythonCurve::keys)
-      .def_prop_ro("method", [](const PythonCurve& curve) { return text_of(curve.method()); })
-      .def_prop_ro("name", [](const PythonCurve& curve) { return curve.method().name; })
+      .def_prop_ro("method", [](const PythonCurve& curve) { return MethodText::of(curve.method()); })
+      .def_prop_ro("info",
+                   [](const PythonCurve& curve) { return info_of(*value_of(family_of_method(curve.method()))); })
       .def_prop_ro("has_positions", [](const PythonCurve& curve) { return curve.pose().position.has_value(); })
       .def_prop_ro("domain",
                    [](const PythonCurve& curve) { return std::pair(curve.domain().start, curve.domain().end); })

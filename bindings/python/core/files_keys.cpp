@@ -15,6 +15,7 @@
 #include "errors.hpp"
 #include "files.hpp"
 #include "keys.hpp"
+#include "method_text.hpp"
 #include "text.hpp"
 
 using namespace nanobind::literals;
@@ -58,7 +59,8 @@ nb::tuple origin_of(const Keys& keys) {
   const auto* const as_read = track.as_read.empty() ? nullptr : track.as_read.front().coeffs().data();
   return nb::make_tuple(track.name, track.epoch.to_string(), track.lines, exact_times,
                         as_read ? nb::object(array_of(as_read, track.as_read.size(), 4)) : nb::object(nb::none()),
-                        track.recipe.method, track.recipe.signs == Signs::as_given, track.recipe.line);
+                        track.recipe.method, track.recipe.signs == Signs::as_given, track.recipe.line,
+                        track.recipe.blending ? io::blending_json(*track.recipe.blending) : "");
 }
 
 std::vector<Decimal> decimals_in(std::string_view lines) {
@@ -72,7 +74,7 @@ std::vector<Decimal> decimals_in(std::string_view lines) {
 
 Keys from(const Keys& keys, const std::string& name, const std::string& epoch, const std::vector<std::uint32_t>& lines,
           const std::string& exact_times, const std::optional<Rows4>& as_read, const std::string& method,
-          bool signs_as_given, std::size_t line) {
+          bool signs_as_given, std::size_t line, const std::string& blending) {
   Track track = *keys.track;
   track.name = name;
   track.epoch = value_of(Decimal::parse(epoch));
@@ -80,6 +82,8 @@ Keys from(const Keys& keys, const std::string& name, const std::string& epoch, c
   track.exact_times = decimals_in(exact_times);
   if (as_read) track.as_read = rows_of<Eigen::Quaterniond>(*as_read);
   track.recipe = {.method = method, .signs = signs_as_given ? Signs::as_given : Signs::shortest, .line = line};
+  if (!blending.empty())
+    track.recipe.blending = std::make_shared<const BlendingData>(value_of(io::blending_from_json(blending)));
   return shared(std::move(track));
 }
 
@@ -92,19 +96,19 @@ Keys since(const Keys& keys, const std::string& epoch) {
 
 /// The method that the keys are for, `otherwise` where the file names none, but for what these names say otherwise and
 /// with these rules for its ends.
-std::string method_for(const Keys& keys, const std::vector<std::string>& names, const std::string& otherwise,
-                       const std::optional<std::string>& ends) {
+MethodText method_for(const Keys& keys, const std::vector<std::string>& names, const std::string& otherwise,
+                      const std::optional<std::string>& ends) {
   const Track& track = *keys.track;
   auto stated = method_of(track.recipe, track.name);
   if (!stated) raise(in_words(stated.error()));
   Method method = *stated ? std::move(**stated) : value_of(method_from_text(otherwise));
   method = without(std::move(method), names);
-  return text_of(ends ? value_of(with_ends(std::move(method), *ends)) : method);
+  return MethodText::of(ends ? value_of(with_ends(std::move(method), *ends)) : method);
 }
 
 /// What is to be said where keys of one method's curve are used for another.
-nb::list set_aside(const Keys& keys, const std::string& method) {
-  return told(value_of(jobs::chosen_method(value_of(method_from_text(method)), *keys.track, {})).warnings);
+nb::list set_aside(const Keys& keys, const MethodText& method) {
+  return told(value_of(jobs::chosen_method(method.method(), *keys.track, {})).warnings);
 }
 
 nb::object spread_of(const std::optional<Spread>& spread) {
@@ -129,7 +133,7 @@ void add_key_origins(nb::module_& module) {
   module.def("part_of_keys", &part_of, "keys"_a, "indices"_a);
   module.def("origin_of_keys", &origin_of, "keys"_a);
   module.def("keys_from", &from, "keys"_a, "name"_a, "epoch"_a, "lines"_a, "exact_times"_a, "as_read"_a.none(),
-             "method"_a, "signs_as_given"_a, "line"_a);
+             "method"_a, "signs_as_given"_a, "line"_a, "blending"_a = "");
   module.def("keys_since", &since, "keys"_a, "epoch"_a);
   module.def("method_for_keys", &method_for, "keys"_a, "names"_a, "otherwise"_a, "ends"_a.none());
   module.def("recipe_set_aside", &set_aside, "keys"_a, "method"_a);

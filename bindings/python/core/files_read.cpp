@@ -70,9 +70,8 @@ io::ReadOptions read_for(std::span<const FamilyInfo* const> families, io::ReadOp
   return options;
 }
 
-/// With the columns that any method takes: which one the keys are for is not known yet.
-io::ReadOptions read_for_all(io::ReadOptions options) {
-  std::vector<const FamilyInfo*> families;
+/// With the columns that any method takes, those too that are `named`: which one the keys are for is not known yet.
+io::ReadOptions read_for_all(std::vector<const FamilyInfo*> families, io::ReadOptions options) {
   for (const FamilyInfo& family : families_info()) families.push_back(&family);
   options = read_for(families, std::move(options));
   options.rate_orders = all_rate_orders;
@@ -97,11 +96,11 @@ Expected<io::TrackFile> read_keys(const std::string& path, io::Reading reading) 
   if (!input) return tl::unexpected(std::move(input.error()));
   const auto method = method_of(input->recipe(), path);
   if (!method) return tl::unexpected(method.error());
-  auto file = io::read_track(std::move(*input), read_for_all(reading.options), reading.signs);
-  const bool is_whole = file && (!has_more_than_motion(*file) || file->repairs.invalid_dropped == 0);
-  if (is_whole || path == io::standard_stream) return file;
   std::vector<const FamilyInfo*> named;
   if (*method) named.push_back(*family_of_method(**method));
+  auto file = io::read_track(std::move(*input), read_for_all(named, reading.options), reading.signs);
+  const bool is_whole = file && (!has_more_than_motion(*file) || file->repairs.invalid_dropped == 0);
+  if (is_whole || path == io::standard_stream) return file;
   auto plain = io::read_track(path, read_for(named, std::move(reading.options)), reading.signs);
   if (!plain || (file && file->track.keys.size() == plain->track.keys.size())) return file ? file : plain;
   plain->warnings.push_back(

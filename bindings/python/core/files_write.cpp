@@ -14,6 +14,7 @@
 #include "errors.hpp"
 #include "files.hpp"
 #include "keys.hpp"
+#include "method_text.hpp"
 #include "text.hpp"
 
 namespace nb = nanobind;
@@ -26,14 +27,12 @@ namespace {
 constexpr int highest_order = 3;  // of rates that keys may have
 
 /// The keys as those of a method's curve, with what it has of its own for each of them as columns.
-Expected<Track> for_method(Track track, const std::string& text) {
-  return method_from_text(text).and_then([&](Method method) {
-    return family_of_method(method).map([&](const FamilyInfo* family) {
-      method = completed(std::move(method), *family, track);
-      track.settings = settings_per_key(method, track.keys.size());
-      track.recipe = recipe_for(method, track);
-      return std::move(track);
-    });
+Expected<Track> for_method(Track track, Method method) {
+  return family_of_method(method).map([&](const FamilyInfo* family) {
+    method = completed(std::move(method), *family, track);
+    track.settings = settings_per_key(method, track.keys.size());
+    track.recipe = recipe_for(method, track);
+    return std::move(track);
   });
 }
 
@@ -70,7 +69,8 @@ Expected<std::vector<Warning>> write_track(Track track, const std::string& path,
 
 /// Warnings, as texts.
 nb::list write(const Keys& keys, const std::string& path, const io::StatedOptions& stated, const std::string& like,
-               const std::optional<std::string>& method) {
+               const std::optional<MethodText>& stated_method) {
+  const auto method = stated_method ? std::optional(stated_method->method()) : std::nullopt;
   auto warnings = [&]() -> Expected<std::vector<Warning>> {
     const nb::gil_scoped_release release;
     auto track = method ? for_method(*keys.track, *method) : Expected<Track>(*keys.track);

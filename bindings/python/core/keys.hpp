@@ -21,6 +21,7 @@ struct Keys {
 void add_keys(nanobind::module_& module);
 void add_curve(nanobind::module_& module);
 void add_methods(nanobind::module_& module);
+void add_blending(nanobind::module_& module);
 void add_online(nanobind::module_& module);
 void add_stack(nanobind::module_& module);
 void add_tracks(nanobind::module_& module);

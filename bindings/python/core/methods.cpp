@@ -9,7 +9,7 @@
 
 #include "errors.hpp"
 #include "keys.hpp"
-#include "text.hpp"
+#include "method_text.hpp"
 
 namespace nb = nanobind;
 using namespace nanobind::literals;
@@ -40,6 +40,8 @@ nb::list words_of(std::span<const std::string_view> words) {
   return list;
 }
 
+}  // namespace
+
 nb::typed<nb::dict, nb::str, nb::any> info_of(const FamilyInfo& family) {
   nb::typed<nb::dict, nb::str, nb::any> info;
   nb::dict choices;
@@ -63,8 +65,6 @@ nb::typed<nb::dict, nb::str, nb::any> info_of(const FamilyInfo& family) {
   return info;
 }
 
-}  // namespace
-
 void add_methods(nb::module_& module) {
   module.def("methods", [] {
     nb::typed<nb::list, nb::typed<nb::dict, nb::str, nb::any>> list;
@@ -72,9 +72,13 @@ void add_methods(nb::module_& module) {
     return list;
   });
   module.def(
-      "method_texts", [](const std::string& typed) { return value_of(method_texts_in(typed)); }, "typed"_a);
-  module.def(
-      "method_info", [](const std::string& name) { return info_of(*value_of(find_family(name))); }, "name"_a);
+      "method_texts",
+      [](const std::string& typed, const std::vector<Blending>& blendings) {
+        std::vector<std::shared_ptr<const OwnFamily>> own;
+        for (const Blending& blending : blendings) own.push_back(blending.family);
+        return value_of(method_texts_in(typed, own));
+      },
+      "typed"_a, "blendings"_a);
 }
 
 }  // namespace orispline::python

@@ -12,6 +12,7 @@ NB_MODULE(_core, module) {
   orispline::python::add_keys(module);
   orispline::python::add_curve(module);
   orispline::python::add_methods(module);
+  orispline::python::add_blending(module);
   orispline::python::add_online(module);
   orispline::python::add_stack(module);
   orispline::python::add_tracks(module);

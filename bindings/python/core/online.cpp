@@ -8,13 +8,13 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/vector.h>
 
-#include <orispline/families/method_text.hpp>
 #include <orispline/streams.hpp>
 
 #include "arrays.hpp"
 #include "errors.hpp"
 #include "sample_memory.hpp"
 #include "keys.hpp"
+#include "method_text.hpp"
 #include "text.hpp"
 
 using namespace nanobind::literals;
@@ -27,9 +27,9 @@ using Four = nb::ndarray<const double, nb::shape<4>, nb::c_contig, nb::device::c
 using Three = nb::ndarray<const double, nb::shape<3>, nb::c_contig, nb::device::cpu>;
 
 /// `with_keys`: the settings that come with the keys.
-OnlineCurve made(const std::string& text, const std::vector<std::string>& with_keys, std::size_t capacity,
+OnlineCurve made(const MethodText& stated, const std::vector<std::string>& with_keys, std::size_t capacity,
                  const std::string& signs) {
-  Method method = value_of(method_from_text(text));
+  Method method = stated.method();
   for (const std::string& name : with_keys) method.options.parameters.insert({name, {}});
   return value_of(OnlineCurve::make(method, capacity, signs == "as-given" ? Signs::as_given : Signs::shortest));
 }

@@ -13,14 +13,15 @@
 #include <orispline/curve/path.hpp>
 
 #include "keys.hpp"
+#include "method_text.hpp"
 
 namespace orispline::python {
 
 /// A curve as Python holds it, with its keys and its method.
 class PythonCurve {
  public:
-  /// Of a method in its text form. Raises the errors of make_pose_curve().
-  PythonCurve(Keys keys, const std::string& method_text);
+  /// Raises the errors of a method that there is not, and of make_pose_curve().
+  PythonCurve(Keys keys, const MethodText& stated);
 
   [[nodiscard]] const Keys& keys() const noexcept { return keys_; }
   [[nodiscard]] const Method& method() const noexcept { return method_; }

@@ -159,7 +159,7 @@ jobs::ClipFile file_of(const scenes::Scene& scene) {
           .is_single_precise = scene.format->holds_floats};
 }
 
-nb::tuple reduce_scene(const SharedScene& shared, const std::string& method, const nb::dict& stated, bool closed,
+nb::tuple reduce_scene(const SharedScene& shared, const MethodText& method, const nb::dict& stated, bool closed,
                        std::optional<double> position_scale, unsigned threads) {
   scenes::Scene scene = *shared.scene;
   jobs::ReduceSceneRequest request{.file = file_of(scene),
@@ -168,7 +168,7 @@ nb::tuple reduce_scene(const SharedScene& shared, const std::string& method, con
                                    .options = options_in<ClipReduceOptions>(stated),
                                    .position_scale = position_scale,
                                    .threads = threads};
-  request.options.method = method == cubicspline_method ? Method{method} : value_of(method_from_text(method));
+  request.options.method = method.words == cubicspline_method ? Method{method.words} : method.method();
   request.options.closed = closed;
   auto outcome = value_of(interruptible([&](const Progress&) { return jobs::reduce_scene(std::move(request)); }));
   scene.clips = outcome.clips();

@@ -11,10 +11,9 @@ namespace nb = nanobind;
 
 namespace orispline::python {
 
-jobs::ChosenMethod method_chosen(const std::optional<std::string>& stated, const Track& keys,
+jobs::ChosenMethod method_chosen(const std::optional<MethodText>& stated, const Track& keys,
                                  const jobs::UsualMethod& usual) {
-  std::optional<Method> named;
-  if (stated) named = value_of(method_from_text(*stated));
+  const auto named = stated ? std::optional(stated->method()) : std::nullopt;
   return value_of(jobs::chosen_method(named, keys, usual));
 }
 

@@ -7,13 +7,13 @@
 
 #include <nanobind/nanobind.h>
 
-#include <orispline/families/method_text.hpp>
 #include <orispline/jobs.hpp>
 #include <orispline/pages.hpp>
 
 #include "arrays.hpp"
 #include "fields.hpp"
 #include "keys.hpp"
+#include "method_text.hpp"
 
 namespace orispline::python {
 
@@ -28,7 +28,7 @@ void add_scenes(nanobind::module_& module);
 inline Keys shared(Track track) { return {std::make_shared<const Track>(std::move(track))}; }
 
 /// That of its text, else as jobs::chosen_method() chooses. Raises the library's errors.
-jobs::ChosenMethod method_chosen(const std::optional<std::string>& stated, const Track& keys,
+jobs::ChosenMethod method_chosen(const std::optional<MethodText>& stated, const Track& keys,
                                  const jobs::UsualMethod& usual);
 
 /// A recording; null where there is none.

@@ -28,21 +28,27 @@ std::vector<Decimation> decimations_in(const Decimations& stated) {
   return decimations;
 }
 
-std::vector<jobs::LabelledMethod> methods_in(const std::vector<std::string>& texts) {
+std::vector<jobs::LabelledMethod> methods_in(const std::vector<MethodText>& texts) {
   std::vector<jobs::LabelledMethod> methods;
-  for (const std::string& label : texts) methods.push_back({label, value_of(method_from_text(label))});
+  for (const MethodText& one : texts) methods.push_back({one.words, one.method()});
   return methods;
 }
 
+std::vector<std::string> words_of(const std::vector<MethodText>& texts) {
+  std::vector<std::string> words;
+  for (const MethodText& one : texts) words.push_back(one.words);
+  return words;
+}
+
 CompareOutcome compared(const Keys& keys, const std::optional<Keys>& reference, const Decimations& decimations,
-                        const std::optional<std::vector<std::string>>& texts, bool tune, const std::string& sort,
+                        const std::optional<std::vector<MethodText>>& texts, bool tune, const std::string& sort,
                         const nb::dict& measured, unsigned threads) {
   jobs::CompareRequest request{
       .keys = keys.track,
       .reference = reference_in(reference),
       .decimations = decimations_in(decimations),
       .methods = texts ? methods_in(*texts) : jobs::all_methods(),
-      .named = texts.value_or(std::vector<std::string>()),
+      .named = texts ? words_of(*texts) : std::vector<std::string>(),
       .tune = tune,
       .measured = options_in<MeasureOptions>(measured),
       .has_inertia = measured.contains("inertia") && !nb::object(measured["inertia"]).is_none(),
@@ -66,9 +72,9 @@ nb::list infos_of(const CompareOutcome& outcome) {
 }
 
 /// The text of each row's method, with the values that were tuned.
-std::vector<std::string> texts_of(const CompareOutcome& outcome) {
-  std::vector<std::string> texts;
-  for (const ComparedMethod& method : outcome.methods) texts.push_back(text_of(method.candidate.method));
+std::vector<MethodText> texts_of(const CompareOutcome& outcome) {
+  std::vector<MethodText> texts;
+  for (const ComparedMethod& method : outcome.methods) texts.push_back(MethodText::of(method.candidate.method));
   return texts;
 }
 

@@ -20,13 +20,13 @@ namespace {
 using jobs::ReduceOutcome;
 
 std::vector<ReduceOutcome> reduced(const std::vector<Keys>& recordings,
-                                   const std::optional<std::vector<std::string>>& methods, const nb::dict& options,
+                                   const std::optional<std::vector<MethodText>>& methods, const nb::dict& options,
                                    const std::optional<nb::dict>& smoothing, unsigned threads) {
   jobs::ReduceRequest request{.recordings = {}, .options = options_in<ReduceOptions>(options), .threads = threads};
   for (const Keys& keys : recordings) request.recordings.push_back(keys.track);
   if (methods) {
     request.methods.clear();
-    for (const std::string& words : *methods) request.methods.push_back(value_of(method_from_text(words)));
+    for (const MethodText& one : *methods) request.methods.push_back(one.method());
   }
   if (smoothing) {
     request.smoothing = options_in<SmoothOptions>(*smoothing);
@@ -59,7 +59,7 @@ std::optional<jobs::SmoothOutcome> smoothing_of(const ReduceOutcome& outcome) {
 void add_reduce(nb::module_& module) {
   auto outcome_class = nb::class_<ReduceOutcome>(module, "Reduction");
   outcome_class.def_prop_ro("keys", [](const ReduceOutcome& outcome) { return shared(outcome.chosen().track); })
-      .def_prop_ro("method", [](const ReduceOutcome& outcome) { return text(text_of(outcome.chosen().method)); })
+      .def_prop_ro("method", [](const ReduceOutcome& outcome) { return MethodText::of(outcome.chosen().method); })
       .def_prop_ro("smoothing", &smoothing_of)
       .def("attributes", &attributes_of_reduction);
   add_words(outcome_class);

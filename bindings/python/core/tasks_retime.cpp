@@ -17,7 +17,7 @@ namespace {
 
 using jobs::RetimeOutcome;
 
-RetimeOutcome retimed(const Keys& keys, const std::optional<std::string>& method, const nb::dict& stated) {
+RetimeOutcome retimed(const Keys& keys, const std::optional<MethodText>& method, const nb::dict& stated) {
   jobs::RetimeRequest request{.keys = keys.track,
                               .method = method_chosen(method, *keys.track, jobs::usual_retimed),
                               .options = options_in<RetimeOptions>(stated)};
@@ -40,7 +40,7 @@ nb::dict attributes_of_retiming(const RetimeOutcome& outcome) {
 void add_retime(nb::module_& module) {
   auto outcome_class = nb::class_<RetimeOutcome>(module, "Retiming");
   outcome_class.def_prop_ro("keys", [](const RetimeOutcome& outcome) { return shared(outcome.retiming.track); })
-      .def_prop_ro("method", [](const RetimeOutcome& outcome) { return text(text_of(outcome.retiming.method)); })
+      .def_prop_ro("method", [](const RetimeOutcome& outcome) { return MethodText::of(outcome.retiming.method); })
       .def("attributes", &attributes_of_retiming);
   add_words(outcome_class);
   add_report(outcome_class);

@@ -38,7 +38,7 @@ std::optional<FloatArray> sigmas_of(const SmoothOutcome& outcome, std::vector<Ei
 void add_smooth(nb::module_& module) {
   auto outcome_class = nb::class_<SmoothOutcome>(module, "Smoothing");
   outcome_class.def_prop_ro("keys", [](const SmoothOutcome& outcome) { return shared(outcome.smoothing.track); })
-      .def_prop_ro("method", [](const SmoothOutcome& outcome) { return text(text_of(outcome.smoothing.method)); })
+      .def_prop_ro("method", [](const SmoothOutcome& outcome) { return MethodText::of(outcome.smoothing.method); })
       .def("attributes", [](const SmoothOutcome& outcome) { return attributes_of(outcome.smoothing); })
       .def_prop_ro("sigma", [](const SmoothOutcome& outcome) { return sigmas_of(outcome, &NodeSigmas::orientations); })
       .def_prop_ro("sigma_of_rates",

@@ -18,7 +18,7 @@ namespace {
 
 using jobs::TuneOutcome;
 
-TuneOutcome tuned(const Keys& keys, const std::string& method, const std::optional<Keys>& reference,
+TuneOutcome tuned(const Keys& keys, const MethodText& method, const std::optional<Keys>& reference,
                   const nb::dict& stated) {
   jobs::TuneRequest request{.keys = keys.track,
                             .method = method_chosen(method, *keys.track, jobs::usual_tuned),
@@ -44,7 +44,7 @@ nb::dict attributes_of_tuning(const TuneOutcome& outcome) {
 void add_tune(nb::module_& module) {
   auto outcome_class = nb::class_<TuneOutcome>(module, "Tuning");
   outcome_class.def_prop_ro("keys", [](const TuneOutcome& outcome) { return shared(outcome.tuning.track); })
-      .def_prop_ro("method", [](const TuneOutcome& outcome) { return text(text_of(outcome.tuning.method)); })
+      .def_prop_ro("method", [](const TuneOutcome& outcome) { return MethodText::of(outcome.tuning.method); })
       .def("attributes", &attributes_of_tuning);
   add_words(outcome_class);
   module.def("tune", &tuned, "keys"_a, "method"_a, "reference"_a.none(), "options"_a);

@@ -9,13 +9,13 @@
 #include <nanobind/stl/vector.h>
 
 #include <orispline/base/decimal.hpp>
-#include <orispline/families/method_text.hpp>
 #include <orispline/streams.hpp>
 
 #include "arrays.hpp"
 #include "errors.hpp"
 #include "interruption.hpp"
 #include "keys.hpp"
+#include "method_text.hpp"
 #include "quantity.hpp"
 #include "text.hpp"
 
@@ -137,7 +137,7 @@ struct Wanted {
   }
 };
 
-TrackBatch batch_of(const std::string& method, const Offsets& offsets, const std::vector<Numbers>& columns,
+TrackBatch batch_of(const MethodText& method, const Offsets& offsets, const std::vector<Numbers>& columns,
                     const std::string& rate, bool at_multiples, std::optional<double> gap, unsigned threads) {
   const KeyColumns keys{columns};
   keys.check();
@@ -145,7 +145,7 @@ TrackBatch batch_of(const std::string& method, const Offsets& offsets, const std
                             .times = keys[0],
                             .orientations = {keys[1], keys[2], keys[3], keys[4]},
                             .positions = {keys[5], keys[6], keys[7]}};
-  const Method made = value_of(method_from_text(method));
+  const Method made = method.method();
   const TrackGrid grid = grid_of(rate, at_multiples);
   return value_of(interruptible([&](const Progress& progress) {
     return TrackBatch::make(made, tracks, grid, {.gap = gap}, {.threads = threads}, progress);
@@ -175,9 +175,9 @@ nb::list take_of_batch(TrackBatch& batch, std::size_t count, unsigned derivative
       });
 }
 
-TrackSampler sampler_of(const std::string& method, const std::string& rate, bool at_multiples,
+TrackSampler sampler_of(const MethodText& method, const std::string& rate, bool at_multiples,
                         std::optional<double> gap) {
-  return value_of(TrackSampler::make(value_of(method_from_text(method)), grid_of(rate, at_multiples), {.gap = gap}));
+  return value_of(TrackSampler::make(method.method(), grid_of(rate, at_multiples), {.gap = gap}));
 }
 
 /// Until the first key that is refused.

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _core
 from ._baked import BakedCurve
+from ._blending import Blending, BlendingFinding, blending, read_blending
 from ._curve import Curve
 from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error, ShapeWarning
 from ._files import write
@@ -32,11 +33,11 @@ if TYPE_CHECKING:
     from ._scenes import read_scene, reduce_scene, shell_distance
     from ._tasks import reduce, reduce_tracks, retime, smooth, tune
 
-__all__ = ["AccessError", "ArgumentError", "BakedCurve", "Certificate", "Channel", "Clip", "Comparison", "ConvergenceError", "Curve",
+__all__ = ["AccessError", "ArgumentError", "BakedCurve", "Blending", "BlendingFinding", "Certificate", "Channel", "Clip", "Comparison", "ConvergenceError", "Curve",
            "CurveStack", "DataError", "DistanceStatistics", "Energies", "Error", "HandleTurn", "KeyStatistics", "Keys", "Motion", "OnlineCurve",
            "Peak", "Peaks", "Reduction", "Retiming", "RotationSpline", "Samples", "Scene", "SceneReduction", "ShapeWarning",
-           "Skeleton", "Slerp", "Smoothing", "Spread", "Tuning", "Worst", "compare", "methods", "plot_comparison", "plot_sphere",
-           "read", "read_scene", "reduce", "reduce_scene", "reduce_tracks", "retime", "shell_distance", "smooth", "tune", "write"]
+           "Skeleton", "Slerp", "Smoothing", "Spread", "Tuning", "Worst", "blending", "compare", "methods", "plot_comparison", "plot_sphere",
+           "read", "read_blending", "read_scene", "reduce", "reduce_scene", "reduce_tracks", "retime", "shell_distance", "smooth", "tune", "write"]
 __version__: str = _core.version
 
 # Tasks and measures are imported when they are first asked for, so that a curve does not wait for them.

@@ -16,11 +16,13 @@ from ._errors import ArgumentError, tell
 from ._files import Path, path_text
 from ._html import table
 from ._keys import Keys
-from ._options import checked_keys, checked_threads, method_words, new_keys, plain, reference_of
+from ._methods import method_words
+from ._options import checked_keys, checked_threads, new_keys, plain, reference_of
 from ._results import now
 
 if TYPE_CHECKING:
     from ._curve import Curve
+    from ._types import Method
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -112,18 +114,19 @@ def _decimations(keep_every: Any, jitter: bool, random: int | None, reference: K
     return [plain({"keep_every": step, "spacing": spacing, "seed": random}) for step in steps]
 
 
-def _texts(methods: Sequence[str] | str | None) -> list[str] | None:
+def _texts(methods: Sequence[Method] | Method | None) -> list[str] | None:
     if methods is None:
         return None
-    if not isinstance(methods, Iterable):
+    given: Any = [methods] if isinstance(methods, str) or hasattr(methods, "method") else methods
+    if not isinstance(given, Iterable):
         raise wrong_type("methods", methods, "a method, or a list of them")
-    texts = [method_words(method) for method in ([methods] if isinstance(methods, str) else methods)]
+    texts = [method_words(method) for method in given]
     if not texts or len(set(texts)) < len(texts):
         raise ArgumentError(f"methods: found {methods!r}, wanted one at least, and none twice")
     return texts
 
 
-def compare(keys: Keys, methods: Sequence[str] | str | None = None, *, reference: Keys | None = None,
+def compare(keys: Keys, methods: Sequence[Method] | Method | None = None, *, reference: Keys | None = None,
             keep_every: int | Sequence[int] = 8, jitter: bool = False, random: int | None = None, inertia: Any = None,
             leave_out: bool = False, least_energy: bool = True, tune: bool = False, sort: str = "rms",
             threads: int = 0) -> Comparison:
@@ -133,8 +136,8 @@ def compare(keys: Keys, methods: Sequence[str] | str | None = None, *, reference
     ----------
     keys : Keys
         A recording, of which some samples become keys; with `reference` the keys themselves.
-    methods : str or list of str, optional
-        Methods in their text form, such as `"quintic:tension=0.6"`. Without it all.
+    methods : str, Blending or Curve, or a list of them, optional
+        Methods in their text form, such as `"quintic:tension=0.6"`, and of one's own. Without it all.
     reference : Keys, optional
         Dense recording that curves through all of `keys` are compared with; `keep_every` then plays no part.
     keep_every : int or list of int

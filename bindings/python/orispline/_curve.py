@@ -10,12 +10,14 @@ from numpy.typing import NDArray
 from . import _core
 from ._arrays import Array, inertia_tensor, numbers, output, sample_rows
 from ._baked import BakedCurve, baked
+from ._blending import Blending
 from ._checks import check_number, flag, in_world, index_of, rate_text, real, thread_count, whole
 from ._clock import Clock
 from ._errors import ArgumentError, DataError
 from ._forms import quaternions
 from ._keys import Keys
 from ._looks import Looks
+from ._methods import blending_of
 from ._orienting import Orienting
 from ._samples import Motion, Samples, samples_of
 from ._types import quantity, rate
@@ -26,7 +28,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from ._measures import DistanceStatistics, Energies, HandleTurn, Peaks
-    from ._types import AngleUnit, Extrapolate, Frame, Rate, Side, Signs, Time, TimeUnit, Vector
+    from ._types import AngleUnit, Extrapolate, Frame, Method, Rate, Side, Signs, Time, TimeUnit, Vector
 
 BEYOND = tuple(_core.extrapolations())
 SIDES = ("right", "left")
@@ -45,9 +47,10 @@ class Curve(Looks, Orienting):
     ----------
     times, rotations
         As of `Keys`, which also says what the other arguments for keys mean. Or the first is a `Keys`, which has had them all.
-    method : str, optional
-        A method by name (`orispline.methods()` lists them), or by its text form, `"quintic:tension=0.6"`. Without it
-        that of the file which the keys are from, if it names one, else `auto`.
+    method : str, Blending or Curve, optional
+        A method by name (`orispline.methods()` lists them), or by its text form, `"quintic:tension=0.6"`; blending functions
+        of one's own (`orispline.blending`); or a curve, whose method it is. Without it that of the file which the keys are
+        from, if it names one, else `auto`.
     ends : str or (str, str), optional
         End rule for both ends, or for each.
     start_rate, end_rate : (3,) arrays, optional
@@ -85,7 +88,7 @@ class Curve(Looks, Orienting):
 
     __slots__ = ("_beyond", "_clock", "_core", "_keys", "_plain", "_scalar_first")
 
-    def __init__(self, times: Any, rotations: Any = None, method: str | None = None, *,
+    def __init__(self, times: Any, rotations: Any = None, method: Method | None = None, *,
                  ends: str | tuple[str, str] | None = None, start_rate: Any = None, end_rate: Any = None,
                  closed: bool = False, period: float | None = None, extrapolate: Extrapolate = "hold",
                  positions: Any = None, angular_velocities: Any = None, angular_accelerations: Any = None,
@@ -99,7 +102,7 @@ class Curve(Looks, Orienting):
                    "angle_unit": angle_unit, "drop_invalid": drop_invalid, "drop_duplicates": drop_duplicates, "sort": sort,
                    "time_unit": time_unit}
         given = {name: value for name, value in of_keys.items() if value is not None}
-        if isinstance(times, Keys) and isinstance(rotations, str):
+        if isinstance(times, Keys) and isinstance(rotations, (str, Blending)):
             raise TypeError(f"rotations: found {rotations!r} beside Keys, wanted method={rotations!r}")
         if isinstance(times, Keys) and given:
             raise TypeError(f"{next(iter(given))}: found {', '.join(given)} beside Keys, wanted them with the Keys: Keys(times, rotations, …)")
@@ -127,12 +130,18 @@ class Curve(Looks, Orienting):
     @property
     def method(self) -> str:
         """The method in its text form, with the settings that are not its defaults."""
-        return str(self._core.method)
+        method: str = self._core.method
+        return method
 
     @property
     def info(self) -> dict[str, Any]:
         """What the registry says of the method."""
-        return dict(_core.method_info(self._core.name))
+        return dict(self._core.info)
+
+    @property
+    def blending(self) -> Blending | None:
+        """The blending functions of one's own that the method is of; None for a method that `orispline.methods()` lists."""
+        return blending_of(self._core.method)
 
     @property
     def domain(self) -> tuple[Any, Any]:

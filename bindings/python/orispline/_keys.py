@@ -9,20 +9,21 @@ import numpy as np
 
 from . import _core
 from ._arrays import Array, array_of, numbers, same
-from ._checks import ends_text, flag, index_of, method_text, wrong_type
+from ._checks import flag, index_of, wrong_type
 from ._clock import Clock, times_of_keys
 from ._columns import VECTORS, Columns, arguments_of, as_arrow, as_pandas, columns_of, named
 from ._errors import ArgumentError, DataError, tell
 from ._files import Options, Writable, write
 from ._forms import of_euler, poses
 from ._mending import Indices, Mending, scaled
+from ._methods import ends_text, method_text
 
 if TYPE_CHECKING:
     import decimal
 
     from ._curve import Curve
     from ._measures import KeyStatistics
-    from ._types import AngleUnit, Signs, TimeUnit
+    from ._types import AngleUnit, Method, Signs, TimeUnit
 
 SIGNS = ("shortest", "as-given")
 SIGNS_AS_GIVEN = 6  # of origin_of_keys()
@@ -244,7 +245,7 @@ class Keys(Writable):
         return KeyStatistics(span, Spread(*spacing) if spacing else None, Spread(*step) if step else None,
                              tuple(near_half_turns))
 
-    def curve(self, method: str | None = None, **options: Any) -> Curve:
+    def curve(self, method: Method | None = None, **options: Any) -> Curve:
         """The curve of a method through these keys: `Curve(keys, method=method, **options)`. Without a method that of
         the file which the keys are from, if it names one, else `auto`."""
         return self._curve_class(self, method=method, **options)
@@ -289,7 +290,7 @@ class Keys(Writable):
     def _write_as(self, path: str, options: Options, method: str | None = None) -> None:
         tell(_core.write_keys(self._core, path, options, self._read("format", ""), method))
 
-    def _method_text(self, method: str | None, ends: Any, start_rate: Any, end_rate: Any, closed: bool,
+    def _method_text(self, method: Method | None, ends: Any, start_rate: Any, end_rate: Any, closed: bool,
                      period: float | None, settings: Mapping[str, Any]) -> str:
         """The method's text form; without one that of the file, as far as nothing else is said."""
         shape = {"ends": ends, "start_rate": start_rate, "end_rate": end_rate, "closed": closed or None, "period": period}

@@ -8,17 +8,18 @@ import numpy as np
 
 from . import _core
 from ._arrays import Array, array_of, numbers
-from ._checks import flag, index_of, method_text, real
+from ._checks import flag, index_of, real
 from ._clock import Clock, times_of_keys
 from ._errors import ArgumentError
 from ._forms import quaternions
 from ._keys import SIGNS
+from ._methods import method_text
 from ._samples import Motion
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from ._types import Signs, Time, TimeUnit, Vector
+    from ._types import Method, Signs, Time, TimeUnit, Vector
 
 
 class OnlineCurve:
@@ -32,8 +33,8 @@ class OnlineCurve:
 
     Parameters
     ----------
-    method : str
-        A local method by name or in its text form.
+    method : str, Blending or Curve
+        A local method, as of `Curve`.
     capacity : int
         How many ends of final segments stay available, the newest: 2 to 1000000.
     ends, start_rate, end_rate, **settings
@@ -61,7 +62,7 @@ class OnlineCurve:
 
     __slots__ = ("_clock", "_core", "_last", "_lock", "_method", "_scalar_first", "_time_unit")
 
-    def __init__(self, method: str = "timed-c2", capacity: int = 64, *, ends: str | tuple[str, str] | None = None,
+    def __init__(self, method: Method = "timed-c2", capacity: int = 64, *, ends: str | tuple[str, str] | None = None,
                  start_rate: Any = None, end_rate: Any = None, signs: Signs = "shortest", scalar_first: bool = False,
                  time_unit: TimeUnit | None = None, **settings: Any) -> None:
         index_of("signs", signs, SIGNS)

@@ -60,14 +60,6 @@ def checked_threads(threads: Any) -> int:
     return int(threads)
 
 
-def method_words(method: Any) -> str:
-    """The text form of a method, which may be that of a curve."""
-    words = getattr(method, "method", method)
-    if not isinstance(words, str):
-        raise TypeError(f"method: found {type(method).__name__}, wanted a name such as 'auto', or a curve")
-    return words
-
-
 def reference_of(keys: Keys, reference: Keys | None) -> Any:
     """A reference as the library takes it, which brings its times and those of the keys together by their epochs."""
     if reference is None:

@@ -8,7 +8,8 @@ from . import _core
 from ._checks import flag
 from ._errors import ArgumentError, tell
 from ._files import Path, path_text
-from ._options import checked_threads, method_words, plain, takes
+from ._methods import method_words
+from ._options import checked_threads, plain, takes
 from ._scene import Scene, SceneReduction, positive
 
 TOLERANCES = ("tolerance", "position_tolerance", "world_tolerance")
@@ -66,7 +67,7 @@ def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspl
     Parameters
     ----------
     scene : Scene
-    method : str or Curve
+    method : str, Blending or Curve
         "cubicspline", which is glTF's; "hermite-c1", whose keys have one rate each; "slerp", which makes linear channels; or
         another one that `reduce` takes, written as cubics within the tolerance.
     closed : bool

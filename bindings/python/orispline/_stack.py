@@ -17,7 +17,7 @@ from ._samples import Samples, samples_of
 from ._types import stacked_quantity, stacked_rate
 
 if TYPE_CHECKING:
-    from ._types import AngleUnit, Extrapolate, Signs, TimeUnit
+    from ._types import AngleUnit, Extrapolate, Method, Signs, TimeUnit
 
 
 class CurveStack:
@@ -57,7 +57,7 @@ class CurveStack:
 
     __slots__ = ("_cores", "_curves")
 
-    def __init__(self, times: Any, rotations: Any, method: str = "auto", *, extrapolate: Extrapolate = "hold",
+    def __init__(self, times: Any, rotations: Any, method: Method = "auto", *, extrapolate: Extrapolate = "hold",
                  angular_velocities: Any = None, angular_accelerations: Any = None, angular_jerks: Any = None,
                  signs: Signs = "shortest", scalar_first: bool = False, normalize: bool = False, normalise: bool = False,
                  euler: str | None = None, angle_unit: AngleUnit | None = None, time_unit: TimeUnit | None = None,

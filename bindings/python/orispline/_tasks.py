@@ -10,7 +10,8 @@ from . import _core
 from ._checks import flag, real, wrong_type
 from ._errors import ArgumentError, tell
 from ._keys import Keys
-from ._options import checked_keys, checked_threads, method_words, plain, reference_of, takes
+from ._methods import method_words
+from ._options import checked_keys, checked_threads, plain, reference_of, takes
 from ._results import Reduction, Retiming, Smoothing, Tuning
 
 SMOOTHNESS = ("noise", "smoothing_time", "position_noise")  # options of smoothing that reducing takes too
@@ -119,7 +120,7 @@ def reduce(keys: Keys, tolerance: Any, *, method: Any = None, smooth: bool = Fal
     ----------
     keys : Keys
         The recording.
-    method : str, Curve or a list of them, optional
+    method : str, Blending, Curve or a list of them, optional
         The method of the curve, in its text form: a local one through its keys. Of several the one with the fewest
         keys is taken. Without it `auto`, `timed-c2` and `slerp` are tried.
     smooth : bool
@@ -204,7 +205,7 @@ def retime(keys: Keys, *, method: Any = None, per_interval: bool = False, **opti
     ----------
     keys : Keys
         Whose times are to change.
-    method : str or Curve, optional
+    method : str, Blending or Curve, optional
         The method of the curve, in its text form. Without it that of the keys' file, else `auto`, with the body at
         rest between equal keys.
     per_interval : bool
@@ -255,7 +256,7 @@ def tune(keys: Keys, method: Any, *, reference: Keys | None = None, **options: A
     ----------
     keys : Keys
         What the curve goes through.
-    method : str or Curve
+    method : str, Blending or Curve
         The method whose tensions to find, in its text form; they start from its settings.
     reference : Keys, optional
         Dense recording that the curve comes near to, for the objective `"fit"`.

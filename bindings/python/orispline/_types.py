@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     Time = Union[float, np.floating[Any], np.integer[Any], np.datetime64, np.timedelta64, datetime.date, datetime.timedelta]  # one
     Frame = Literal["body", "world"]
     Signs = Literal["shortest", "as-given"]
+    Basis = Literal["bernstein", "power", "bezier"]
     TimeUnit = Literal["s", "ms", "us", "ns"]
     AngleUnit = Literal["rad", "deg", "mrad", "arcsec"]
     Extrapolate = Literal["hold", "error", "nan", "rate", "segment"]
@@ -23,6 +24,14 @@ if TYPE_CHECKING:
     Real = TypeVar("Real", bound=np.floating[Any])
     One = TypeVar("One", covariant=True)
     Out = TypeVar("Out", bound=NDArray[Any])
+
+    class HasMethod(Protocol):
+        """A curve, blending functions of one's own, and what tasks find."""
+
+        @property
+        def method(self) -> str: ...
+
+    Method = Union[str, HasMethod]
 
     class Quantity(Protocol[One]):
         """Of scalar or array times, at which it is `One` or an array of one axis more."""

@@ -233,11 +233,13 @@ Expected<std::optional<Method>> method_of(const Recipe& recipe, std::string_view
 
 std::optional<Warning> recipe_set_aside(const Recipe& recipe, const Method& used, std::string_view file) {
   const auto stated = recipe.method.empty() ? Expected<Method>(used) : method_in(recipe);
-  if (stated && text_of(*stated) == text_of(used) && same_blending(*stated, used)) return std::nullopt;
+  const bool same_words = stated && text_of(*stated) == text_of(used);
+  if (same_words && same_blending(*stated, used)) return std::nullopt;
   const bool is_from_file = recipe.line > 0;
   return Warning{.code = "recipe_set_aside",
                  .message = formatted("{} keys are for {}, and they are used for {}",
-                                      is_from_file ? "the file says that its" : "these", recipe.method, text_of(used)),
+                                      is_from_file ? "the file says that its" : "these", recipe.method,
+                                      same_words ? "other blending functions of that name" : text_of(used)),
                  .where = is_from_file ? Where{.file = std::string(file), .line = recipe.line} : Where{}};
 }
 

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include <orispline/curve/own_family.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 
@@ -16,6 +17,13 @@ Expected<ChosenMethod> unnamed(const Recipe& recipe, std::string_view file, cons
     if (stated && (!usual.fits || usual.fits(family_of(*stated)))) return {std::move(*stated), NamedBy::keys};
     return {usual.name, NamedBy::nobody};
   });
+}
+
+/// Whether both name a method with the same words and rows.
+bool name_the_same(const Recipe& one, const Recipe& other) {
+  const bool same_rows =
+      one.blending && other.blending ? *one.blending == *other.blending : one.blending == other.blending;
+  return one.method == other.method && same_rows;
 }
 
 }  // namespace
@@ -35,8 +43,7 @@ Expected<ChosenMethod> chosen_method(const std::optional<Method>& named, const R
 
 Expected<ChosenMethod> chosen_method(const std::optional<Method>& named, const Track& keys, const UsualMethod& usual) {
   return chosen_method(named, keys.recipe, keys.name, usual).map([&](ChosenMethod chosen) {
-    if (recipe_for(chosen.method, keys).method == keys.recipe.method)
-      chosen.warnings.clear();  // the keys have the rest
+    if (name_the_same(recipe_for(chosen.method, keys), keys.recipe)) chosen.warnings.clear();  // the keys have the rest
     return chosen;
   });
 }

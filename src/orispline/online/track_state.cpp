@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <orispline/families/blending/blending_family.hpp>
+
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
@@ -127,6 +129,53 @@ CurveOptions read_options(StateReader& in) {
   return options;
 }
 
+void write(StateWriter& out, const BlendingData& data) {
+  out.text(data.name);
+  out.text(data.title);
+  out.whole(data.parameters.size());
+  for (const BlendingParameter& parameter : data.parameters) {
+    out.text(parameter.name);
+    for (const double number : {parameter.initial, parameter.lowest, parameter.highest}) out.real(number);
+  }
+  out.whole(data.rows.size());
+  for (const auto& row : data.rows) {
+    out.whole(row.size());
+    for (const std::string& entry : row) out.text(entry);
+  }
+  out.whole(data.first ? static_cast<std::uint64_t>(1 - *data.first) : 0);  // it is 0 or below
+  out.text(data.ends);
+  out.whole(static_cast<std::uint64_t>(data.basis));
+}
+BlendingData read_blending(StateReader& in) {
+  BlendingData data{.name = in.text(), .title = in.text()};
+  for (std::size_t left = in.count(); left > 0; --left)
+    data.parameters.push_back({.name = in.text(), .initial = in.real(), .lowest = in.real(), .highest = in.real()});
+  for (std::size_t left = in.count(); left > 0; --left) {
+    auto& row = data.rows.emplace_back();
+    for (std::size_t entries = in.count(); entries > 0; --entries) row.push_back(in.text());
+  }
+  if (const auto first = static_cast<int>(in.below(BlendingFamily::most_rows + 1)); first > 0) data.first = 1 - first;
+  data.ends = in.text();
+  data.basis = static_cast<BlendingBasis>(in.below(static_cast<std::uint64_t>(BlendingBasis::bezier) + 1));
+  return data;
+}
+
+/// The name of a method, or none and the rows of a family of one's own.
+void write_family(StateWriter& out, const Method& method) {
+  const BlendingData* const own = blending_of(method);
+  out.text(own ? std::string_view() : family_of_method(method).value()->name);
+  if (own) write(out, *own);
+}
+Expected<Method> read_family(StateReader& in) {
+  const std::string name = in.text();
+  if (!name.empty()) return Method(name);
+  BlendingData data = read_blending(in);
+  if (!in.is_sound()) return no_state("they end too early");
+  auto family = BlendingFamily::make(std::move(data));
+  if (!family) return no_state(family.error().message);
+  return Method(std::move(*family));
+}
+
 template <class Data>
 auto vectors_of(Data& data) {
   return std::array{&data.positions, &data.angular_velocities, &data.angular_accelerations, &data.angular_jerks};
@@ -181,7 +230,7 @@ Expected<TrackStretch> read_stretch(StateReader& in, std::uint64_t next, const S
 std::vector<std::byte> TrackState::bytes_of(const TrackSampler& sampler) {
   StateWriter out;
   out.whole(mark);
-  out.text(sampler.method_.family->name);
+  write_family(out, sampler.given_);
   write(out, sampler.given_.options);
   out.whole(sampler.options_.signs == Signs::shortest ? 0 : 1);
   write(out, sampler.options_.gap);
@@ -201,7 +250,9 @@ std::vector<std::byte> TrackState::bytes_of(const TrackSampler& sampler) {
 Expected<TrackSampler> TrackState::sampler_from(std::span<const std::byte> bytes) {
   StateReader in(bytes);
   if (!in.is_sound() || in.whole() != mark) return no_state("their mark or their checksum is wrong");
-  Method method(in.text());
+  auto family = read_family(in);
+  if (!family) return tl::unexpected(std::move(family.error()));
+  Method method = std::move(*family);
   method.options = read_options(in);
   TrackOptions options{.signs = in.below(2) == 0 ? Signs::shortest : Signs::as_given};
   options.gap = read_optional(in);

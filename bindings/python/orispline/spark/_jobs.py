@@ -13,13 +13,13 @@ from ..tables._works import SIDE
 from ._frames import arrow_schema, mapped, spark_schema, types_of
 
 if TYPE_CHECKING:
-    from .._types import Extrapolate
+    from .._types import Extrapolate, Method
 
 ONE_THREAD = 1  # a task of Spark has a core
 
 
 def resample(df: Any, *, by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION,
-             position: Sequence[str] | None = None, rate: Any = 100.0, align: str = "start", method: str = "auto",
+             position: Sequence[str] | None = None, rate: Any = 100.0, align: str = "start", method: Method = "auto",
              derivatives: int = 1, frame: str = "body", gap: float | None = None, errors: str = "row", **settings: Any) -> Any:
     """Even samples of the curve of every track, with their rates: `orispline.tables.resample` of a data frame.
 
@@ -32,7 +32,7 @@ def resample(df: Any, *, by: str | Sequence[str] = "track", time: str = "t", qua
 
 
 def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION,
-             position: Sequence[str] | None = None, method: str = "auto", derivatives: int = 0, frame: str = "body",
+             position: Sequence[str] | None = None, method: Method = "auto", derivatives: int = 0, frame: str = "body",
              extrapolate: Extrapolate = "nan", errors: str = "row", **settings: Any) -> Any:
     """The orientation of each track at the rows of another data frame: `orispline.tables.evaluate`."""
     columns = layout(by, time, quaternion, position)
@@ -59,7 +59,7 @@ def reduce(df: Any, tolerance: Any, *, by: str | Sequence[str] = "track", time: 
     return _run(jobs.reduction(layout(by, time, quaternion, position), tolerance, errors, ONE_THREAD, options), df)
 
 
-def compare(df: Any, methods: Sequence[str] | str | None = None, keep_every: int | Sequence[int] = 8, *,
+def compare(df: Any, methods: Sequence[Method] | Method | None = None, keep_every: int | Sequence[int] = 8, *,
             by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION, errors: str = "row",
             **options: Any) -> Any:
     """How near the curves of methods come to every track: `orispline.tables.compare`."""

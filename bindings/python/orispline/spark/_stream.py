@@ -5,7 +5,7 @@ from __future__ import annotations
 import pickle
 import re
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pyspark.sql import functions
 from pyspark.sql.streaming.state import GroupStateTimeout
@@ -17,12 +17,15 @@ from ..tables._layout import UNIT_QUATERNION, layout
 from ._frames import arrow_schema, spark_schema, types_of, unpacking
 from ._jobs import ONE_THREAD, checked
 
+if TYPE_CHECKING:
+    from .._types import Method
+
 SECONDS = {"second": 1, "minute": 60, "hour": 3600, "day": 86400}
 STATE = StructType([StructField("sampler", BinaryType()), StructField("origin", LongType())])
 
 
 def resample_stream(df: Any, *, by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION,
-                    position: Sequence[str] | None = None, rate: Any = 100.0, align: str = "start", method: str = "auto",
+                    position: Sequence[str] | None = None, rate: Any = 100.0, align: str = "start", method: Method = "auto",
                     derivatives: int = 1, frame: str = "body", gap: float | None = None, errors: str = "row",
                     idle: Any = "10 minutes", **settings: Any) -> Any:
     """Even samples of tracks whose keys keep coming: `resample` of a streaming data frame, for the output mode append.

@@ -13,6 +13,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
 
 from .. import _core
+from .._blending import Blending, among, read_blending
 from .._checks import FRAMES
 from .._curve import BEYOND
 from .._errors import AccessError, ArgumentError, Error
@@ -44,10 +45,10 @@ def _run(arguments: Sequence[str] | None) -> int:
         return _failed(ArgumentError(f"--output: found the folder {output}, wanted a file, or --partition-by"))
     shown = _Bar() if not quiet and sys.stderr.isatty() else None
     places = [options.pop(name) for name in ("source", "at") if name in options]
+    files = options.pop("blending", None) or []
     stated = {name: value for name, value in options.items() if value is not None}
     try:
-        if "methods" in stated:
-            stated["methods"] = [text for typed in stated["methods"] for text in _core.method_texts(typed)]
+        stated.update(_methods_stated(stated, [read_blending(file) for file in files]))
         with warnings.catch_warnings():
             warnings.showwarning = _say
             reader = getattr(_jobs, command)(*places, **stated, progress=shown.keys if shown else None)
@@ -63,6 +64,17 @@ def _run(arguments: Sequence[str] | None) -> int:
     for message in summary.first_errors:
         print(f"  {message}", file=sys.stderr)
     return 0
+
+
+def _methods_stated(stated: dict[str, Any], own: list[Blending]) -> dict[str, Any]:
+    """The methods among the options, those of one's own with their blending functions."""
+    found: dict[str, Any] = {}
+    if "method" in stated:
+        found["method"] = among(stated["method"], own)
+    if "methods" in stated:
+        cores = [one._core for one in own]
+        found["methods"] = [among(one, own) for typed in stated["methods"] for one in _core.method_texts(typed, cores)]
+    return found
 
 
 def _say(message: Any, *_: Any, **__: Any) -> None:
@@ -165,7 +177,7 @@ def _motion(parser: argparse.ArgumentParser, derivatives: int) -> None:
 def _resample(commands: Any) -> None:
     parser = _command(commands, "resample", "even samples of every track, with rates")
     _motion(parser, 1)
-    parser.add_argument("--method", metavar="NAME[:SETTING=VALUE…]", help="as of orispline (default: auto)")
+    _method(parser, "as of orispline (default: auto)")
     parser.add_argument("--rate", metavar="HZ", help="samples per second, such as 100 or 30000/1001 (default: 100)")
     parser.add_argument("--align", choices=_jobs.ALIGNMENTS, help="begin at each track's first key (default), or use the same times in all")
     parser.add_argument("--gap", type=float, metavar="S", help="leave longer intervals between keys empty")
@@ -174,7 +186,7 @@ def _resample(commands: Any) -> None:
 def _evaluate(commands: Any) -> None:
     parser = _command(commands, "evaluate", "the orientation of each track at the rows of another table", sides=True)
     _motion(parser, 0)
-    parser.add_argument("--method", metavar="NAME[:SETTING=VALUE…]", help="as of orispline (default: auto)")
+    _method(parser, "as of orispline (default: auto)")
     parser.add_argument("--extrapolate", choices=BEYOND, help="what times outside the keys get (default: nan, none)")
 
 
@@ -189,7 +201,7 @@ def _reduce(commands: Any) -> None:
     parser = _command(commands, "reduce", "the fewest keys of every track within a tolerance")
     parser.add_argument("--position", type=_names, metavar="X,Y,Z", help="columns of positions [m]")
     parser.add_argument("--tolerance", required=True, metavar="ANGLE", help="such as 0.1deg or 2mrad")
-    parser.add_argument("--method", metavar="NAME[:SETTING=VALUE…]", help="of the curve through the keys that are kept")
+    _method(parser, "of the curve through the keys that are kept")
     _of_task(parser, "ReduceOptions", without=("tolerance", "values"))
 
 
@@ -197,10 +209,21 @@ def _compare(commands: Any) -> None:
     parser = _command(commands, "compare", "how near methods come to every track, of which some samples become keys")
     parser.add_argument("--methods", action="append", metavar="METHOD,…",
                         help="a method with its settings, or a list of methods; repeatable (default: all)")
+    _blending(parser)
     parser.add_argument("--keep-every", type=int, metavar="N", help="keep every N-th sample as a key (default: 8)")
     parser.add_argument("--leave-out", action="store_true", default=None, help="estimate the error from the keys alone as well")
     parser.add_argument("--no-least-energy", dest="least_energy", action="store_false", default=None,
                         help="do not look for the least possible energy, which takes a quarter of a millisecond a key")
+
+
+def _method(parser: argparse.ArgumentParser, use: str) -> None:
+    parser.add_argument("--method", metavar="NAME[:SETTING=VALUE…]", help=use)
+    _blending(parser)
+
+
+def _blending(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--blending", action="append", metavar="FILE", help="JSON file with blending functions of your own, which are a "
+                        "method by the name that it says")
 
 
 def _of_task(parser: argparse.ArgumentParser, table: str, without: tuple[str, ...]) -> None:

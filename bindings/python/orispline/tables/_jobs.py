@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pyarrow as pa
 
-from .._checks import FRAMES, flag, in_world, index_of, method_text, rate_text, real, text, thread_count, whole
+from .._checks import FRAMES, flag, in_world, index_of, rate_text, real, text, thread_count, whole
 from .._curve import BEYOND
 from .._errors import ArgumentError
+from .._methods import method_text
 from ._layout import UNIT_QUATERNION, Layout, converted, layout
 from ._per_track import PerTrack
 from ._resampling import Resampling, sampled_schema
@@ -20,7 +21,7 @@ from ._source import Source, ordered, selected, source_of
 from ._works import SIDE, SIDES, Comparison, Evaluation, Reduction, Smoothing, united
 
 if TYPE_CHECKING:
-    from .._types import Extrapolate
+    from .._types import Extrapolate, Method
 
 Progress = Callable[[float], None]
 ALIGNMENTS = ("start", "epoch")
@@ -29,7 +30,7 @@ ERRORS = ("row", "raise", "drop")
 
 def resample(source: Any, *, by: str | Sequence[str] = "track", time: str = "t",
              quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, rate: Any = 100.0,
-             align: str = "start", method: str = "auto", derivatives: int = 1, frame: str = "body", gap: float | None = None,
+             align: str = "start", method: Method = "auto", derivatives: int = 1, frame: str = "body", gap: float | None = None,
              errors: str = "row", assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB",
              progress: Progress | None = None, **settings: Any) -> Any:
     """Even samples of the curve of every track, with their rates.
@@ -106,7 +107,7 @@ def resample(source: Any, *, by: str | Sequence[str] = "track", time: str = "t",
 
 
 def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str = "t",
-             quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, method: str = "auto",
+             quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, method: Method = "auto",
              derivatives: int = 0, frame: str = "body", extrapolate: Extrapolate = "nan", errors: str = "row", threads: int = 0,
              memory_limit: str = "1GB", progress: Progress | None = None, **settings: Any) -> Any:
     """The orientation of each track at the rows of another table, such as a camera's at the times of a sensor.
@@ -167,7 +168,7 @@ def reduce(source: Any, tolerance: Any, *, by: str | Sequence[str] = "track", ti
     return run(job, source_of(source), assume_sorted=assume_sorted, memory_limit=memory_limit, progress=progress)
 
 
-def compare(source: Any, methods: Sequence[str] | str | None = None, keep_every: int | Sequence[int] = 8, *,
+def compare(source: Any, methods: Sequence[Method] | Method | None = None, keep_every: int | Sequence[int] = 8, *,
             by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION, errors: str = "row",
             assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB",
            progress: Progress | None = None, **options: Any) -> Any:
@@ -184,7 +185,7 @@ def compare(source: Any, methods: Sequence[str] | str | None = None, keep_every:
 Job = Resampling | PerTrack
 
 
-def resampling(columns: Layout, rate: Any, align: str, method: str, derivatives: int, frame: str, gap: float | None, errors: str,
+def resampling(columns: Layout, rate: Any, align: str, method: Method, derivatives: int, frame: str, gap: float | None, errors: str,
                threads: int, settings: dict[str, Any]) -> Resampling:
     """The job of these arguments."""
     job = Resampling(columns, _method(method, settings), rate_text(rate), index_of("align", align, ALIGNMENTS) == 1,
@@ -222,7 +223,7 @@ def comparison(columns: Layout, methods: Any, keep_every: Any, errors: str, thre
     return PerTrack(columns, work, _errors(errors), thread_count(threads))
 
 
-def evaluation(columns: Layout, keys: Any, at: Any, method: str, derivatives: int, frame: str, extrapolate: Extrapolate, errors: str,
+def evaluation(columns: Layout, keys: Any, at: Any, method: Method, derivatives: int, frame: str, extrapolate: Extrapolate, errors: str,
                threads: int, settings: dict[str, Any]) -> tuple[Any, PerTrack]:
     """The schema of the rows of both tables together, of tables with these schemas, and the job for them."""
     columns.check(keys, "keys")
@@ -299,7 +300,7 @@ def counted(source: Source, rows: Callable[[], Iterable[Any]], progress: Progres
     return watched
 
 
-def _method(method: str, settings: dict[str, Any]) -> str:
+def _method(method: Method, settings: dict[str, Any]) -> str:
     shape = {name: settings.pop(name, None) for name in ("ends", "start_rate", "end_rate", "period")}
     return method_text(method, shape["ends"], shape["start_rate"], shape["end_rate"], settings.pop("closed", False), shape["period"],
                        settings)

@@ -14,6 +14,7 @@ import pyarrow.compute as pc
 
 from .. import _core
 from .._errors import DataError, Error
+from .._methods import blending_of
 from ._layout import Layout, Times, Whole, number_column, period_of, text_of
 from ._tracks import LongTrack, Tracks, tracks_in, without_id
 
@@ -78,6 +79,8 @@ class Resampling:
         """All that the samples depend on, as JSON has it: the same for all ways to state the same."""
         all_members = {**dataclasses.asdict(self), "rate": str(fractions.Fraction(self.rate)), "method": _plain_method(self.method)}
         members = {name: value for name, value in all_members.items() if name != "threads"}
+        if (blending := blending_of(self.method)) is not None:
+            members["blending"] = blending.to_json()
         return dict(json.loads(json.dumps(members)))
 
     def check(self) -> None:

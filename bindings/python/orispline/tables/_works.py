@@ -117,7 +117,7 @@ class Reduction:
         columns = columns_of(kept.rotations, kept.positions, kept.angular_velocities)
         if kept.angular_velocities is None:
             columns += [pa.nulls(len(kept), pa.float64())] * (3 * self._orders)
-        method = pa.array([reduction.method] * len(kept), pa.string())
+        method = pa.array([str(reduction.method)] * len(kept), pa.string())
         return Result(rows, _same_row(len(kept)), [track.back(kept.times), *columns, method])
 
 

@@ -177,16 +177,15 @@ class IncrementsAround {
 /// The polygon with increments `first` … `last` around each segment, from that with the increment before, its own and
 /// the one behind.
 template <CurvePoint P>
-ControlPolygon<P> widened(const ControlPolygon<P>& four_key, const FamilySettings& settings, const Rows& rows,
-                          std::size_t segments) {
+ControlPolygon<P> widened(const ControlPolygon<P>& four_key, const Keyframes& keys, const FamilySettings& settings,
+                          const Rows& rows, std::size_t segments) {
+  const auto points = keys.points<P>();
   const IncrementsAround<P> around(four_key, settings);
   ControlPolygon<P> polygon;
   const auto count = static_cast<std::ptrdiff_t>(segments);
   for (std::ptrdiff_t i = rows.first(); i < count + rows.last(); ++i) polygon.increments.push_back(around(i));
   for (std::ptrdiff_t i = 0; i < count; ++i) {
-    P base = four_key.bases[static_cast<std::size_t>(i)];
-    if (rows.first() == 0)
-      base = i + 1 < count ? four_key.bases[static_cast<std::size_t>(i + 1)] : displaced(base, around(i - 1));
+    P base = rows.first() == 0 ? points[static_cast<std::size_t>(i)] : four_key.bases[static_cast<std::size_t>(i)];
     for (std::ptrdiff_t k = -2; k >= rows.first(); --k) base = displaced(base, Displacement<P>(-around(i + k)));
     polygon.bases.push_back(std::move(base));
   }
@@ -215,7 +214,7 @@ Expected<AnyCurveThrough<P>> curve_of_rows(const Keyframes& keys, const FamilySe
           : ghosted_polygon<P>(keys, settings, rate_weights(basis, knots.span(0), knots.front(), rows.first(), 0),
                                rate_weights(basis, knots.span(last), knots.back(), rows.first(), 1));
   return std::move(four_key).map([&](ControlPolygon<P>&& polygon) {
-    if (rows.first() != -1 || M != 3) polygon = widened<P>(polygon, settings, rows, last + 1);
+    if (rows.first() != -1 || M != 3) polygon = widened<P>(polygon, keys, settings, rows, last + 1);
     return AnyCurveThrough<P>(
         CumulativeCurve<blending::StoredBasis<M>, P>(std::move(knots), std::move(basis), std::move(polygon)));
   });
