@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // He et al. 2022, section 5: "the shape of the curve can be adjusted by local shape parameters". How local are they?
+#include "papers/experiment.hpp"
+
 #include <algorithm>
 #include <array>
 #include <utility>

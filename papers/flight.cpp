@@ -8,8 +8,8 @@ namespace orispline::cli {
 namespace {
 
 Expected<Flight> flight(std::string name, std::span<const DataRow> truth, std::span<const DataRow> keys) {
-  return Keyframes::make(key_data(keys)).map([&](Keyframes made) {
-    Flight result{.name = std::move(name), .keys = std::move(made)};
+  return Keyframes::make(key_data(keys)).map([&](const Keyframes& made) {
+    Flight result{.name = std::move(name), .keys = made};
     for (const DataRow& row : truth) {
       result.times.push_back(row.t);
       result.orientations.push_back(quaternion_wxyz(row.qw, row.qx, row.qy, row.qz));

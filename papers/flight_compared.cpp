@@ -58,6 +58,7 @@ constexpr auto distances_note =
 /// Times to build the curves and to compute their orientations at every time of the truth [s].
 std::vector<double> seconds_of(const std::vector<PrintedMethod>& methods, const Flight& flight) {
   std::vector<std::function<void()>> works;
+  works.reserve(methods.size());
   for (const PrintedMethod& method : methods) works.push_back(building(method.recipe, flight.keys, flight.times));
   return seconds_in_turn(works);
 }
@@ -81,22 +82,29 @@ Expected<report::Table> comparison(const std::string& title, const Flight& fligh
   return table;
 }
 
+constexpr auto unknown_distance_note =
+    "The paper says \"spherical distance\". Its flight is not published and this is the bundled simulation, so that "
+    "the numbers cannot tell which of the two it means.";
+constexpr auto xing_note =
+    "The paper says C3 for the quartic, which is C2, and gives the quartic's name to the quintic, its own curve at β = "
+    "5/96.";
+constexpr auto small_note =
+    "In the paper a small β is the best. Here it is not: its curve slows down at every key, and the aircraft does not.";
+constexpr auto measured_note =
+    "Continuity is measured at the keys, C in time and G of the path. Times are those of the curve and 961 "
+    "orientations on this machine, medians of rounds in which the rows take turns.";
+
 void add_printed_figures(report::Table& table) {
   table.columns.insert(table.columns.end(), {{"paper: MSE"}, {"paper: maximum"}, {"paper: time [s]"}});
   const auto printed = printed_methods();
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     table.rows[i].insert(table.rows[i].end(), {printed[i].mse, printed[i].largest, printed[i].seconds});
-  table.notes = {
-      distances_note,
-      "The paper says \"spherical distance\". Its flight is not published and this is the bundled simulation, so that "
-      "the numbers cannot tell which of the two it means.",
-      "Both are taken at the 961 times of the truth. The degree is that of the blending.",
-      "Continuity is measured at the keys, C in time and G of the path. Times are those of the curve and 961 "
-      "orientations on this machine, medians of rounds in which the rows take turns.",
-      "The paper says C3 for the quartic, which is C2, and gives the quartic's name to the quintic, its own curve at β "
-      "= 5/96.",
-      "In the paper a small β is the best. Here it is not: its curve slows down at every key, and the aircraft does "
-      "not."};
+  table.notes = {distances_note,
+                 unknown_distance_note,
+                 "Both are taken at the 961 times of the truth. The degree is that of the blending.",
+                 measured_note,
+                 xing_note,
+                 small_note};
 }
 
 /// Ends at rest, as the aircraft is, and tensions that were found: without the truth by the least energy, with it by

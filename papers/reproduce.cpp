@@ -101,7 +101,7 @@ Shown shown_of(std::vector<ExperimentReport> reports) {
   if (is_one) shown.title = reports.front().title;
   for (ExperimentReport& report : reports) {
     const bool has_truth = report.findings.truth.size() > 0;
-    if (has_truth) shown.truth = std::move(report.findings.truth);
+    if (has_truth) shown.truth = report.findings.truth;
     for (pages::NamedCurve& curve : report.findings.motions) {
       if (!is_one) curve.name = formatted("{}: {}", report.name, curve.name);
       curve.truth = has_truth ? pages::Truth::known : pages::Truth::unknown;

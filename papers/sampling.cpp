@@ -77,6 +77,13 @@ report::Series over_time(const Served& served, const std::function<double(const 
   return series;
 }
 
+std::vector<report::Series> names_of(std::span<const Served> curves) {
+  std::vector<report::Series> names;
+  names.reserve(curves.size());
+  for (const auto& [recipe, curve] : curves) names.push_back({recipe.label, {}, {}, recipe.stroke});
+  return names;
+}
+
 double largest_over_time(const AnyCurve& curve, const std::function<double(const Motion&)>& figure) {
   return report::range_of(over_time(curve, figure).y).high;
 }

@@ -39,6 +39,9 @@ namespace orispline::cli {
 /// Likewise, named and drawn as its recipe says.
 [[nodiscard]] report::Series over_time(const Served& served, const std::function<double(const Motion&)>& figure);
 
+/// Series without points, for a legend.
+[[nodiscard]] std::vector<report::Series> names_of(std::span<const Served> curves);
+
 /// Marks at the knots, with their times where there is room for these.
 [[nodiscard]] std::vector<report::Mark> marks_at(std::span<const double> knots);
 

@@ -35,12 +35,19 @@ std::vector<PrintedRow> printed_table() {
           {quintic, 401, "0.087444", "–", "–", formula},     {quintic, 17, "0.085934", "–", "–", formula}};
 }
 
+constexpr auto times_note =
+    "Times are for building the curve and the orientations of all frames: medians of nine rounds on this machine, in "
+    "each "
+    "of which the rows take turns.";
+
 /// Times to build the curves and to compute their frames [s].
 std::vector<double> seconds_of(const std::vector<PrintedRow>& rows, const Keyframes& keys) {
   const Domain domain{keys.times().front(), keys.times().back()};
   std::vector<std::vector<double>> times;
+  times.reserve(rows.size());
   for (const PrintedRow& row : rows) times.push_back(even_times(domain, row.frames));
   std::vector<std::function<void()>> works;
+  works.reserve(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) works.push_back(building(rows[i].recipe, keys, times[i]));
   return seconds_in_turn(works);
 }
@@ -116,9 +123,7 @@ Expected<Findings> experiment::schemes_compared_on(const KeysInstead& given) {
                           row.construction, row.seconds, row.iterations, row.error});
   }
   table.notes = {
-      "Times are for building the curve and the orientations of all frames: medians of nine rounds on this machine, in "
-      "each of which the rows take turns.",
-      "The error is the largest angle between the curve and a key at the key's time.",
+      times_note, "The error is the largest angle between the curve and a key at the key's time.",
       "Iterations and error on the right are the paper's. Its two global schemes are solved to 1e-12 rad here.",
       "We could not get the ATBI paper; this is a curve of its type (docs/families/atbi.md).", given.note};
   return Findings{{std::move(table), iterations_table(keys)}};

@@ -32,6 +32,7 @@ report::Table times_table(const Flight& flight) {
   const auto keys = flight.keys.times();
   const auto times = even_times({keys.front(), keys.back()}, enough_frames);
   std::vector<std::function<void()>> works;
+  works.reserve(all.size());
   for (const Printed& printed : all) works.push_back(building(printed.recipe, flight.keys, times));
   const auto seconds = seconds_in_turn(works);
   report::Table table{.title = "Claim: faster than Tan's quintic, slightly slower than Xing's quartic",

@@ -130,8 +130,7 @@ Picture figure2(const Figure2& figure, const Keyframes& keys) {
   left.push_back(figure.zero);
   double x = 215.0;
   for (const auto& curves : {left, figure.negative}) {
-    std::vector<report::Series> legend;
-    for (const Served& served : curves) legend.push_back({served.recipe.label, {}, {}, served.recipe.stroke});
+    const std::vector<report::Series> legend = names_of(curves);
     report::draw_legend(picture.drawing, {x - 195.0, 18.0}, std::span(legend).first(3));
     report::draw_legend(picture.drawing, {x - 195.0, 38.0}, std::span(legend).subspan(3));
     picture.add(view, {x, 240.0}, 175.0, sphere_of(curves, keys, Eigen::Vector3d::UnitX()));

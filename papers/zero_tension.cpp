@@ -159,9 +159,7 @@ Picture corner_picture(const Theorem& theorem, const std::vector<Served>& curves
                       .marks = marks_at(knots.subspan(corner_key - 1, 3)),
                       .y = report::Range{-5.0, 185.0}};
   for (const Served& served : std::span(curves).first(2)) chart.series.push_back(direction(served, knots));
-  std::vector<report::Series> legend;
-  for (const Served& served : curves) legend.push_back({served.recipe.label, {}, {}, served.recipe.stroke});
-  report::draw_legend(picture.drawing, {20.0, 18.0}, legend);
+  report::draw_legend(picture.drawing, {20.0, 18.0}, names_of(curves));
   picture.drawing.text({20.0, 44.0}, "path of the body's x axis", {report::Anchor::start});
   picture.add(report::facing(axis_path(keys.orientations(), Eigen::Vector3d::UnitX())), {215.0, 240.0}, 175.0,
               std::move(sphere));
