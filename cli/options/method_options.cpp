@@ -9,7 +9,6 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/blending/blending_family.hpp>
-#include <orispline/families/method_list.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/io/blending_file.hpp>
 

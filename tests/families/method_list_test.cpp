@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/families/method_list.hpp>
 
 #include <gtest/gtest.h>
 

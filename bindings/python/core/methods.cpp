@@ -3,7 +3,6 @@
 
 #include <nanobind/stl/vector.h>
 
-#include <orispline/families/method_list.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/families/method_list.hpp>
+#include <orispline/families/method_text.hpp>
 
 #include <algorithm>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/pieces.hpp>
-#include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include <orispline/families/method_list.hpp>
+#include <orispline/families/method_text.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {

@@ -10,7 +10,7 @@
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
-#include <orispline/families/method_list.hpp>
+#include <orispline/families/method_text.hpp>
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>
 #include <orispline/report/motion_drawing.hpp>

@@ -8,7 +8,6 @@
 #include <orispline/base/counted_work.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
-#include <orispline/families/method_list.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/families/slerp.hpp>
