@@ -98,7 +98,8 @@ void add_large(Picture& picture, const report::Box& room, const WingView& view, 
                            box.top + box.height * (y.high - keys.y[i]) / y.extent()};
     picture.drawing.circle(at, 4.0, {color::ink}, {color::ink, 1.0});
     const report::Point out{at.x - box.left - 0.5 * box.width, at.y - box.top - 0.5 * box.height};
-    const double share = 14.0 / std::hypot(out.x, out.y);  // away from the middle, where the paths are not
+    const double share =
+        14.0 / std::sqrt(out.x * out.x + out.y * out.y);  // away from the middle, where the paths are not
     if (keys.x.size() <= 12)
       picture.drawing.text({at.x + share * out.x, at.y + share * out.y + 4.0}, std::to_string(i + 1));
   }

@@ -5,6 +5,7 @@
 
 #include <orispline/curve/cumulative_curve.hpp>
 #include <orispline/curve/four_key_curve.hpp>
+#include <orispline/curve/method.hpp>
 #include <orispline/curve/own_family.hpp>
 #include <orispline/families/build.hpp>
 

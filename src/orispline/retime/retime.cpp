@@ -83,7 +83,7 @@ Expected<void> check_limits(const FamilyInfo& family, const Method& method, cons
 constexpr double margin = 1e-9;  // of a factor, for the rounding of the new times; twice as much in every round
 constexpr std::size_t most_slowings = 30;
 constexpr double least_gain = 1e-4;  // of the duration, to which the slowing is the least one, for another path
-constexpr double too_slow = 1e-5;    // so far below their limits, bounds ask for less slowing
+constexpr double too_slow = 1e-6;    // so far below their limits, bounds ask for less slowing
 constexpr int most_quickenings = 16;
 constexpr double least = 1.0;             // of factors: nothing gets faster
 constexpr double promised_slack = 2e-4;   // more is worth a warning
