@@ -44,7 +44,7 @@ struct SegmentField {
   [[nodiscard]] Value length(int interval) const { return quantity({Quantity::Kind::length, 0, interval - segment}); }
 };
 
-constexpr int farthest = 18;  // a coefficient reaches 8 keys, and increments 4
+constexpr int farthest_place = 18;  // a coefficient reaches 8 keys, and increments 4
 
 /// Numbers as good as random, always the same.
 class Sequence {
@@ -65,7 +65,7 @@ Surroundings<Modular> generic(const BlendingData& data, Times times) {
   Sequence random;
   Surroundings<Modular> around;
   const Modular step = random.next();
-  for (int place = -farthest; place <= farthest; ++place) {
+  for (int place = -farthest_place; place <= farthest_place; ++place) {
     for (std::size_t p = 0; p < data.parameters.size(); ++p)
       around.at_keys[{static_cast<int>(p), place}] = random.next();
     around.lengths[place] = times == Times::even ? step : random.next();
@@ -190,7 +190,7 @@ int order_of_continuity(const Residuals& jumps_of_order, std::size_t highest) {
 /// R₁ = s L₁, R₂ = s² L₂ + c L₁, R₃ = s³ L₃ + 3 s c L₂ + d L₁ with the same s, c, d for all increments.
 int order_of_shape(const Rows& rows, const Surroundings<Modular>& around) {
   const JointJets<Modular> jets = joint_jets(rows, around);
-  const auto& [l, r] = jets;
+  const auto &l = jets.left, &r = jets.right;
   const auto moving = std::ranges::find_if(l, [](const auto& jet) { return jet[1] != Modular(); });
   if (moving == l.end()) return 0;
   const auto m = static_cast<std::size_t>(moving - l.begin());
