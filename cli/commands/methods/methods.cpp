@@ -5,6 +5,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/curve/own_family.hpp>
 #include <orispline/families/registry.hpp>
 
 #include "commands/methods/methods_json.hpp"
