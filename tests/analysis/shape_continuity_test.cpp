@@ -73,7 +73,7 @@ TEST(ShapeContinuity, OfOnePathAtTwoSpeedsIsTheSame) {
 TEST(ShapeContinuity, IsUndefinedWhereTheBodyStandsStill) {
   auto keys = tumbling_keys({1.0, 1.0, 1.0, 1.0});
   KeyframeData data{.times = {0.0, 1.0, 2.0, 3.0, 4.0}};
-  for (const std::size_t i : {0, 1, 1, 2, 3}) data.orientations.push_back(keys.orientations()[i]);
+  for (const std::size_t i : {0u, 1u, 1u, 2u, 3u}) data.orientations.push_back(keys.orientations()[i]);
   const ShapeContinuity shape = shape_continuity_at_keys(
       make_curve(Method{"auto", {.parameters = {{"hold", {1.0}}}}}, Keyframes::make(std::move(data)).value()).value());
   EXPECT_EQ(shape.rests, 2u);  // both ends of the rest
