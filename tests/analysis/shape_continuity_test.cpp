@@ -130,6 +130,22 @@ TEST(ShapeContinuity, OfASexticWithoutTensionAtAKeyIsACusp) {
   EXPECT_NEAR(shape.corner().first, M_PI, 1e-7);
 }
 
+// With continuity and bias 1 a Kochanek–Bartels curve comes to rest at its key and leaves it at speed.
+TEST(ShapeContinuity, OfABodyThatComesToRestAndLeavesAtSpeedIsTheCornerBetweenTheTwoDirections) {
+  const Keyframes keys = even_tumbling_keys();
+  const auto curve =
+      make_curve(Method{"tcb", {.parameters = {{"continuity", {0, 0, 1, 0, 0}}, {"bias", {0, 0, 1, 0, 0}}}}}, keys);
+  const double t = keys.times()[2];
+  const Eigen::Vector3d leaving = curve.value().motion(t).angular_velocity;
+  ASSERT_GT(leaving.norm(), 0.1);
+  ASSERT_LT(curve->motion(t, Side::left).angular_velocity.norm(), 1e-12);
+  const ShapeContinuity shape = shape_continuity_at_keys(*curve);
+  EXPECT_EQ(shape.order(), 0);
+  EXPECT_EQ(shape.rests, 1u);
+  EXPECT_EQ(shape.corner().second, 2u);
+  EXPECT_NEAR(shape.corner().first, angle_between(curve->motion(t - 1e-7).angular_velocity, leaving), 1e-5);
+}
+
 TEST(ShapeContinuity, CannotBeToldWhereTheBodyNearlyRests) {
   const auto curve =
       make_curve(Method{"sextic", {.parameters = {{"tension", {0.08, 0.08, 1e-6, 0.08, 0.08}}}}}, even_tumbling_keys());

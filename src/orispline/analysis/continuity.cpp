@@ -83,34 +83,32 @@ int told_order(const AnyCurve& curve, const Joint& joint, const Rounding& roundi
   return rounding.curvature_rate * turn * turn > 1.0 ? 2 : 3;
 }
 
-bool rests(const Joint& joint, double fastest) {
-  const double slowest = std::min(joint.left.angular_velocity.norm(), joint.right.angular_velocity.norm());
-  return slowest <= std::max(continuity_tolerance * fastest, rounding_of_rates(joint.spacing, 1));
-}
-
-/// The direction in which a body leaves a rest, or comes to it, and its rounding.
-struct RestDirection {
+/// The direction of a path beside a key: that of ω, or at a rest its limit.
+struct DirectionBeside {
+  int order;  ///< of the rate that it is taken from: 1 where the body moves
   Eigen::Vector3d direction;
   double rounding;
 };
 
-/// The limit of ω/‖ω‖ on one side: near the rest ω is ατ, or jτ²/2 where α vanishes too. Absent where both do.
-std::optional<RestDirection> direction_at_rest(const Motion& motion, Side side, double spacing,
-                                               const Continuity& in_time) {
-  const auto along = [&](const Eigen::Vector3d& rate, int order, double largest) -> std::optional<RestDirection> {
+/// The limit of ω/‖ω‖ on one side: near a rest ω is ατ, or jτ²/2 where α vanishes too. Absent where all three do.
+std::optional<DirectionBeside> direction_beside(const Motion& motion, Side side, double spacing,
+                                                const Continuity& in_time) {
+  const std::array<const RateJump*, 3> of_curve{&in_time.angular_velocity, &in_time.angular_acceleration,
+                                                &in_time.angular_jerk};
+  for (std::size_t k = 0; k < rates_of_motion.size(); ++k) {
+    const int order = static_cast<int>(k) + 1;
+    const Eigen::Vector3d& rate = motion.*rates_of_motion[k];
     const double rounding = rounding_of_rates(spacing, order), norm = rate.norm();
-    if (norm <= std::max(continuity_tolerance * largest, rounding)) return std::nullopt;
+    if (norm <= std::max(continuity_tolerance * of_curve[k]->magnitude, rounding)) continue;
     const double sign = side == Side::left && order == 2 ? -1.0 : 1.0;
-    return RestDirection{sign / norm * rate, rounding / norm};
-  };
-  if (const auto first = along(motion.angular_acceleration, 2, in_time.angular_acceleration.magnitude)) return first;
-  return along(motion.angular_jerk, 3, in_time.angular_jerk.magnitude);
+    return DirectionBeside{order, sign / norm * rate, rounding / norm};
+  }
+  return std::nullopt;
 }
 
-void look_at_rest(ShapeContinuity& found, const Joint& joint, const Continuity& in_time) {
+void look_at_rest(ShapeContinuity& found, const Joint& joint, const std::optional<DirectionBeside>& left,
+                  const std::optional<DirectionBeside>& right) {
   if (found.rests++ == 0) found.first_rest = joint.key;
-  const auto left = direction_at_rest(joint.left, Side::left, joint.spacing, in_time);
-  const auto right = direction_at_rest(joint.right, Side::right, joint.spacing, in_time);
   if (left && right)
     compare_sides(found.direction, joint.key, left->direction, right->direction, left->rounding + right->rounding);
   else if (found.stands++ == 0) found.first_stand = joint.key;
@@ -173,12 +171,14 @@ ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam) {
 }
 
 ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam, const Continuity& in_time) {
-  const double fastest = in_time.angular_velocity.magnitude;
   ShapeContinuity found;
   found.broken = in_time.orientation.angle > 0.0;
   for_each_joint(curve, seam, [&](const Joint& joint) {
     ++found.joints;
-    if (rests(joint, fastest)) return look_at_rest(found, joint, in_time);
+    const auto before = direction_beside(joint.left, Side::left, joint.spacing, in_time);
+    const auto behind = direction_beside(joint.right, Side::right, joint.spacing, in_time);
+    const bool moves = before && behind && before->order == 1 && behind->order == 1;
+    if (!moves) return look_at_rest(found, joint, before, behind);
     const PathShape left = path_shape(joint.left), right = path_shape(joint.right);
     const Rounding rounding = rounding_of(joint);
     if (const int told = told_order(curve, joint, rounding); told < found.told) {

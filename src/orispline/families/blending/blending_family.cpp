@@ -213,10 +213,10 @@ Expected<AnyCurveThrough<P>> curve_of_rows(const Keyframes& keys, const FamilySe
           ? Expected<ControlPolygon<P>>(closed_polygon<P>(keys, *settings.closure))
           : ghosted_polygon<P>(keys, settings, rate_weights(basis, knots.span(0), knots.front(), rows.first(), 0),
                                rate_weights(basis, knots.span(last), knots.back(), rows.first(), 1));
-  return std::move(four_key).map([&](ControlPolygon<P>&& polygon) {
-    if (rows.first() != -1 || M != 3) polygon = widened<P>(polygon, keys, settings, rows, last + 1);
+  return std::move(four_key).map([&](const ControlPolygon<P>& polygon) {
+    ControlPolygon<P> own = widened<P>(polygon, keys, settings, rows, last + 1);
     return AnyCurveThrough<P>(
-        CumulativeCurve<blending::StoredBasis<M>, P>(std::move(knots), std::move(basis), std::move(polygon)));
+        CumulativeCurve<blending::StoredBasis<M>, P>(std::move(knots), std::move(basis), std::move(own)));
   });
 }
 
@@ -260,8 +260,8 @@ struct ProbeField {
 /// Whether tuning can vary a parameter: the rows are affine in it at the keys of the segment and depend on it nowhere
 /// else, they are three at most, and of degree 7 at most.
 bool is_tunable(const Rows& rows, std::size_t parameter) {
-  constexpr std::size_t most_increments = 3, most_degree = 7;
-  if (rows.increments() > most_increments || rows.degree() > most_degree) return false;
+  constexpr std::size_t most_increments = 3;
+  if (rows.increments() > most_increments || rows.degree() > form_degree) return false;
   if (rows.parameters_reach_out()) return false;
   using blending::Modular;
   const auto at = [&](std::uint64_t start, std::uint64_t end) {
@@ -286,9 +286,11 @@ int order_of(const std::vector<BlendingFinding>& findings, Promise promise) {
 
 }  // namespace
 
-BlendingFamily::BlendingFamily(BlendingData data, std::unique_ptr<const Rows> rows)
-    : data_(std::move(data)), rows_(std::move(rows)), findings_(blending::findings_of(data_, *rows_)) {
-  ends_ = ends_of(data_, *rows_).value();
+BlendingFamily::BlendingFamily(BlendingData data, std::unique_ptr<const Rows> rows, std::vector<EndRule> ends)
+    : data_(std::move(data)),
+      rows_(std::move(rows)),
+      findings_(blending::findings_of(data_, *rows_)),
+      ends_(std::move(ends)) {
   for (std::size_t p = 0; p < data_.parameters.size(); ++p) {
     const auto& [name, initial, lowest, highest] = data_.parameters[p];
     parameters_.push_back({.name = name,
@@ -325,9 +327,10 @@ Expected<std::shared_ptr<const BlendingFamily>> BlendingFamily::make(BlendingDat
   if (data.title.empty()) data.title = "Blending functions of your own";
   auto rows = Rows::parse(data);
   if (!rows) return tl::unexpected(std::move(rows.error()));
-  if (auto ends = ends_of(data, *rows); !ends) return tl::unexpected(std::move(ends.error()));
+  auto ends = ends_of(data, *rows);
+  if (!ends) return tl::unexpected(std::move(ends.error()));
   return std::shared_ptr<const BlendingFamily>(
-      new BlendingFamily(std::move(data), std::make_unique<const Rows>(std::move(*rows))));
+      new BlendingFamily(std::move(data), std::make_unique<const Rows>(std::move(*rows)), std::move(*ends)));
 }
 
 Expected<AnyCurve> BlendingFamily::curve(const Keyframes& keys, const FamilySettings& settings) const {

@@ -62,7 +62,7 @@ class ORISPLINE_EXPORT BlendingFamily final : public OwnFamily {
   [[nodiscard]] Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings) const override;
 
  private:
-  BlendingFamily(BlendingData data, std::unique_ptr<const blending::Rows> rows);
+  BlendingFamily(BlendingData data, std::unique_ptr<const blending::Rows> rows, std::vector<EndRule> ends);
 
   BlendingData data_;
   std::unique_ptr<const blending::Rows> rows_;
