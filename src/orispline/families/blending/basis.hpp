@@ -8,7 +8,8 @@
 
 #include <orispline/curve/curve_through.hpp>
 #include <orispline/curve/knots.hpp>
-#include <orispline/math/number.hpp>
+#include <orispline/families/blending/blending_family.hpp>
+#include <orispline/math/bernstein.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace blending {
 
@@ -22,24 +23,14 @@ struct SegmentCoefficients {
 /// M cumulative blending functions that are stored for each segment.
 template <std::size_t M>
 struct StoredBasis {
-  static constexpr std::size_t increments = M, stride = 1, most_coefficients = 10;
+  static constexpr std::size_t increments = M, stride = 1;
   static constexpr int degree = 0;  ///< known of each curve only
   SegmentCoefficients coefficients;
 
   template <Number T>
   [[nodiscard]] std::array<T, M> operator()(KnotSpan span, const T& t) const noexcept {
     const std::size_t n = coefficients.degree;
-    const T u = span.normalised(t), v = T(1.0) - u;
-    std::array<T, most_coefficients> basis, powers_of_v;
-    powers_of_v[0] = T(1.0);
-    for (std::size_t i = 1; i <= n; ++i) powers_of_v[i] = powers_of_v[i - 1] * v;
-    T power_of_u(1.0);
-    double binomial = 1.0;
-    for (std::size_t i = 0; i <= n; ++i) {
-      basis[i] = power_of_u * powers_of_v[n - i] * Plain<T>(binomial);
-      power_of_u = power_of_u * u;
-      binomial = binomial * static_cast<double>(n - i) / static_cast<double>(i + 1);
-    }
+    const auto basis = bernstein_basis_of<BlendingFamily::highest_degree>(n, span.normalised(t));
     std::array<T, M> sums{};
     for (std::size_t k = 0; k < M; ++k)
       for (std::size_t i = 0; i <= n; ++i) sums[k] += basis[i] * Plain<T>(row(span.i, k)[i]);
