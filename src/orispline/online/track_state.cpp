@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include <orispline/families/blending/blending_family.hpp>
+#include <orispline/families/registry.hpp>
+#include <orispline/online/track_stretch.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
