@@ -63,3 +63,15 @@ def test_the_time_of_an_error_is_a_date_or_a_plain_number():
     assert type(ori.reduce(keys_of(SECONDS, noisy), 0.02).error_max_time) is float
     assert type(ori.reduce(keys_of(dated(SECONDS), noisy), 0.02).error_max_time) is np.datetime64
     assert "np.float64" not in repr(ori.reduce(keys_of(SECONDS, noisy), 0.02))
+
+
+@pytest.mark.parametrize("keys_of_dates", [lambda keys: keys, lambda keys: pickle.loads(pickle.dumps(keys)), lambda keys: keys[:200]])
+def test_results_are_printed_with_dates(keys_of_dates):
+    """No result of dated keys has a time in seconds since 1970, 1772359200 here."""
+    keys = keys_of_dates(keys_of(dated(SECONDS), turns(SECONDS, noise=1e-3)))
+    results = [ori.compare(keys, ["slerp", "auto"], keep_every=4, least_energy=False), ori.smooth(keys), ori.reduce(keys, tolerance="1deg"),
+               ori.reduce(keys, tolerance="1deg", smooth=True)]
+    for text in map(str, results):
+        assert "17723592" not in text
+    for text in (str(results[i]) for i in (0, 2, 3)):
+        assert "2026-03-01T10:00:0" in text

@@ -59,7 +59,7 @@ nb::tuple origin_of(const Keys& keys) {
   const auto* const as_read = track.as_read.empty() ? nullptr : track.as_read.front().coeffs().data();
   return nb::make_tuple(track.name, track.epoch.to_string(), track.lines, exact_times,
                         as_read ? nb::object(array_of(as_read, track.as_read.size(), 4)) : nb::object(nb::none()),
-                        track.recipe.method, track.recipe.signs == Signs::as_given, track.recipe.line,
+                        track.recipe.method, track.recipe.signs == Signs::as_given, track.recipe.line, track.is_dated,
                         track.recipe.blending ? io::blending_json(*track.recipe.blending) : "");
 }
 
@@ -74,10 +74,11 @@ std::vector<Decimal> decimals_in(std::string_view lines) {
 
 Keys from(const Keys& keys, const std::string& name, const std::string& epoch, const std::vector<std::uint32_t>& lines,
           const std::string& exact_times, const std::optional<Rows4>& as_read, const std::string& method,
-          bool signs_as_given, std::size_t line, const std::string& blending) {
+          bool signs_as_given, std::size_t line, bool is_dated, const std::string& blending) {
   Track track = *keys.track;
   track.name = name;
   track.epoch = value_of(Decimal::parse(epoch));
+  track.is_dated = is_dated;
   track.lines = lines;
   track.exact_times = decimals_in(exact_times);
   if (as_read) track.as_read = rows_of<Eigen::Quaterniond>(*as_read);
@@ -87,10 +88,11 @@ Keys from(const Keys& keys, const std::string& name, const std::string& epoch, c
   return shared(std::move(track));
 }
 
-/// Keys whose times count from there.
-Keys since(const Keys& keys, const std::string& epoch) {
+/// Keys whose times count from there; `is_dated`: which are seconds since 1970.
+Keys since(const Keys& keys, const std::string& epoch, bool is_dated) {
   Track track = *keys.track;
   track.epoch = value_of(Decimal::parse(epoch));
+  track.is_dated = is_dated;
   return shared(std::move(track));
 }
 
@@ -133,8 +135,8 @@ void add_key_origins(nb::module_& module) {
   module.def("part_of_keys", &part_of, "keys"_a, "indices"_a);
   module.def("origin_of_keys", &origin_of, "keys"_a);
   module.def("keys_from", &from, "keys"_a, "name"_a, "epoch"_a, "lines"_a, "exact_times"_a, "as_read"_a.none(),
-             "method"_a, "signs_as_given"_a, "line"_a, "blending"_a = "");
-  module.def("keys_since", &since, "keys"_a, "epoch"_a);
+             "method"_a, "signs_as_given"_a, "line"_a, "is_dated"_a, "blending"_a = "");
+  module.def("keys_since", &since, "keys"_a, "epoch"_a, "is_dated"_a);
   module.def("method_for_keys", &method_for, "keys"_a, "names"_a, "otherwise"_a, "ends"_a.none());
   module.def("recipe_set_aside", &set_aside, "keys"_a, "method"_a);
   module.def("key_statistics", &statistics_of, "keys"_a);

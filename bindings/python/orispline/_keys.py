@@ -117,7 +117,7 @@ class Keys(Writable):
         self._core = _core.Keys(seconds, orientations, **vectors, settings={} if settings is None else _values_per_key(settings, kept, count),
                                 signs=signs)
         if self._clock.origin:
-            self._core = _core.keys_since(self._core, self._clock.epoch)
+            self._core = _core.keys_since(self._core, self._clock.epoch, self._clock.is_calendar)
 
     @classmethod
     def from_pandas(cls, frame: Any, *, columns: Mapping[str, str] | None = None, **options: Any) -> Keys:

@@ -34,7 +34,7 @@ def read_npy(path: str, columns: Any, **options: Any) -> Keys:
     except Error as error:
         error.file, error.args = path, (f"{printable(path)}: {error}", *error.args[1:])
         raise
-    since = _core.keys_since(keys._core, f"{decimal.Decimal(repr(float(start))):f}")
+    since = _core.keys_since(keys._core, f"{decimal.Decimal(repr(float(start))):f}", False)
     made = Keys._of(since, Clock(), scalar_first=keys._scalar_first)
     made._source = keys._source
     return made

@@ -44,12 +44,14 @@ std::vector<double> times_beside(const Track& keys, const Track& recording) {
 }
 
 Error far_apart(const Track& keys, const Track& recording, std::span<const double> times) {
-  const auto text = [&](double t) { return (keys.epoch + Decimal::from_double(t)).to_string(); };
+  const auto span = [&](std::span<const double> all) {
+    const TimeOrigin epoch(keys.epoch);
+    return keys.span_text(epoch.plus(all.front()), epoch.plus(all.back()));
+  };
   const std::string of_keys = keys.name.empty() ? "" : formatted(" of {}", keys.name);
   return {.code = ErrorCode::bad_data,
-          .message = formatted("none of the {} times, {} to {} s, lies between the keys{}, {} to {} s", times.size(),
-                               text(times.front()), text(times.back()), of_keys, text(keys.keys.times().front()),
-                               text(keys.keys.times().back())),
+          .message = formatted("none of the {} times, {}, lies between the keys{}, {}", times.size(), span(times),
+                               of_keys, span(keys.keys.times())),
           .where = {.file = recording.name}};
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <orispline/base/date_text.hpp>
+
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
@@ -32,6 +34,12 @@ Decimal Track::time_of(std::size_t key) const {
   return exact_times.empty() ? epoch + Decimal::from_double(keys.times()[key]) : exact_times[key];
 }
 
+std::string Track::time_text(const Decimal& time) const { return is_dated ? date_text(time) : time.to_string() + " s"; }
+
+std::string Track::span_text(const Decimal& from, const Decimal& to) const {
+  return (is_dated ? date_text(from) : from.to_string()) + " to " + time_text(to);
+}
+
 Eigen::Quaterniond Track::written(std::size_t key) const {
   const Eigen::Quaterniond& q = keys.orientations()[key];
   if (as_read.empty()) return q;
@@ -46,6 +54,7 @@ Track Track::at(std::span<const std::size_t> indices) const {
   Track some(keys.at(indices));
   some.name = name;
   some.epoch = epoch;
+  some.is_dated = is_dated;
   some.lines = picked(lines, indices);
   some.exact_times = picked(exact_times, indices);
   for (const auto& [parameter, values] : settings) some.settings.emplace(parameter, picked(values, indices));

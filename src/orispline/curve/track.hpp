@@ -41,6 +41,7 @@ struct ORISPLINE_EXPORT Track {
   Keyframes keys{};
   std::string name{};                  ///< of the file, or of the track in it; `-` for standard input
   Decimal epoch{};                     ///< [s], exact: what the times of the keys count from
+  bool is_dated = false;               ///< seconds are those since 1970-01-01T00:00:00, and people have dates
   std::vector<std::uint32_t> lines{};  ///< of the file, from 1
   std::vector<Decimal> exact_times{};  ///< [s], as the file writes them
   /// Values of a method's parameters, one per key, by their names: `tension`, `bias`, …
@@ -54,6 +55,11 @@ struct ORISPLINE_EXPORT Track {
 
   /// [s], exact where the file's own text is known, else as near as a double.
   [[nodiscard]] Decimal time_of(std::size_t key) const;
+
+  /// A time [s] for people to read: `12.5 s`, or `2026-03-01T10:00:12.5` where they have dates.
+  [[nodiscard]] std::string time_text(const Decimal& time) const;
+  /// Two of them: `10 to 12.5 s`.
+  [[nodiscard]] std::string span_text(const Decimal& from, const Decimal& to) const;
 
   /// An orientation as it should be written: with the digits of the file and the sign of the key, where the key is what
   /// the file has and its norm there is 1; else the key itself.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <orispline/base/counted.hpp>
+#include <orispline/base/date_text.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/families/registry.hpp>
@@ -25,10 +26,22 @@ std::string continuity_of(const ComparedMethod& method) {
   return method.measures ? formatted("C{}", method.measures->continuity.order()) : std::string(none);
 }
 
+/// A time [s] since 1970 with so many significant digits.
+std::string date_of(double time, int digits) {
+  return Decimal::parse(formatted("{:.{}g}", time, digits)).transform(date_text).value_or("");
+}
+
+/// The heading of a column; dates have no unit.
+std::string_view heading_of(const CompareOutcome& outcome, const MeasureInfo& measure) {
+  const bool is_date = measure.is_time && outcome.request.keys->is_dated;
+  return is_date ? measure.heading.substr(0, measure.heading.find(" [")) : measure.heading;
+}
+
 report::Cell cell_of(const CompareOutcome& outcome, const MeasureInfo& measure, const ComparedMethod& method) {
   const auto value = outcome.value(measure, method);
   if (!value) return std::string(none);
   if (!measure.order.empty()) return formatted("{}{}", measure.order, *value);
+  if (measure.is_time && outcome.request.keys->is_dated) return date_of(*value, measure.digits);
   return std::abs(*value) <= measure.rounding ? 0.0 : *value;
 }
 
@@ -81,7 +94,7 @@ report::Table table_of(const CompareOutcome& outcome, std::size_t key_set) {
   std::vector<MeasureInfo> measures = outcome.measures();
   std::erase_if(measures, [](const MeasureInfo& measure) { return measure.heading.empty(); });
   for (const MeasureInfo& measure : measures)
-    table.columns.push_back({.name = std::string(measure.heading),
+    table.columns.push_back({.name = std::string(heading_of(outcome, measure)),
                              .digits = measure.digits,
                              .rank = measure.word == outcome.request.sort ? 0 : measure.rank});
   table.columns.push_back({""});  // why a method failed

@@ -90,14 +90,15 @@ constexpr std::size_t places_shown = 3;
 std::string place(const InspectOutcome& outcome, std::size_t key) {
   const auto& lines = track_of(outcome).lines;
   const std::string line = lines.empty() ? "" : formatted("line {}, ", lines[key]);
-  return formatted("key {} ({}{} s)", key, line, track_of(outcome).time_of(key).to_string());
+  const Track& track = track_of(outcome);
+  return formatted("key {} ({}{})", key, line, track.time_text(track.time_of(key)));
 }
 
 std::string keys_lines(const InspectOutcome& outcome) {
-  const std::size_t last = track_of(outcome).keys.size() - 1;
-  std::string text = formatted("{}\nkeys          {}, {} to {} s, span {} s\n", printable(track_of(outcome).name),
-                               last + 1, track_of(outcome).time_of(0).to_string(),
-                               track_of(outcome).time_of(last).to_string(), outcome.statistics.span);
+  const Track& track = track_of(outcome);
+  const std::size_t last = track.keys.size() - 1;
+  std::string text = formatted("{}\nkeys          {}, {}, span {} s\n", printable(track.name), last + 1,
+                               track.span_text(track.time_of(0), track.time_of(last)), outcome.statistics.span);
   if (const auto& spacing = outcome.statistics.spacing)
     text += formatted("spacing       min {:.6g} s, median {:.6g} s, max {:.6g} s after {}\n", spacing->smallest,
                       spacing->median, spacing->largest, place(outcome, spacing->largest_at));

@@ -22,7 +22,7 @@ namespace {
 
 std::string title_of(const PlotRequest& request) {
   const Track& track = *request.keys;
-  const std::string start = track.epoch == Decimal() ? "" : formatted(", t = 0 at {} s", track.epoch.to_string());
+  const std::string start = track.epoch == Decimal() ? "" : formatted(", t = 0 at {}", track.time_text(track.epoch));
   return formatted("{}: {}{}", printable(request.name), counted(track.keys.size(), "key"), start);
 }
 

@@ -17,8 +17,12 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
 namespace {
 
-std::string time_text(const ReduceOutcome& outcome, std::size_t sample) {
+std::string seconds_text(const ReduceOutcome& outcome, std::size_t sample) {
   return outcome.recording->time_of(sample).to_string();
+}
+
+std::string time_text(const ReduceOutcome& outcome, std::size_t sample) {
+  return outcome.recording->time_text(outcome.recording->time_of(sample));
 }
 
 /// A row of the table, whose first column is so wide.
@@ -26,10 +30,10 @@ std::string row_of(const ReduceOutcome& outcome, const std::string& label, std::
                    const Reduction& reduction) {
   const Deviation& d = reduction.deviation;
   const std::size_t samples = outcome.recording->keys.size(), keys = reduction.samples.size();
-  std::string line = formatted("  {:<{}}{:>9}{:>9.1f}{:>14.6g}° at {} s", label, width, keys,
+  std::string line = formatted("  {:<{}}{:>9}{:>9.1f}{:>14.6g}° at {}", label, width, keys,
                                static_cast<double>(samples) / static_cast<double>(keys), d.angle * degrees,
                                time_text(outcome, d.angle_at));
-  if (d.position) line += formatted(", {:.6g} m at {} s", *d.position, time_text(outcome, d.position_at));
+  if (d.position) line += formatted(", {:.6g} m at {}", *d.position, time_text(outcome, d.position_at));
   return line + "\n";
 }
 
@@ -57,13 +61,13 @@ Json smoothed_json(const ReduceOutcome& outcome) {
   put(json, smoothing, {"smoothing_time", "cutoff", "criterion", "noise", "rejected"}, places);
   json["raw_error_rms_deg"] = raw.rms * degrees;
   json["raw_error_max_deg"] = raw.largest * degrees;
-  json["raw_error_max_time_s"] = time_text(outcome, raw.largest_at);
+  json["raw_error_max_time_s"] = seconds_text(outcome, raw.largest_at);
   if (!raw_positions) return json;
   put(json, smoothing, {"position_smoothing_time", "position_criterion", "position_noise", "rejected_positions"},
       places);
   json["raw_position_error_rms_m"] = raw_positions->rms;
   json["raw_position_error_max_m"] = raw_positions->largest;
-  json["raw_position_error_max_time_s"] = time_text(outcome, raw_positions->largest_at);
+  json["raw_position_error_max_time_s"] = seconds_text(outcome, raw_positions->largest_at);
   return json;
 }
 
@@ -74,12 +78,12 @@ std::string smoothed_lines(const ReduceOutcome& outcome) {
     return formatted("  rejected        {}{}\n", rejected.size(), places_text(rejected, *outcome.recording));
   };
   std::string text = "  " + choice_line(smoothing) + rejected_line(smoothing.rejected) +
-                     formatted("  raw samples     {:.6g}° RMS from the keys' curve, {:.6g}° at most, at {} s\n",
+                     formatted("  raw samples     {:.6g}° RMS from the keys' curve, {:.6g}° at most, at {}\n",
                                raw.rms * degrees, raw.largest * degrees, time_text(outcome, raw.largest_at));
   if (!raw_positions) return text;
   return text + "  " + position_choice_line(smoothing) + rejected_line(smoothing.positions->rejected) +
-         formatted("  raw positions   {:.6g} m RMS from the keys' path, {:.6g} m at most, at {} s\n",
-                   raw_positions->rms, raw_positions->largest, time_text(outcome, raw_positions->largest_at));
+         formatted("  raw positions   {:.6g} m RMS from the keys' path, {:.6g} m at most, at {}\n", raw_positions->rms,
+                   raw_positions->largest, time_text(outcome, raw_positions->largest_at));
 }
 
 }  // namespace

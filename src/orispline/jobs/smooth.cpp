@@ -109,13 +109,14 @@ std::string position_lines(const SmoothOutcome& outcome) {
 
 std::string stretch_lines(const SmoothOutcome& outcome) {
   const auto& stretches = outcome.smoothing.stretches;
+  const Track& recording = recording_of(outcome);
   std::string text;
   if (const auto& few = outcome.smoothing.samples_in_short_stretches; !few.empty())
     text += formatted("left out        {}; too few between two gaps\n", counted_places(outcome, few));
   if (stretches.size() == 1) return text;
   text += formatted("stretches       {}, begun at", stretches.size());
   for (std::size_t i = 0; i < std::min(stretches.size(), most_stretches_shown); ++i)
-    text += formatted("{} {} s", i == 0 ? "" : ",", recording_of(outcome).time_of(stretches[i].first).to_string());
+    text += formatted("{} {}", i == 0 ? "" : ",", recording.time_text(recording.time_of(stretches[i].first)));
   return text + (stretches.size() > most_stretches_shown ? ", …\n" : "\n");
 }
 

@@ -35,9 +35,9 @@ std::string places_text(const std::vector<std::size_t>& samples, const Track& re
   const std::vector<std::uint32_t>& lines = recording.lines;
   std::string text;
   for (std::size_t i = 0; i < std::min(samples.size(), samples_shown); ++i)
-    text += formatted("{}{} ({} s)", i == 0 ? ": " : ", ",
+    text += formatted("{}{} ({})", i == 0 ? ": " : ", ",
                       lines.empty() ? formatted("key {}", samples[i]) : formatted("line {}", lines[samples[i]]),
-                      recording.time_of(samples[i]).to_string());
+                      recording.time_text(recording.time_of(samples[i])));
   return text + (samples.size() > samples_shown ? ", …" : "");
 }
 
