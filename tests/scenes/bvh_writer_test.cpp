@@ -235,7 +235,7 @@ TEST_F(CmuRoundTrip, KeepsHierarchyAndAngles) {
   EXPECT_EQ(frames_of(after), frames_of(before));
 }
 
-float rounded(double x) { return static_cast<float>(x); }
+double rounded(double x) { return static_cast<double>(static_cast<float>(x)); }
 
 TEST_F(CmuRoundTrip, KeepsTheFrameTimeAndTheMotionThroughFloats) {
   const Scene scene = scene_of(bytes_of_file(path).value());
