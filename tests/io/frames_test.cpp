@@ -182,16 +182,16 @@ TEST(FramesOfFiles, AreNoPartOfWhatIsWritten) {
 TEST(FramesOfFiles, SayWhatTheyWant) {
   EXPECT_EQ(refused({{"world_axes", "NED:NEU"}}),
             "[world_axes] found axes of the world of which one system is right-handed and the other left-handed, and "
-            "axes of the body that keep their hand, wanted a change on both sides or on none (body_axes)");
+            "axes of the body that keep their hand, wanted a change on both sides or on none (option body_axes)");
   EXPECT_EQ(refused({{"conjugate", ""}, {"inverse_poses", ""}}),
             "[inverse_poses] found `conjugate` as well, which turns the orientations back, wanted one of them");
   EXPECT_EQ(refused({{"body_rotation", "qw=1,qx=0,qy=0,qz=1"}}),
             "[body_rotation] the quaternion has norm 1.41421, wanted 1 within 0.02");
   EXPECT_EQ(refused({{"body_rotation", "qw=1,qx=0"}}),
-            "[body_rotation] found qw, qx, wanted qw, qx, qy, qz, or angles such as roll_deg, pitch_deg, yaw_deg, or "
+            "[body_rotation] found 'qw,qx', wanted qw, qx, qy, qz, or angles such as roll_deg, pitch_deg, yaw_deg, or "
             "r11, …, r33, or rx, ry, rz [rad]");
-  EXPECT_EQ(refused({{"body_rotation", "qw=1,qx=0,qy=0,qz=0,px=3"}}).substr(0, 52),
-            "[body_rotation] found qw, qx, qy, qz, px, wanted qw,");
+  EXPECT_EQ(refused({{"body_rotation", "qw=1,qx=0,qy=0,qz=0,px=3"}}).substr(0, 48),
+            "[body_rotation] found 'qw,qx,qy,qz,px', wanted q");
   EXPECT_EQ(refused({{"body_rotation", "qw=1,qx=0,qy=zero,qz=0"}}), "[body_rotation] found qy=zero, wanted a number");
   EXPECT_EQ(refused({{"body_rotation", "qw=1,qx"}}), "[body_rotation] found 'qx', wanted NAME=NUMBER");
   EXPECT_EQ(refused({{"world_rotation", "-"}}),
@@ -201,7 +201,7 @@ TEST(FramesOfFiles, SayWhatTheyWant) {
       none("qw,qx,qy,qz\n", "none.csv");
   EXPECT_EQ(refused({{"world_rotation", two.path()}}),
             "[world_rotation] two.csv:3: found a second row of numbers, wanted one rotation");
-  EXPECT_EQ(refused({{"world_rotation", bare.path()}}).substr(0, 63),
+  EXPECT_EQ(refused({{"world_rotation", bare.path()}}).substr(0, 64),
             "[world_rotation] bare.csv:1: found no header, wanted one with qw");
   EXPECT_EQ(refused({{"world_rotation", none.path()}}).substr(0, 45), "[world_rotation] none.csv: found no numbers, ");
   EXPECT_EQ(refused({{"world_rotation", "not_there.csv"}}).substr(0, 31), "[world_rotation] not_there.csv:");
