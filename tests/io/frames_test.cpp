@@ -179,6 +179,23 @@ TEST(FramesOfFiles, AreNoPartOfWhatIsWritten) {
   EXPECT_EQ(again->track.keys.positions()[0], Eigen::Vector3d(2, 1, -3));
 }
 
+TEST(FramesOfFiles, TakeNoTableAlongThatStatesOtherOnes) {
+  const test::TextFile file("t,qw,qx,qy,qz,note\n0,1,0,0,0,first\n");
+  ReadOptions options = options_by(to_ros);
+  options.keep_table = true;
+  EXPECT_TRUE(read_track(file.path(), options).value().track.table.rows.empty());
+  options.frames = {};
+  EXPECT_EQ(read_track(file.path(), options).value().track.table.rows.size(), 1u);
+}
+
+TEST(FramesOfFiles, LeaveWhatIsTooLongForKeysToThem) {
+  const std::string content = "t,qw,qx,qy,qz,wx,wy,wz\n0,1,0,0,0,1e308,1e308,-1e308\n";
+  const auto track =
+      read_track(test::TextFile(content).path(), options_by({{"body_rotation", "qw=0.5,qx=0.5,qy=0.5,qz=0.5"}}));
+  ASSERT_FALSE(track);  // not a rate that is free
+  EXPECT_EQ(track.error().where.key, 0u);
+}
+
 TEST(FramesOfFiles, SayWhatTheyWant) {
   EXPECT_EQ(refused({{"world_axes", "NED:NEU"}}),
             "[world_axes] found axes of the world of which one system is right-handed and the other left-handed, and "

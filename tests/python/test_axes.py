@@ -43,7 +43,7 @@ def test_rotations_in_every_form(keys, tmp_path):
     quarter = Rotation.from_euler("z", 90, degrees=True)
     mount = tmp_path / "mount.csv"
     mount.write_text("yaw_deg,pitch_deg,roll_deg\n90,0,0\n")
-    for rotation in (quarter, quarter.as_matrix(), np.roll(quarter.as_quat(), 1), [quarter], mount, str(mount),
+    for rotation in (quarter, quarter.as_matrix(), np.roll(quarter.as_quat(), 1), [np.roll(quarter.as_quat(), 1).tolist()], mount, str(mount),
                      "roll_deg=0,pitch_deg=0,yaw_deg=90"):
         world = keys.in_axes(world_rotation=rotation)
         assert np.allclose(world.positions, [[-2, 1, 3]], atol=1e-15) and world.angular_velocities.tolist() == [[0.1, 0.2, 0.3]]
@@ -79,7 +79,7 @@ def test_world_to_camera_poses(tmp_path):
     path.write_text(f"t,{Q},tx,ty,tz\n0.0,0.7071067811865476,0.7071067811865475,-0.0,-0.0,-3.0,1.0,-2.220446049250313e-16\n")
     assert np.abs(ori.read(path, inverse_poses=True).positions - [[3, 0, 1]]).max() <= 1e-15
     assert ori.read(path, conjugate=True).positions[0, 0] == -3
-    with pytest.raises(ori.ArgumentError, match="inverse_poses: found conjugate as well"):
+    with pytest.raises(ori.ArgumentError, match="inverse_poses: found `conjugate` as well"):
         ori.read(path, conjugate=True, inverse_poses=True)
 
 

@@ -55,6 +55,12 @@ std::array<Eigen::Vector3d, 3> body_rates(const KeyRow& key, const RateColumns& 
   return rates;
 }
 
+/// A vector turned, unless keys refuse it as too long: its sums could be NaN, which stands for a free rate.
+template <class Turn>
+Eigen::Vector3d turned_for_keys(const Eigen::Vector3d& v, Turn turn) {
+  return v.cwiseAbs().maxCoeff() > largest_component ? v : Eigen::Vector3d(turn(v));
+}
+
 /// Where the body is that has the world's origin there, in its own frame. `orientation`: of the body, of any norm.
 Eigen::Vector3d place_of_body(const Eigen::Quaterniond& orientation, const Eigen::Vector3d& origin) {
   return Eigen::Vector3d::Zero() - to_world<double>(orientation.normalized(), origin);
@@ -138,11 +144,15 @@ void KeyRows::append_motion(const KeyRow& key, const Eigen::Quaterniond& stated)
   if (key.angles) turns_.add(*key.angles, orientation);
   file_.data.orientations.push_back(frames_.orientation(orientation));
   if (columns_.position)
-    file_.data.positions.push_back(
-        frames_.in_world<double>(options_.inverse_poses ? place_of_body(orientation, key.position) : key.position));
+    file_.data.positions.push_back(turned_for_keys(key.position, [&](const Eigen::Vector3d& p) {
+      return frames_.in_world<double>(options_.inverse_poses ? place_of_body(orientation, p) : p);
+    }));
   const auto rates = body_rates(key, columns_.rates, orientation);
   for (std::size_t k = 0; k < rates.size(); ++k)
-    if (columns_.rates[k]) (file_.data.*rates_of_keys[k]).push_back(frames_.body_rate(rates[k]));
+    if (columns_.rates[k])
+      (file_.data.*rates_of_keys[k]).push_back(turned_for_keys(rates[k], [&](const Eigen::Vector3d& rate) {
+        return frames_.body_rate(rate);
+      }));
   if (std::ranges::any_of(rates, is_free)) ++file_.repairs.rates_left_free;
 }
 
