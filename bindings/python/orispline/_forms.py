@@ -11,6 +11,7 @@ import numpy as np
 from ._arrays import Array, array_of, numbers
 from ._checks import index_of, text
 from ._errors import ArgumentError, at_key
+from ._files import path_text
 
 FORMS = "(n, 4) quaternions, (n, 3, 3) matrices or a SciPy Rotation, (n, 4, 4) poses, or (n, 3) angles with euler='ZYX'"
 ANGLES = {"rad": 1.0, "deg": np.pi / 180, "mrad": 1e-3, "arcsec": np.pi / 648_000}  # [rad]
@@ -48,7 +49,7 @@ def rotation_text(name: str, rotation: Any, *, scalar_first: bool = False) -> st
     if rotation is None or isinstance(rotation, str):
         return rotation
     if isinstance(rotation, os.PathLike):
-        return os.fspath(rotation)
+        return path_text(rotation)
     if hasattr(rotation, "as_quat"):
         rotation, scalar_first = rotation.as_quat(), False
     array = array_of(name, rotation)
