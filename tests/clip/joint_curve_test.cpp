@@ -191,4 +191,28 @@ TEST(JointCurve, BearsEvenScalesAboveAndAnyOfItsOwn) {
   }
 }
 
+TEST(JointCurve, IsStatedInOtherFramesWithAllItsRates) {
+  const Skeleton skeleton = chain();
+  FrameChange change;
+  change.world.axes = axis_change_of("RUF:FLU", AxesOf::world).value();
+  change.body.axes = axis_change_of("RUF:FLU", AxesOf::body).value();
+  change.world.rotation = turn(0.3, -0.4, 0.5);
+  const NewFrames frames(change);
+  for (const JointSpace space : {JointSpace::local, JointSpace::world}) {
+    const PoseCurve old = joint_curve(skeleton, clip(), elbow_joint, space).value();
+    const PoseCurve turned = joint_curve(skeleton, clip(), elbow_joint, space, change).value();
+    for (const double t : inner_times) {
+      const Motion before = old.orientation.motion(t), after = turned.orientation.motion(t);
+      EXPECT_LT((after.orientation.coeffs() - frames.orientation(before.orientation).coeffs()).norm(), 1e-14) << t;
+      EXPECT_LT((after.angular_velocity - frames.body_rate(before.angular_velocity)).norm(), 1e-12) << t;
+      EXPECT_LT((after.angular_jerk - frames.body_rate(before.angular_jerk)).norm(), 1e-9) << t;
+      const LinearMotion there = old.position->linear_motion(t), here = turned.position->linear_motion(t);
+      EXPECT_LT((here.position - frames.in_world<double>(there.position)).norm(), 1e-14) << t;
+      EXPECT_LT((here.acceleration - frames.in_world<double>(there.acceleration)).norm(), 1e-11) << t;
+    }
+  }
+  change.body = {};
+  EXPECT_EQ(joint_curve(skeleton, clip(), elbow_joint, JointSpace::world, change).error().option, "world_axes");
+}
+
 }}  // namespace orispline

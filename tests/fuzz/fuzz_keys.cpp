@@ -38,6 +38,14 @@ io::OrientationReading orientation_reading(FuzzInput& input) {
   return reading;
 }
 
+FrameChange axes(std::string_view world, std::string_view body) {
+  return {.world = {.axes = axis_change_of(world, AxesOf::world).value()},
+          .body = {.axes = axis_change_of(body, AxesOf::body).value()}};
+}
+
+const std::array frame_changes{FrameChange{}, axes("NED:ENU", "FRD:FLU"), axes("RUF:FLU", "RUF:FLU"),
+                               FrameChange{.body = {.rotation = quaternion_wxyz(0.8, 0.0, 0.36, 0.48)}}};
+
 ReadOptions read_options(FuzzInput& input) {
   ReadOptions options;
   options.format = chosen(input, io::formats_read()).value_or(nullptr);
@@ -54,6 +62,8 @@ ReadOptions read_options(FuzzInput& input) {
   options.rate_orders = static_cast<int>(more.next(4));
   if (more.next()) options.order = more.next() ? io::QuaternionOrder::xyzw : io::QuaternionOrder::wxyz;
   const bool is_plain = !more.next();
+  options.frames = frame_changes[more.next(4)];
+  options.inverse_poses = more.next() && !options.conjugate;
   if (is_plain) return options;
   options.orientation = orientation_reading(input);
   if (const auto scale = chosen(input, time_scales)) options.time_scale = Decimal::parse(*scale).value();

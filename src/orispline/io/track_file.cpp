@@ -17,6 +17,7 @@ Expected<TrackFile> checked(KeyFile file, const ReadOptions& options, std::optio
   if (signs) file.recipe.signs = *signs;
   KeyframeData data = std::exchange(file.data, {});
   if (options.keep_as_read) file.data.orientations = data.orientations;
+  if (options.inverse_poses || !options.frames.is_none()) file.table = {};  // states the keys of other frames
   auto keys = Keyframes::make(std::move(data), file.recipe.signs);
   if (!keys) return tl::unexpected(located(file, std::move(keys.error())));
   return track_file(std::move(file), std::move(*keys));
