@@ -32,6 +32,7 @@ class KeyRows {
   [[nodiscard]] const KeyColumns& columns() const noexcept { return columns_; }
 
  private:
+  [[nodiscard]] Expected<Eigen::Quaterniond> orientation_of(const Eigen::Quaterniond& stated, Where where);
   [[nodiscard]] Expected<Eigen::Quaterniond> normalised(Eigen::Quaterniond q, Where where);
   [[nodiscard]] Expected<void> settle_clock(const TextTable& table);
   void settle_time_unit(const Decimal& first);
