@@ -13,6 +13,7 @@ from ._baked import BakedCurve, baked
 from ._blending import Blending
 from ._checks import check_number, flag, in_world, index_of, rate_text, real, thread_count, whole
 from ._clock import Clock
+from ._columns import PARTS
 from ._errors import ArgumentError, DataError
 from ._forms import quaternions
 from ._keys import Keys
@@ -399,7 +400,7 @@ class Curve(Looks, Orienting):
         """
         seconds, rows = self._series(times, quaternions("rotations", rotations, scalar_first=self._scalar_first), "rotations")
         self._clock.check_rising(seconds)
-        reference = _core.Keys(seconds, rows, None, None, None, None, settings={}, signs="as-given")
+        reference = _core.Keys(seconds, rows, **dict.fromkeys(PARTS), settings={}, signs="as-given")
         return self._statistics(self._core.distance(reference))
 
     def rate_error(self, times: Any, rates: Any) -> DistanceStatistics:
