@@ -3,9 +3,10 @@
 #include "papers/experiment.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
 
+#include <orispline/analysis/direction_beside.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/degrees.hpp>
 
@@ -47,43 +48,39 @@ constexpr Theorem of_sextic{
         "direction of a − b and leaves in that of b − a: it turns back.",
     .tension = 0.08};
 
-/// Where a path goes right beside a moment: the direction of the lowest rate that is not 0 there.
-struct Departure {
-  int order;  ///< of that rate: 1 of ω, 2 of α, 3 of the jerk
-  Eigen::Vector3d direction;
-};
-
-Departure departure(const AnyCurve& curve, double t, Side side, double step) {
-  const Motion m = curve.motion(t, side);
-  const std::array<Eigen::Vector3d, 3> rates{m.angular_velocity, step * m.angular_acceleration,
-                                             step * step * m.angular_jerk};
-  double largest = 0.0;
-  for (const Eigen::Vector3d& rate : rates) largest = std::max(largest, rate.norm());
-  int order = 1;
-  while (order < 3 && rates[static_cast<std::size_t>(order) - 1].norm() < 1e-9 * largest) ++order;
-  const double sign = side == Side::left && order == 2 ? -1.0 : 1.0;  // ω = α (t − t_key) changes its sign there
-  return {order, sign * rates[static_cast<std::size_t>(order) - 1].normalized()};
-}
-
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return degrees * std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// At an inner key.
+/// Where a path arrives at an inner key and leaves it; absent where the body stands still beside it.
 struct Corner {
-  Departure before, after;
-  [[nodiscard]] double angle() const { return angle_between(before.direction, after.direction); }
+  std::optional<DirectionBeside> before, after;
+  [[nodiscard]] std::optional<double> angle() const {
+    return before && after ? std::optional(angle_between(before->direction, after->direction)) : std::nullopt;
+  }
 };
 
-Corner corner_at(const AnyCurve& curve, std::span<const double> knots, std::size_t key) {
-  const double step = std::min(knots[key] - knots[key - 1], knots[key + 1] - knots[key]);
-  return {departure(curve, knots[key], Side::left, step), departure(curve, knots[key], Side::right, step)};
+Corner corner_at(const AnyCurve& curve, const Continuity& in_time, std::span<const double> knots, std::size_t key) {
+  const double t = knots[key], spacing = std::min(t - knots[key - 1], knots[key + 1] - t);
+  const auto on = [&](Side side) { return direction_beside(curve.motion(t, side), side, spacing, in_time); };
+  return {on(Side::left), on(Side::right)};
 }
 
-/// The angle between ω right before and right behind the key.
-double angle_nearby(const AnyCurve& curve, double t) {
+report::Cell cell_of(const std::optional<double>& value) {
+  return value ? report::Cell(*value) : report::Cell(std::string("none"));
+}
+
+report::Cell order_cell(const std::optional<DirectionBeside>& beside) {
+  return cell_of(beside ? std::optional(static_cast<double>(beside->order)) : std::nullopt);
+}
+
+/// The angle between ω right before and right behind the key; absent where one of them is 0.
+std::optional<double> angle_nearby(const AnyCurve& curve, double t) {
   constexpr double beside = 1e-5;  // [s]
-  return angle_between(curve.motion(t - beside).angular_velocity, curve.motion(t + beside).angular_velocity);
+  const Eigen::Vector3d before = curve.motion(t - beside).angular_velocity,
+                        behind = curve.motion(t + beside).angular_velocity;
+  if (before.isZero(0.0) || behind.isZero(0.0)) return std::nullopt;
+  return angle_between(before, behind);
 }
 
 std::vector<Recipe> recipes_of(const Theorem& theorem, std::size_t keys) {
@@ -111,14 +108,16 @@ report::Table corners_table(const Theorem& theorem, const std::vector<Served>& c
                   {"corner [degrees]", Notation::fixed, 1},
                   {"of ω at ±1e-5 s", Notation::fixed, 1}}};
   const auto knots = keys.keys.times();
-  for (const auto& [recipe, curve] : curves)
+  for (const auto& [recipe, curve] : curves) {
+    const Continuity in_time = continuity_at_keys(curve);
     for (std::size_t key = 1; key + 1 < knots.size(); ++key) {
       if (recipe.tension[key] != 0.0 && key != corner_key) continue;
-      const Corner corner = corner_at(curve, knots, key);
+      const Corner corner = corner_at(curve, in_time, knots, key);
       table.rows.push_back({recipe.label, static_cast<double>(key + 1), speed(curve.motion(knots[key])),
-                            static_cast<double>(corner.before.order), static_cast<double>(corner.after.order),
-                            corner.angle(), angle_nearby(curve, knots[key])});
+                            order_cell(corner.before), order_cell(corner.after), cell_of(corner.angle()),
+                            cell_of(angle_nearby(curve, knots[key]))});
     }
+  }
   table.notes = {
       "The order is that of the lowest derivative of q that is not 0: in its direction the path arrives and "
       "leaves.",
@@ -126,14 +125,16 @@ report::Table corners_table(const Theorem& theorem, const std::vector<Served>& c
   return table;
 }
 
-/// How far ω points away from where the path leaves the third key, over the two segments beside it.
+/// How far ω points away from where the path leaves the third key, over the two segments beside it; nothing where it
+/// leaves in no direction.
 report::Series direction(const Served& served, std::span<const double> knots) {
   constexpr int steps = 200;
   report::Series series{served.recipe.label, {}, {}, served.recipe.stroke};
-  const Corner corner = corner_at(served.curve, knots, corner_key);
+  const Corner corner = corner_at(served.curve, continuity_at_keys(served.curve), knots, corner_key);
+  if (!corner.after) return series;
   const auto add = [&](double t, const Eigen::Vector3d& to) {
     series.x.push_back(t);
-    series.y.push_back(angle_between(corner.after.direction, to));
+    series.y.push_back(angle_between(corner.after->direction, to));
   };
   const auto add_inside = [&](std::size_t segment) {
     for (int k = 1; k < steps; ++k) {
@@ -142,10 +143,10 @@ report::Series direction(const Served& served, std::span<const double> knots) {
     }
   };
   add_inside(corner_key - 1);
-  add(knots[corner_key], corner.before.direction);
+  if (corner.before) add(knots[corner_key], corner.before->direction);
   series.x.push_back(knots[corner_key]);
   series.y.push_back(std::nan(""));
-  add(knots[corner_key], corner.after.direction);
+  add(knots[corner_key], corner.after->direction);
   add_inside(corner_key);
   return series;
 }

@@ -187,12 +187,19 @@ Expected<std::vector<Method>> method_requests(const std::vector<std::string>& ty
   return check_differ(option, shaped_texts).map([&] { return std::move(requests); });
 }
 
+io::ReadOptions with_columns_of(const Method& method, io::ReadOptions read) {
+  const FamilyInfo& family = jobs::family_of(method);
+  read.rate_orders = std::max(read.rate_orders, family.rate_orders);
+  read.inner_quaternions |= family.takes_inner_quaternions();
+  return read;
+}
+
 io::ReadOptions read_for(std::span<const Method> methods, io::ReadOptions read) {
   std::set<std::string> parameters;
   read.rate_orders = 0;
   for (const Method& method : methods) {
     for (std::string& name : open_parameters(method)) parameters.insert(std::move(name));
-    read.rate_orders = std::max(read.rate_orders, jobs::family_of(method).rate_orders);
+    read = with_columns_of(method, std::move(read));
   }
   read.parameters = {parameters.begin(), parameters.end()};
   read.world_rates = true;

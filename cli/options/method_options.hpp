@@ -56,6 +56,9 @@ using OwnFamilies = std::vector<std::shared_ptr<const OwnFamily>>;
 [[nodiscard]] Expected<std::optional<Method>> named_method(const std::optional<std::string>& text,
                                                            const MethodOptions& options);
 
+/// With the rates and inner quaternions of the keys that the method takes, beside those that are read already.
+[[nodiscard]] io::ReadOptions with_columns_of(const Method& method, io::ReadOptions read);
+
 /// How a file is read for these methods: with the columns that one of them takes.
 [[nodiscard]] io::ReadOptions read_for(std::span<const Method> methods, io::ReadOptions read);
 

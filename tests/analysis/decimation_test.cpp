@@ -66,11 +66,13 @@ TEST(Decimation, JittersEveryOtherSampleWithoutTakingOneTwice) {
 TEST(Decimation, KeepsWhatTheKeysCarry) {
   KeyframeData data{.times = {0, 1, 2}, .orientations = std::vector(3, Eigen::Quaterniond::Identity())};
   data.angular_velocities = {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
+  data.inner_leaving = {free_inner(), free_inner(), quaternion_wxyz(0, 1, 0, 0)};
   const Indices kept{0, 2};
   const KeyframeData result = kept_keys(data, kept);
   EXPECT_EQ(result.times, (std::vector<double>{0, 2}));
   EXPECT_EQ(result.angular_velocities[1], Eigen::Vector3d(3, 0, 0));
-  EXPECT_TRUE(result.positions.empty());
+  EXPECT_EQ(result.inner_leaving[1].x(), 1.0);
+  EXPECT_TRUE(result.positions.empty() && result.inner_arriving.empty());
 }
 
 TEST(Decimation, HasAName) {

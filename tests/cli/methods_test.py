@@ -9,7 +9,7 @@ from command import BAD_USAGE, EXPECTED, SUCCESS, CommandTest, main
 
 FIELDS = ["name", "title", "source", "interpolates", "continuity_uniform", "continuity_uneven", "continuity_of_shape",
           "keeps_constant_rate_uniform", "keeps_constant_rate_uneven", "support_keys", "min_keys", "closes",
-          "rate_orders", "parameters", "choices", "ends"]
+          "rate_orders", "order_with_inner_quaternions", "parameters", "choices", "ends"]
 
 
 class Methods(CommandTest):
@@ -97,6 +97,15 @@ class Methods(CommandTest):
             self.assertEqual(self.methods[name]["rate_orders"], order)
         self.assertIn(" columns wx,wy,wz[,ax,ay,az] ", self.entry_of("hermite-c2"))
         self.assertNotIn(" columns ", self.entry_of("auto"))
+
+    def test_columns_of_inner_quaternions_are_named_where_they_are_used(self):
+        taking = {name: method["order_with_inner_quaternions"] for name, method in self.methods.items()
+                  if method["order_with_inner_quaternions"] is not None}
+        self.assertEqual(taking, {"squad": 0})
+        self.assertIn(" columns a_qw,a_qx,a_qy,a_qz, b_qw,b_qx,b_qy,b_qz ", self.entry_of("squad"))
+        page = " ".join(self.output_of("methods squad").split())
+        self.assertIn("It reads a_qw,a_qx,a_qy,a_qz, b_qw,b_qx,b_qy,b_qz where the file has them, and chooses the others itself. They "
+                      "leave it C0 and G0, unless the rates on both sides of a key agree.", page)
 
     def test_every_method_samples_at_its_defaults(self):
         self.write("keys.csv", "t,qw,qx,qy,qz\n" + "".join(

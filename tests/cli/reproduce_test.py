@@ -42,6 +42,14 @@ class OwnKeys(Reproduced):
         rows = [(t, math.cos(angle), math.sin(angle)) for t, angle in ((5, 0), (6, 0.2), (8, 0.5), (8.5, 0.9), (11, 1), (12, 1.3))]
         self.write("six.csv", "t,qw,qx,qy,qz\n" + "".join(f"{t},{w},0,{z},0\n" for t, w, z in rows))
 
+    def test_equal_keys_are_left_in_no_direction(self):
+        self.write("rest.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n2,1,0,0,0\n3,0.8,0.6,0,0\n4,0.8,0,0.6,0\n")
+        (report,) = json.loads(self.output_of("reproduce 000-theorem1 --json --keys rest.csv"))
+        table = report["tables"][0]
+        corner = dict(zip(table["columns"], table["rows"][1]))
+        self.assertEqual([corner[name] for name in ("order before", "behind", "corner [degrees]", "of ω at ±1e-5 s")],
+                         ["none", 3, "none", "none"])
+
     def test_the_five_keys_of_ours_give_what_stands_in_the_documents(self):
         rows = (DOCS.parent / "examples/data/five_keys.csv").read_text("utf-8").splitlines()
         keys = [row.partition(",")[2] for row in rows if row[:1].isdigit()]

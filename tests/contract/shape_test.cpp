@@ -5,6 +5,7 @@
 
 #include <contract/family_contract.hpp>
 #include <contract/random_parameters.hpp>
+#include <support/inner_quaternions.hpp>
 
 namespace orispline::contract { namespace {
 
@@ -50,6 +51,16 @@ TEST_P(Shape, HasACornerOnlyWhereAParameterIsZeroOfWhichTheFamilySaysSo) {
       EXPECT_EQ(shape.order(), 0);
       EXPECT_EQ(shape.corner().second, keys.size() / 2);
     }
+  }
+}
+
+TEST_P(Shape, IsOfTheDeclaredOrderInTimeTooWithInnerQuaternions) {
+  const auto& order = GetParam().order_with_inner_quaternions;
+  if (!order) return;
+  for (const Spacing spacing : {Spacing::even, Spacing::uneven}) {
+    const AnyCurve bent = curve(keyframes(with_inner_quaternions(walk(76, 9, spacing, moderate_step), 77)));
+    EXPECT_EQ(continuity_at_keys(bent).order(), *order);
+    EXPECT_EQ(shape_continuity_at_keys(bent).order_in_motion(), *order);
   }
 }
 

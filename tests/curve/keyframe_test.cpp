@@ -110,7 +110,32 @@ INSTANTIATE_TEST_SUITE_P(
                     BadKeys{"PositionTooFar", [](KeyframeData& d) { d.positions[2].z() = -1.1e18; },
                             "key 2: the position has a component of 1.1e+18, wanted 1e+18 at most"},
                     BadKeys{"AngularVelocityTooLarge", [](KeyframeData& d) { d.angular_velocities[1].x() = 1e300; },
-                            "key 1: the angular velocity has a component of 1e+300, wanted 1e+18 at most"}),
+                            "key 1: the angular velocity has a component of 1e+300, wanted 1e+18 at most"},
+                    BadKeys{"FewerInnerQuaternions",
+                            [](KeyframeData& d) {
+                              d.inner_leaving = {d.orientations[0], d.orientations[1]};
+                            },
+                            "found 2 leaving inner quaternions for 3 times, wanted one per key"},
+                    BadKeys{"InnerQuaternionFarFromUnit",
+                            [](KeyframeData& d) {
+                              d.inner_arriving = d.orientations;
+                              d.inner_arriving[2].coeffs() *= 1.5;
+                            },
+                            "key 2: the arriving inner quaternion has norm 1.5, wanted 1 within 0.001"},
+                    BadKeys{"InnerQuaternionInfinite",
+                            [](KeyframeData& d) {
+                              d.inner_leaving = d.orientations;
+                              d.inner_leaving[0].w() = infinity;
+                            },
+                            "key 0: the leaving inner quaternion has a component that is not finite, wanted a unit "
+                            "quaternion"},
+                    BadKeys{"InnerQuaternionInPart",
+                            [](KeyframeData& d) {
+                              d.inner_leaving.assign(3, free_inner());
+                              d.inner_leaving[1].w() = 1.0;
+                            },
+                            "key 1: the leaving inner quaternion lacks 3 of its 4 components, wanted all of them, or "
+                            "none to leave it free"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 /// Times with two steps so uneven that no method may see both, and so many keys between.
@@ -249,6 +274,37 @@ TEST(Keyframes, StepsJustOverHalfATurnGoTheOtherWay) {
   const Keyframes keys = Keyframes::make(data).value();
   const Eigen::Vector3d step = increment<double>(keys.orientations()[0], keys.orientations()[1]);
   EXPECT_TRUE(near(step, Eigen::Vector3d(0, 0, -(pi - 1e-6)), tolerance::algebra));
+}
+
+TEST(Keyframes, InnerQuaternionsAreUnitAndHaveTheSignThatIsNearerToTheirKey) {
+  KeyframeData data = three_keys();
+  data.inner_leaving = data.orientations;
+  data.inner_leaving[1].coeffs() *= -1.0005;
+  data.inner_leaving[2] = free_inner();
+  const Keyframes keys = Keyframes::make(data).value();
+  EXPECT_TRUE(near(keys.inner_leaving()[1], keys.orientations()[1], tolerance::exact));
+  EXPECT_TRUE(is_free_inner(keys.inner_leaving()[2]));
+  EXPECT_TRUE(keys.inner_arriving().empty() && keys.have_inner_quaternions());
+  const Keyframes again = Keyframes::make(keys.data(), Signs::as_given).value();
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(again.inner_leaving()[i].coeffs(), keys.inner_leaving()[i].coeffs());
+}
+
+TEST(Keyframes, KeepInnerQuaternionsNearTheirKeysWhereSomeAreTaken) {
+  KeyframeData data{.times = {0.0, 1.0, 2.0}};
+  for (const double angle : {0.0, 2.0, 4.0}) data.orientations.push_back(exp<double>(Eigen::Vector3d(0, 0, angle)));
+  data.inner_leaving = data.inner_arriving = data.orientations;
+  const std::array<std::size_t, 2> ends{0, 2};
+  const Keyframes some = Keyframes::make(std::move(data)).value().at(ends);
+  EXPECT_LT(some.orientations()[1].w() * std::cos(2.0), 0.0);  // the short way from the first is the other one
+  EXPECT_TRUE(near(some.inner_leaving()[1], some.orientations()[1], tolerance::exact));
+  EXPECT_TRUE(near(some.inner_arriving()[1], some.orientations()[1], tolerance::exact));
+  EXPECT_EQ(some.first(1).inner_arriving().size(), 1u);
+}
+
+TEST(Keyframes, AreNotGivenInnerQuaternionsThatAreAllFree) {
+  KeyframeData data = three_keys();
+  data.inner_leaving.assign(3, free_inner());
+  EXPECT_FALSE(Keyframes::make(std::move(data)).value().have_inner_quaternions());
 }
 
 TEST(Keyframes, PositionsAndRatesAreOptional) {

@@ -228,6 +228,9 @@ TEST(Blending, RefusesWhatItCannotUnderstandWithItsPlace) {
             "row 2: found 3 entries, wanted 2 as in row 1");
   EXPECT_EQ(refusal(data_of({{"0", "1"}, {"0", "1"}})),
             "first: 2 increments do not say where they begin, wanted 'first', 0 being the segment's own");
+  EXPECT_EQ(refusal(data_of({{"0", "a", "1"}}, {{.name = "tension", .initial = 1e-300}})),
+            "parameters: 'tension' is 1e-300, wanted 0 or a size of 1e-30 at least");
+  EXPECT_EQ(refusal(data_of({{"0", "a", "1"}}, {{.name = "tension", .initial = -1e-30}})), "");
   BlendingData taken = data_of({{"0", "1"}});
   taken.name = "squad";
   EXPECT_EQ(refusal(taken), "name: found 'squad', which is a method already, wanted another name");

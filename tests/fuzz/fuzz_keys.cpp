@@ -3,11 +3,14 @@
 // from the table that it was written to.
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstring>
+#include <type_traits>
 
 #include <fuzz/claim.hpp>
 #include <fuzz/fuzz_input.hpp>
 #include <fuzz/temporary_file.hpp>
+#include <orispline/curve/key_parts.hpp>
 #include <orispline/io/key_reader.hpp>
 #include <orispline/io/key_table.hpp>
 #include <orispline/io/track_file.hpp>
@@ -64,6 +67,7 @@ ReadOptions read_options(FuzzInput& input) {
   const bool is_plain = !more.next();
   options.frames = frame_changes[more.next(4)];
   options.inverse_poses = more.next() && !options.conjugate;
+  options.inner_quaternions = more.next();
   if (is_plain) return options;
   options.orientation = orientation_reading(input);
   if (const auto scale = chosen(input, time_scales)) options.time_scale = Decimal::parse(*scale).value();
@@ -77,10 +81,6 @@ void claim_one_each(const char* what, const std::vector<T>& list, std::size_t ke
   claim(list.empty() || list.size() == keys, "{} {} of {} keys", list.size(), what, keys);
 }
 
-void claim_finite(const char* what, const std::vector<Eigen::Vector3d>& list) {
-  for (std::size_t i = 0; i < list.size(); ++i) claim(list[i].allFinite(), "{} {} is not finite", what, i);
-}
-
 void claim_whole(const KeyFile& file, const ReadOptions& options) {
   const KeyframeData& data = file.data;
   const std::size_t keys = data.times.size();
@@ -91,12 +91,15 @@ void claim_whole(const KeyFile& file, const ReadOptions& options) {
           data.times[i]);
     claim(data.orientations[i].coeffs().allFinite(), "orientation {} is not finite", i);
   }
-  claim_one_each("positions", data.positions, keys);
-  claim_finite("position", data.positions);
-  for (const auto* rates : {&data.angular_velocities, &data.angular_accelerations, &data.angular_jerks}) {
-    claim_one_each("rates", *rates, keys);
-    claim_finite("rate", *rates);
-  }
+  for_each_part([&](const auto& part) {
+    const auto& list = data.*part.list;
+    claim_one_each(part.many, list, keys);
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if constexpr (std::same_as<std::remove_cvref_t<decltype(list[i])>, Eigen::Vector3d>)
+        claim(list[i].allFinite() || (part.check == check_rate && is_free(list[i])), "{} {} is not finite", part.one,
+              i);
+      else claim(!part.check(i, part.one, list[i]), "{} {} is none", part.one, i);
+  });
   claim_one_each("lines", file.lines, keys);
   for (const auto& [name, values] : file.parameters) {
     claim_one_each("values", values, keys);
@@ -107,7 +110,8 @@ void claim_whole(const KeyFile& file, const ReadOptions& options) {
     claim(file.exact_times[i - 1] < file.exact_times[i], "exact time {} does not rise", i);
 }
 
-bool same_bits(const std::vector<Eigen::Quaterniond>& a, const std::vector<Eigen::Quaterniond>& b) {
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), sizeof(a[0]) * a.size()) == 0);
 }
 
@@ -115,10 +119,7 @@ void claim_same(const KeyFile& found, const KeyFile& wanted) {
   const KeyframeData &a = found.data, &b = wanted.data;
   claim(found.epoch == wanted.epoch && a.times == b.times, "other times");
   claim(same_bits(a.orientations, b.orientations), "other orientations");
-  claim(a.positions == b.positions, "other positions");
-  claim(a.angular_velocities == b.angular_velocities && a.angular_accelerations == b.angular_accelerations &&
-            a.angular_jerks == b.angular_jerks,
-        "other rates");
+  for_each_part([&](const auto& part) { claim(same_bits(a.*part.list, b.*part.list), "other {}", part.many); });
   claim(found.parameters == wanted.parameters, "other parameters");
 }
 
@@ -138,10 +139,7 @@ void claim_same_in_pieces(const std::string& path, const ReadOptions& options, c
     claim(piece.has_value(), "a piece is refused: {}", piece ? "" : describe(piece.error()));
     append(all.data.times, piece->data.times);
     append(all.data.orientations, piece->data.orientations);
-    append(all.data.positions, piece->data.positions);
-    append(all.data.angular_velocities, piece->data.angular_velocities);
-    append(all.data.angular_accelerations, piece->data.angular_accelerations);
-    append(all.data.angular_jerks, piece->data.angular_jerks);
+    for_each_part([&](const auto& part) { append(all.data.*part.list, piece->data.*part.list); });
     for (const auto& [name, values] : piece->parameters) append(all.parameters[name], values);
   }
   claim_same(all, wanted);

@@ -149,7 +149,7 @@ TEST(BadFile, ThatContradictsTheOptionsIsBadUsage) {
                     "qy, qz, roll, "
                     "pitch, yaw, e1, e2, e3, r11, r12, r13, r21, r22, r23, r31, r32, r33, rx, ry, rz, px, py, pz, wx, "
                     "wy, wz, ax, ay, az, jx, jy, jz, wx_world, wy_world, wz_world, ax_world, ay_world, az_world, "
-                    "jx_world, jy_world, jz_world, tension",
+                    "jx_world, jy_world, jz_world, a_qw, a_qx, a_qy, a_qz, b_qw, b_qx, b_qy, b_qz, tension",
                     "keys.csv", {.columns = {{"heading", "qx"}}, .parameters = {"tension"}}),
       contradiction(plain_header + key, "[time_scale] the time scale is 0, wanted a number greater than 0", "keys.csv",
                     {.time_scale = Decimal()}),

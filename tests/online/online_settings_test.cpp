@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <online/online_stream.hpp>
+#include <support/inner_quaternions.hpp>
 
 namespace orispline { namespace {
 
@@ -70,6 +71,13 @@ TEST(OnlineCurve, TakesRatesOfTheKeys) {
   }
   for (const std::string_view method : OnlineCurve::methods())
     if (find_family(method).value()->rate_orders > 0) expect_same_bits(method, data, {});
+}
+
+TEST(OnlineCurve, TakesInnerQuaternionsOfTheKeys) {
+  KeyframeData data = with_inner_quaternions(raw_walk(719, keys_of_stream), 720);
+  data.inner_leaving[7] = data.inner_arriving[9] = free_inner();
+  for (const std::string_view method : OnlineCurve::methods())
+    if (find_family(method).value()->takes_inner_quaternions()) expect_same_bits(method, data, {});
 }
 
 TEST(OnlineCurve, HoldsEqualKeysAtRest) {

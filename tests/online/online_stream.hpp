@@ -34,15 +34,15 @@ struct FinalKeys {
 
 /// Key i of the data.
 [[nodiscard]] inline StreamKey key_of(const KeyframeData& data, std::size_t i) {
-  const auto at = [i](const std::vector<Eigen::Vector3d>& list) {
-    return list.empty() ? std::nullopt : std::optional(list[i]);
-  };
+  const auto at = [i](const auto& list) { return list.empty() ? std::nullopt : std::optional(list[i]); };
   return {.time = data.times[i],
           .orientation = data.orientations[i],
           .position = at(data.positions),
           .angular_velocity = at(data.angular_velocities),
           .angular_acceleration = at(data.angular_accelerations),
-          .angular_jerk = at(data.angular_jerks)};
+          .angular_jerk = at(data.angular_jerks),
+          .inner_leaving = at(data.inner_leaving),
+          .inner_arriving = at(data.inner_arriving)};
 }
 
 /// Appends keys first … last - 1 of the data.

@@ -7,6 +7,7 @@
 
 #include <online/track_stream.hpp>
 #include <orispline/families/blending/blending_family.hpp>
+#include <support/inner_quaternions.hpp>
 
 namespace orispline { namespace {
 
@@ -165,6 +166,14 @@ TEST(TrackSampler, TakesRatesOfTheKeysAndSignsAsGiven) {
     const TrackSampler sampler = TrackSampler::make(method, {.step = track_step}, {.signs = Signs::as_given}).value();
     EXPECT_TRUE(streamed(sampler, data, {}, 817) == of_whole(whole, data.times.front(), track_step)) << method;
   }
+}
+
+TEST(TrackSampler, TakesInnerQuaternionsOfTheKeys) {
+  KeyframeData data = with_inner_quaternions(raw_walk(822, 60), 823);
+  data.inner_leaving[7] = data.inner_arriving[9] = free_inner();
+  const PoseCurve whole = make_pose_curve("squad", keyframes(data, Signs::shortest)).value();
+  const TrackSampler sampler = TrackSampler::make("squad", {.step = track_step}).value();
+  EXPECT_TRUE(streamed(sampler, data, {}, 824) == of_whole(whole, data.times.front(), track_step));
 }
 
 TEST(TrackSampler, SamplesOnAGridThatStartsElsewhere) {

@@ -70,7 +70,9 @@ struct TrackSamples {
           .positions = part(data.positions),
           .angular_velocities = part(data.angular_velocities),
           .angular_accelerations = part(data.angular_accelerations),
-          .angular_jerks = part(data.angular_jerks)};
+          .angular_jerks = part(data.angular_jerks),
+          .inner_leaving = part(data.inner_leaving),
+          .inner_arriving = part(data.inner_arriving)};
 }
 
 /// Feeds the keys in pieces of random length, puts the state away and back at random, takes samples in random portions.

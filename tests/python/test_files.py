@@ -200,7 +200,7 @@ def test_columns_that_no_key_has_are_left_out_with_a_warning(file, tmp_path):
     lines = [f"t,{Q},wx,wy,wz", "0,1,0,0,0,0,0,0", "1,0.8,0,0,0.6,nan,0,0", "2,0.6,0,0,0.8,0,0,0"]
     path = file(*lines)
     for options in ({}, {"drop_invalid": True}):
-        with pytest.warns(ori.ShapeWarning, match="columns of rates or settings are left out"):
+        with pytest.warns(ori.ShapeWarning, match="columns of rates, inner quaternions or settings are left out"):
             keys = ori.read(path, **options)
         assert len(keys) == 3 and keys.angular_velocities is None
     command("sample", path, "--rate", 10, "--quiet", "-o", tmp_path / "wanted.csv")

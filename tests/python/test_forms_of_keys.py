@@ -12,7 +12,7 @@ T, Q = [0.0, 1.0, 3.0], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]]
 KEYS = ori.Keys(T, Q)
 RATES = np.array([[0, 0, 5.0], [0, 1, 0], [1, 0, 0]])
 BESIDE = {"rotations": Q, "positions": np.eye(3), "angular_velocities": RATES, "angular_accelerations": RATES, "angular_jerks": RATES,
-          "signs": "shortest", "scalar_first": False, "normalize": True, "normalise": False, "euler": "ZYX", "angle_unit": "deg",
+          "inner_leaving": Q, "inner_arriving": Q, "signs": "shortest", "scalar_first": False, "normalize": True, "normalise": False, "euler": "ZYX", "angle_unit": "deg",
           "drop_invalid": False, "drop_duplicates": True, "sort": False, "time_unit": "s"}
 
 

@@ -31,17 +31,13 @@ template <class Row, class Array>
 [[nodiscard]] std::vector<Row> rows_of(const Array& array) {
   std::vector<Row> rows(array.shape(0));
   static_assert(sizeof(Row) % sizeof(double) == 0);
-  if (!rows.empty()) std::memcpy(rows.data()->coeffs().data(), array.data(), array.size() * sizeof(double));
+  if (!rows.empty()) std::memcpy(static_cast<void*>(rows.data()), array.data(), array.size() * sizeof(double));
   return rows;
 }
 
-template <class Row>
-[[nodiscard]] std::vector<Row> rows_of(const std::optional<Rows3>& array) {
-  std::vector<Row> rows;
-  if (!array) return rows;
-  rows.resize(array->shape(0));
-  if (!rows.empty()) std::memcpy(rows.data(), array->data(), array->size() * sizeof(double));
-  return rows;
+template <class Row, class Array>
+[[nodiscard]] std::vector<Row> rows_of(const std::optional<Array>& array) {
+  return array ? rows_of<Row>(*array) : std::vector<Row>();
 }
 
 /// An array of NumPy that holds float64, and says so where its function is described.

@@ -28,25 +28,10 @@ namespace {
 
 Keys shared(Track track) { return {std::make_shared<const Track>(std::move(track))}; }
 
-template <class T>
-std::vector<T> picked(std::span<const T> values, const std::vector<std::size_t>& indices) {
-  std::vector<T> some;
-  if (!values.empty())
-    for (const std::size_t i : indices) some.push_back(values[i]);
-  return some;
-}
-
 /// The keys at rising indices, with the signs that they have.
 Keys part_of(const Keys& keys, const std::vector<std::size_t>& indices) {
   const Track& track = *keys.track;
-  const Keyframes& all = track.keys;
-  Keyframes some = value_of(Keyframes::make({.times = picked(all.times(), indices),
-                                             .orientations = picked(all.orientations(), indices),
-                                             .positions = picked(all.positions(), indices),
-                                             .angular_velocities = picked(all.angular_velocities(), indices),
-                                             .angular_accelerations = picked(all.angular_accelerations(), indices),
-                                             .angular_jerks = picked(all.angular_jerks(), indices)},
-                                            Signs::as_given));
+  Keyframes some = value_of(Keyframes::make(kept_keys(track.keys.data(), indices), Signs::as_given));
   Track part = track.at(indices);
   if (track.recipe.signs == Signs::as_given) part.keys = std::move(some);
   part.recipe.signs = track.recipe.signs;

@@ -63,6 +63,7 @@ io::ReadOptions read_for(std::span<const FamilyInfo* const> families, io::ReadOp
   options.rate_orders = 0;
   for (const FamilyInfo* const family : families) {
     options.rate_orders = std::max(options.rate_orders, family->rate_orders);
+    options.inner_quaternions |= family->takes_inner_quaternions();
     for (const Parameter& parameter : family->parameters) parameters.emplace(parameter.name);
   }
   options.parameters = {parameters.begin(), parameters.end()};
@@ -79,12 +80,14 @@ io::ReadOptions read_for_all(std::vector<const FamilyInfo*> families, io::ReadOp
 }
 
 bool has_more_than_motion(const io::TrackFile& file) {
-  return !file.track.settings.empty() || !file.track.keys.angular_velocities().empty();
+  const Keyframes& keys = file.track.keys;
+  return !file.track.settings.empty() || !keys.angular_velocities().empty() || !keys.inner_leaving().empty() ||
+         !keys.inner_arriving().empty();
 }
 
 Warning left_out(const std::string& path, const std::string& reason) {
   return {.code = "columns_left_out",
-          .message = "columns of rates or settings are left out, since they are not those of keys: " + reason,
+          .message = "columns of rates, inner quaternions or settings are left out, since they are not those of keys: " + reason,
           .where = {.file = path}};
 }
 

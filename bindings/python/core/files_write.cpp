@@ -55,6 +55,8 @@ Expected<std::vector<Warning>> write_track(Track track, const std::string& path,
   std::vector<Warning> warnings;
   if (const auto warning = io::recipe_not_stated(track, *columns, path)) warnings.push_back(*warning);
   if (!format.holds.rates && !track.keys.angular_velocities().empty()) warnings.push_back(lost(format, "rates", path));
+  if (!format.holds.rates && track.keys.have_inner_quaternions())
+    warnings.push_back(lost(format, "inner quaternions", path));
   if (!format.holds.settings && !track.settings.empty()) {  // without them the keys are for another curve
     warnings.push_back(lost(format, "settings", path));
     track.settings.clear();

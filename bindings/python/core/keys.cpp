@@ -22,13 +22,16 @@ using Settings = std::map<std::string, std::vector<double>>;
 
 Keys made(const Numbers& times, const Rows4& orientations, const std::optional<Rows3>& positions,
           const std::optional<Rows3>& angular_velocities, const std::optional<Rows3>& angular_accelerations,
-          const std::optional<Rows3>& angular_jerks, const Settings& settings, const std::string& signs) {
+          const std::optional<Rows3>& angular_jerks, const std::optional<Rows4>& inner_leaving,
+          const std::optional<Rows4>& inner_arriving, const Settings& settings, const std::string& signs) {
   KeyframeData data{.times = {times.data(), times.data() + times.size()},
                     .orientations = rows_of<Eigen::Quaterniond>(orientations),
                     .positions = rows_of<Eigen::Vector3d>(positions),
                     .angular_velocities = rows_of<Eigen::Vector3d>(angular_velocities),
                     .angular_accelerations = rows_of<Eigen::Vector3d>(angular_accelerations),
-                    .angular_jerks = rows_of<Eigen::Vector3d>(angular_jerks)};
+                    .angular_jerks = rows_of<Eigen::Vector3d>(angular_jerks),
+                    .inner_leaving = rows_of<Eigen::Quaterniond>(inner_leaving),
+                    .inner_arriving = rows_of<Eigen::Quaterniond>(inner_arriving)};
   const Signs how = signs == "as-given" ? Signs::as_given : Signs::shortest;
   const auto keys = [&] {
     const nb::gil_scoped_release release;
@@ -52,6 +55,11 @@ std::optional<FloatArray> column_of(std::span<const Eigen::Vector3d> rows) {
   return array_of(rows.front().data(), rows.size(), 3);
 }
 
+std::optional<FloatArray> column_of(std::span<const Eigen::Quaterniond> rows) {
+  if (rows.empty()) return std::nullopt;
+  return array_of(rows.front().coeffs().data(), rows.size(), 4);
+}
+
 nb::typed<nb::dict, nb::str, double> report_of(const Keys& keys) {
   const KeyframeReport& report = keys.track->keys.report();
   nb::typed<nb::dict, nb::str, double> result;
@@ -67,7 +75,8 @@ nb::typed<nb::dict, nb::str, double> report_of(const Keys& keys) {
 void add_keys(nb::module_& module) {
   nb::class_<Keys>(module, "Keys")
       .def(nb::new_(&made), "times"_a, "orientations"_a, "positions"_a.none(), "angular_velocities"_a.none(),
-           "angular_accelerations"_a.none(), "angular_jerks"_a.none(), "settings"_a, "signs"_a)
+           "angular_accelerations"_a.none(), "angular_jerks"_a.none(), "inner_leaving"_a.none(),
+           "inner_arriving"_a.none(), "settings"_a, "signs"_a)
       .def("__len__", [](const Keys& keys) { return keys.track->keys.size(); })
       .def_prop_ro("times",
                    [](const Keys& keys) {
@@ -85,6 +94,8 @@ void add_keys(nb::module_& module) {
       .def_prop_ro("angular_accelerations",
                    [](const Keys& keys) { return column_of(keys.track->keys.angular_accelerations()); })
       .def_prop_ro("angular_jerks", [](const Keys& keys) { return column_of(keys.track->keys.angular_jerks()); })
+      .def_prop_ro("inner_leaving", [](const Keys& keys) { return column_of(keys.track->keys.inner_leaving()); })
+      .def_prop_ro("inner_arriving", [](const Keys& keys) { return column_of(keys.track->keys.inner_arriving()); })
       .def_prop_ro("settings",
                    [](const Keys& keys) { return Settings(keys.track->settings.begin(), keys.track->settings.end()); })
       .def_prop_ro("report", &report_of);

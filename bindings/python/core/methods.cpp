@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
 
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/vector.h>
 
 #include <orispline/families/method_text.hpp>
@@ -61,6 +62,7 @@ nb::typed<nb::dict, nb::str, nb::any> info_of(const FamilyInfo& family) {
   info["ends"] = ends;
   info["closes"] = family.closes;
   info["rate_orders"] = family.rate_orders;
+  info["order_with_inner_quaternions"] = family.order_with_inner_quaternions;
   return info;
 }
 

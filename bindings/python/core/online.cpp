@@ -38,15 +38,22 @@ std::optional<Eigen::Vector3d> vector_of(const std::optional<Three>& numbers) {
   return numbers ? std::optional<Eigen::Vector3d>(numbers->data()) : std::nullopt;
 }
 
+std::optional<Eigen::Quaterniond> quaternion_of(const std::optional<Four>& numbers) {
+  return numbers ? std::optional<Eigen::Quaterniond>(numbers->data()) : std::nullopt;
+}
+
 void append(OnlineCurve& curve, double time, const Four& orientation, const std::optional<Three>& position,
             const std::optional<Three>& angular_velocity, const std::optional<Three>& angular_acceleration,
-            const std::optional<Three>& angular_jerk, const std::map<std::string, double>& settings) {
+            const std::optional<Three>& angular_jerk, const std::optional<Four>& inner_leaving,
+            const std::optional<Four>& inner_arriving, const std::map<std::string, double>& settings) {
   value_of(curve.append({.time = time,
                          .orientation = Eigen::Quaterniond(orientation.data()),
                          .position = vector_of(position),
                          .angular_velocity = vector_of(angular_velocity),
                          .angular_acceleration = vector_of(angular_acceleration),
                          .angular_jerk = vector_of(angular_jerk),
+                         .inner_leaving = quaternion_of(inner_leaving),
+                         .inner_arriving = quaternion_of(inner_arriving),
                          .settings = {settings.begin(), settings.end()}}));
 }
 
@@ -80,7 +87,8 @@ void add_online(nb::module_& module) {
   nb::class_<OnlineCurve>(module, "OnlineCurve")
       .def(nb::new_(&made), "method"_a, "with_keys"_a, "capacity"_a, "signs"_a)
       .def("append", &append, "time"_a, "orientation"_a, "position"_a.none(), "angular_velocity"_a.none(),
-           "angular_acceleration"_a.none(), "angular_jerk"_a.none(), "settings"_a)
+           "angular_acceleration"_a.none(), "angular_jerk"_a.none(), "inner_leaving"_a.none(),
+           "inner_arriving"_a.none(), "settings"_a)
       .def("finish", [](OnlineCurve& curve) { value_of(curve.finish()); })
       .def("reset", &OnlineCurve::reset)
       .def("available", &available)

@@ -20,6 +20,8 @@ Columns = dict[str, NDArray[Any]]
 QUATERNION = ("qw", "qx", "qy", "qz")
 VECTORS = {"positions": ("px", "py", "pz"), "angular_velocities": ("wx", "wy", "wz"), "angular_accelerations": ("ax", "ay", "az"),
            "angular_jerks": ("jx", "jy", "jz")}  # of keys, by the names of their arguments
+INNER = {"inner_leaving": tuple(f"a_{name}" for name in QUATERNION), "inner_arriving": tuple(f"b_{name}" for name in QUATERNION)}
+PARTS = {**VECTORS, **INNER}  # all that keys may have beside times and orientations
 
 
 def names_in_order(width: int) -> list[str] | None:
@@ -63,13 +65,14 @@ def as_pandas(columns: Columns, epoch: decimal.Decimal) -> Any:
 
 
 def arguments_of(columns: Mapping[str, Any]) -> dict[str, Any]:
-    """Arguments of `Keys` out of columns by name: times, rotations w, x, y, z, and what else keys may have. Others are left alone."""
+    """Arguments of `Keys` out of columns by name: times, rotations and inner quaternions w, x, y, z, and what else keys may have.
+    Others are left alone."""
     missing = [name for name in ("t", *QUATERNION) if name not in columns]
     if missing:
         raise ArgumentError(f"columns: found no {', '.join(missing)}, wanted t, qw, qx, qy and qz: name yours by columns=, such as "
                             "{'t': 'stamp'}")
     stacked: dict[str, Array] = {}
-    for argument, names in VECTORS.items():
+    for argument, names in PARTS.items():
         found = [name for name in names if name in columns]
         if found and len(found) < len(names):
             raise ArgumentError(f"columns: found {', '.join(found)} alone, wanted {', '.join(names)}")

@@ -13,6 +13,7 @@ from ._baked import BakedCurve, baked
 from ._blending import Blending
 from ._checks import check_number, flag, in_world, index_of, rate_text, real, thread_count, whole
 from ._clock import Clock
+from ._columns import PARTS
 from ._errors import ArgumentError, DataError
 from ._forms import quaternions
 from ._keys import Keys
@@ -92,12 +93,14 @@ class Curve(Looks, Orienting):
                  ends: str | tuple[str, str] | None = None, start_rate: Any = None, end_rate: Any = None,
                  closed: bool = False, period: float | None = None, extrapolate: Extrapolate = "hold",
                  positions: Any = None, angular_velocities: Any = None, angular_accelerations: Any = None,
-                 angular_jerks: Any = None, signs: Signs | None = None, scalar_first: bool | None = None,
+                 angular_jerks: Any = None, inner_leaving: Any = None, inner_arriving: Any = None,
+                 signs: Signs | None = None, scalar_first: bool | None = None,
                  normalize: bool | None = None, normalise: bool | None = None, euler: str | None = None,
                  angle_unit: AngleUnit | None = None, drop_invalid: bool | None = None, drop_duplicates: bool | None = None,
                  sort: bool | None = None, time_unit: TimeUnit | None = None, **settings: Any) -> None:
         of_keys = {"rotations": rotations, "positions": positions, "angular_velocities": angular_velocities,
-                   "angular_accelerations": angular_accelerations, "angular_jerks": angular_jerks, "signs": signs,
+                   "angular_accelerations": angular_accelerations, "angular_jerks": angular_jerks,
+                   "inner_leaving": inner_leaving, "inner_arriving": inner_arriving, "signs": signs,
                    "scalar_first": scalar_first, "normalize": normalize, "normalise": normalise, "euler": euler,
                    "angle_unit": angle_unit, "drop_invalid": drop_invalid, "drop_duplicates": drop_duplicates, "sort": sort,
                    "time_unit": time_unit}
@@ -397,7 +400,7 @@ class Curve(Looks, Orienting):
         """
         seconds, rows = self._series(times, quaternions("rotations", rotations, scalar_first=self._scalar_first), "rotations")
         self._clock.check_rising(seconds)
-        reference = _core.Keys(seconds, rows, None, None, None, None, settings={}, signs="as-given")
+        reference = _core.Keys(seconds, rows, **dict.fromkeys(PARTS), settings={}, signs="as-given")
         return self._statistics(self._core.distance(reference))
 
     def rate_error(self, times: Any, rates: Any) -> DistanceStatistics:

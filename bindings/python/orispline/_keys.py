@@ -11,7 +11,7 @@ from . import _core
 from ._arrays import Array, array_of, numbers, same
 from ._checks import flag, index_of, wrong_type
 from ._clock import Clock, times_of_keys
-from ._columns import VECTORS, Columns, arguments_of, as_arrow, as_pandas, columns_of, named
+from ._columns import INNER, PARTS, Columns, arguments_of, as_arrow, as_pandas, columns_of, named
 from ._errors import ArgumentError, DataError, tell
 from ._files import Options, Writable, stated, write
 from ._forms import of_euler, poses, rotation_text
@@ -45,6 +45,11 @@ class Keys(Writable):
     angular_velocities, angular_accelerations, angular_jerks : (n, 3) arrays, optional
         Rates at the keys [rad/s], [rad/s²], [rad/s³], body frame, for methods that take them. A row of NaN leaves the
         rate of its key free: `least` chooses it, the others estimate it.
+    inner_leaving, inner_arriving : (n, 4) arrays, optional
+        Inner quaternions of `squad`, body to world, in the order of `rotations`: the control points a_n of the segment that leaves
+        each key, and b_n of the one that arrives at it. On the segment from key n to n+1 the curve is
+        Slerp(2t(1-t); Slerp(t; q_n, q_n+1), Slerp(t; a_n, b_n+1)). A row of NaN leaves one free: `squad` chooses it. Of the two
+        signs the one that is nearer to the key is taken. The first b and the last a are not used.
     settings : mapping of (n,) arrays, optional
         Values of a method's parameters with one for each key, such as `{"tension": ...}`.
     signs : {"shortest", "as-given"}
@@ -58,7 +63,7 @@ class Keys(Writable):
     angle_unit : {"rad", "deg", "mrad", "arcsec"}, optional
         Of these angles; without it rad.
     drop_invalid : bool
-        Drop keys with NaN or infinite numbers, but whole rows of rates, and with NaT.
+        Drop keys with NaN or infinite numbers, but whole rows of rates and inner quaternions, and with NaT.
     drop_duplicates : bool
         Of keys at equal times keep the first.
     sort : bool
@@ -69,7 +74,8 @@ class Keys(Writable):
     Raises
     ------
     DataError
-        Times that do not increase, numbers that are not finite (but whole rows of rates), norms too far from 1, lengths that differ; with `key`.
+        Times that do not increase, numbers that are not finite (but whole rows of rates and inner quaternions), norms too far from
+        1, lengths that differ; with `key`.
     ArgumentError
         Arrays of another shape or kind.
 
@@ -92,29 +98,32 @@ class Keys(Writable):
     _curve_class: ClassVar[type[Curve]]  # set by the module of curves, which knows this one
 
     def __init__(self, times: Any, rotations: Any, *, positions: Any = None, angular_velocities: Any = None,
-                 angular_accelerations: Any = None, angular_jerks: Any = None, settings: Mapping[str, Any] | None = None,
-                 signs: Signs = "shortest", scalar_first: bool = False, normalize: bool = False, normalise: bool = False,
-                 euler: str | None = None, angle_unit: AngleUnit | None = None, drop_invalid: bool = False,
-                 drop_duplicates: bool = False, sort: bool = False, time_unit: TimeUnit | None = None) -> None:
+                 angular_accelerations: Any = None, angular_jerks: Any = None, inner_leaving: Any = None, inner_arriving: Any = None,
+                 settings: Mapping[str, Any] | None = None, signs: Signs = "shortest", scalar_first: bool = False,
+                 normalize: bool = False, normalise: bool = False, euler: str | None = None, angle_unit: AngleUnit | None = None,
+                 drop_invalid: bool = False, drop_duplicates: bool = False, sort: bool = False,
+                 time_unit: TimeUnit | None = None) -> None:
         index_of("signs", signs, SIGNS)
         scalar_first = flag("scalar_first", scalar_first)
         mending = Mending.of(normalize, normalise, drop_invalid, drop_duplicates, sort)
         orientations, positions = _orientations(rotations, positions, scalar_first, euler, angle_unit)
-        vectors = {name: None if rows is None else numbers(name, rows, (None, 3)) for name, rows in
-                   (("positions", positions), ("angular_velocities", angular_velocities),
-                    ("angular_accelerations", angular_accelerations), ("angular_jerks", angular_jerks))}
+        given = {"positions": positions, "angular_velocities": angular_velocities, "angular_accelerations": angular_accelerations,
+                 "angular_jerks": angular_jerks, "inner_leaving": inner_leaving, "inner_arriving": inner_arriving}
+        parts = {name: None if rows is None else numbers(name, rows, (None, len(PARTS[name]))) for name, rows in given.items()}
+        if scalar_first:
+            parts |= {name: None if parts[name] is None else _xyzw(parts[name]) for name in INNER}
         times = array_of("times", times)
-        count = _check_lengths(times, {"rotations": orientations, **vectors})
-        kept, repairs = mending.rows(times, [orientations, vectors["positions"]], list(vectors.values())[1:])
+        count = _check_lengths(times, {"rotations": orientations, **parts})
+        kept, repairs = mending.rows(times, [orientations, parts["positions"]], [parts[name] for name in parts if name != "positions"])
         if kept is not None:
             times, orientations = times[kept], orientations[kept]
-            vectors = {name: None if rows is None else rows[kept] for name, rows in vectors.items()}
+            parts = {name: None if rows is None else rows[kept] for name, rows in parts.items()}
         if mending.normalize:
-            orientations, norms = scaled(orientations)
-            repairs = {**repairs, **norms}
+            orientations, inner, norms = scaled(orientations, {name: parts[name] for name in INNER})
+            parts, repairs = {**parts, **inner}, {**repairs, **norms}
         seconds, self._clock = times_of_keys(times, time_unit)
         self._scalar_first, self._source = scalar_first, {"repairs": repairs}
-        self._core = _core.Keys(seconds, orientations, **vectors, settings={} if settings is None else _values_per_key(settings, kept, count),
+        self._core = _core.Keys(seconds, orientations, **parts, settings={} if settings is None else _values_per_key(settings, kept, count),
                                 signs=signs)
         if self._clock.origin:
             self._core = _core.keys_since(self._core, self._clock.epoch, self._clock.is_calendar)
@@ -122,8 +131,8 @@ class Keys(Writable):
     @classmethod
     def from_pandas(cls, frame: Any, *, columns: Mapping[str, str] | None = None, **options: Any) -> Keys:
         """Of a DataFrame with the columns of `to_pandas()`: t, qw, qx, qy, qz, and where they are there px, py, pz [m], wx, wy, wz,
-        ax, ay, az and jx, jy, jz (rates in the body frame, in rad and s), and parameters of methods. Without t the index has
-        the times.
+        ax, ay, az and jx, jy, jz (rates in the body frame, in rad and s), a_qw, …, b_qw, … (inner quaternions), and parameters of
+        methods. Without t the index has the times.
 
         `columns` names yours, such as `{"t": "stamp", "qw": "q0"}`; other columns are left alone. The options are those of `Keys`
         that are not in the frame. Raises ArgumentError for columns that are not there.
@@ -144,7 +153,7 @@ class Keys(Writable):
         """Of columns by the names of a CSV file."""
         arguments = arguments_of(columns)
         if not flag("scalar_first", scalar_first):
-            arguments["rotations"] = arguments["rotations"][:, [1, 2, 3, 0]]
+            arguments |= {name: _xyzw(arguments[name]) for name in ("rotations", *INNER) if name in arguments}
         return cls(**arguments, scalar_first=scalar_first, **options)
 
     @classmethod
@@ -170,7 +179,7 @@ class Keys(Writable):
             return NotImplemented
         return (self._clock, self._scalar_first, self._signs_as_given) == (other._clock, other._scalar_first, other._signs_as_given) \
             and self.settings == other.settings \
-            and all(same(getattr(self._core, name), getattr(other._core, name)) for name in ("times", "orientations", *VECTORS))
+            and all(same(getattr(self._core, name), getattr(other._core, name)) for name in ("times", "orientations", *PARTS))
 
     def __hash__(self) -> int:
         return hash((len(self), self._clock, self._core.times[-1].item()))
@@ -184,7 +193,7 @@ class Keys(Writable):
     def rotations(self) -> Array:
         """(n, 4) unit quaternions, with the signs that curves follow."""
         q: Array = self._core.orientations
-        return q[:, [3, 0, 1, 2]] if self._scalar_first else q
+        return _wxyz(q) if self._scalar_first else q
 
     @property
     def positions(self) -> Array | None:
@@ -205,6 +214,18 @@ class Keys(Writable):
     def angular_jerks(self) -> Array | None:
         """(n, 3) [rad/s³], body frame, or None."""
         return self._core.angular_jerks
+
+    @property
+    def inner_leaving(self) -> Array | None:
+        """(n, 4) unit quaternions in the order of `rotations`, NaN where they are free, or None."""
+        q = self._core.inner_leaving
+        return _wxyz(q) if self._scalar_first and q is not None else q
+
+    @property
+    def inner_arriving(self) -> Array | None:
+        """(n, 4) unit quaternions in the order of `rotations`, NaN where they are free, or None."""
+        q = self._core.inner_arriving
+        return _wxyz(q) if self._scalar_first and q is not None else q
 
     @property
     def settings(self) -> dict[str, list[float]]:
@@ -295,8 +316,9 @@ class Keys(Writable):
         write(self, path, **options)
 
     def to_arrow(self) -> Any:
-        """A pyarrow Table with the columns of their CSV file: t, qw, qx, qy, qz, and where they have them px, …, wx, …, ax, …, jx, …
-        and settings. The times are those of `times`; the metadata of the schema has what they count from, `epoch`. Needs pyarrow."""
+        """A pyarrow Table with the columns of their CSV file: t, qw, qx, qy, qz, and where they have them px, …, wx, …, ax, …, jx, …,
+        a_qw, …, b_qw, … and settings. The times are those of `times`; the metadata of the schema has what they count from, `epoch`.
+        Needs pyarrow."""
         return as_arrow(self._columns(), self.epoch)
 
     def to_pandas(self) -> Any:
@@ -310,8 +332,11 @@ class Keys(Writable):
         return as_pandas(self._columns(), self.epoch)
 
     def _columns(self) -> Columns:
-        columns = columns_of(self.times, self._core.orientations[:, [3, 0, 1, 2]],
+        columns = columns_of(self.times, _wxyz(self._core.orientations),
                              [self.angular_velocities, self.angular_accelerations, self.angular_jerks], [self.positions, None, None], "body")
+        for name, names in INNER.items():
+            if (rows := getattr(self._core, name)) is not None:
+                columns |= dict(zip(names, _wxyz(rows).T.copy()))
         return {**columns, **{name: np.array(values) for name, values in self.settings.items()}}
 
     @property
@@ -343,8 +368,7 @@ class Keys(Writable):
 
     def __reduce__(self) -> Any:
         c = self._core
-        rows = {"positions": c.positions, "angular_velocities": c.angular_velocities,
-                "angular_accelerations": c.angular_accelerations, "angular_jerks": c.angular_jerks}
+        rows = {name: getattr(c, name) for name in PARTS}
         return _restored, (c.times, c.orientations, rows, c.settings, self._clock, self._scalar_first,
                            _core.origin_of_keys(c), getattr(self, "_source", {}))
 
@@ -359,6 +383,14 @@ def _orientations(rotations: Any, positions: Any, scalar_first: bool, euler: Any
     if found is not None and positions is not None:
         raise ArgumentError("positions: found them beside poses, which have their own, wanted one of them")
     return orientations, positions if found is None else found
+
+
+def _wxyz(quaternions: Any) -> Array:
+    return np.ascontiguousarray(quaternions[:, [3, 0, 1, 2]])
+
+
+def _xyzw(quaternions: Any) -> Array:
+    return np.ascontiguousarray(quaternions[:, [1, 2, 3, 0]])
 
 
 def _check_lengths(times: np.ndarray[Any, Any], columns: Mapping[str, Array | None]) -> int:

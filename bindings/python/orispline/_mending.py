@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -63,8 +64,16 @@ def _valid(stamps: Column, needed: list[Array | None], free: list[Array | None])
     return valid
 
 
-def scaled(orientations: Array) -> tuple[Array, dict[str, float]]:
-    """Quaternions of any norm but 0 scaled to 1, and what was done."""
+def scaled(orientations: Array, inner: Mapping[str, Array | None]) -> tuple[Array, dict[str, Array | None], dict[str, float]]:
+    """Quaternions of any norm but 0 scaled to 1, with the inner ones of the same keys, and what was done; rows of NaN stay what
+    they are."""
+    there = {name: rows for name, rows in inner.items() if rows is not None}
+    every, done = _of_norm_one(np.vstack([orientations, *there.values()]))
+    first, *others = np.split(every, 1 + len(there))
+    return first, {**inner, **dict(zip(there, others))}, done
+
+
+def _of_norm_one(orientations: Array) -> tuple[Array, dict[str, float]]:
     norms = np.linalg.norm(orientations, axis=1, keepdims=True)
     with np.errstate(invalid="ignore", divide="ignore"):
         unit = (np.abs(norms - 1) <= 1e-12) | (norms == 0)  # one of norm 1 but for rounding keeps its digits

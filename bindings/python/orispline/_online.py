@@ -79,9 +79,9 @@ class OnlineCurve:
         self._method, self._scalar_first, self._time_unit = text, flag("scalar_first", scalar_first), time_unit
 
     def append(self, t: Any, q: Any, position: Any = None, *, angular_velocity: Any = None, angular_acceleration: Any = None,
-               angular_jerk: Any = None, **settings: float) -> None:
+               angular_jerk: Any = None, inner_leaving: Any = None, inner_arriving: Any = None, **settings: float) -> None:
         """Takes the next key, at a time after the last one's: a quaternion, a matrix or a SciPy Rotation, body to world, its
-        position [m] and its rates in the body frame, and the settings that come with the keys.
+        position [m] and its rates in the body frame, its inner quaternions, and the settings that come with the keys.
 
         Raises `DataError`, with `key`, for a key that `Keys` refuses, and leaves the curve as it was.
         """
@@ -93,9 +93,11 @@ class OnlineCurve:
         else:
             first = self._scalar_first
         row = quaternions("q", array_of("q", q)[None], scalar_first=first)[0]
-        p, w, a, j = [None if vector is None else numbers(name, vector, (3,)) for name, vector in
+        p, *rates = [None if vector is None else numbers(name, vector, (3,)) for name, vector in
                       (("position", position), ("angular_velocity", angular_velocity),
                        ("angular_acceleration", angular_acceleration), ("angular_jerk", angular_jerk))]
+        inner = [None if rows is None else quaternions(name, array_of(name, rows)[None], scalar_first=self._scalar_first)[0]
+                for name, rows in (("inner_leaving", inner_leaving), ("inner_arriving", inner_arriving))]
         stated = {name: real(name, value) for name, value in settings.items()}
         with self._lock:
             if self._clock is None:
@@ -105,7 +107,7 @@ class OnlineCurve:
                 clock = self._clock
                 time = float(clock.seconds("t", t))
                 clock.check_after(len(self._core), time, self._last)
-            self._core.append(time, row, p, w, a, j, stated)
+            self._core.append(time, row, p, *rates, *inner, stated)
             self._clock, self._last = clock, time
 
     def finish(self) -> None:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from . import _core
 from ._arrays import array_of, numbers, output, sample_rows
 from ._checks import flag, in_world, thread_count, wrong_type
+from ._columns import PARTS
 from ._curve import Curve
 from ._errors import ArgumentError, DataError, Error
 from ._keys import Keys
@@ -34,6 +35,8 @@ class CurveStack:
         Body to world, of m joints. Quaternions are x, y, z, w; with `scalar_first` w, x, y, z. With `euler` (n, m, 3) angles.
     angular_velocities, angular_accelerations, angular_jerks : (n, m, 3) arrays, optional
         Rates at the keys of all joints, as of `Keys`.
+    inner_leaving, inner_arriving : (n, m, 4) arrays, optional
+        Inner quaternions of all joints, as of `Keys`.
     method, extrapolate, **options
         As of `Curve`, the same for all joints.
 
@@ -59,9 +62,9 @@ class CurveStack:
 
     def __init__(self, times: Any, rotations: Any, method: Method = "auto", *, extrapolate: Extrapolate = "hold",
                  angular_velocities: Any = None, angular_accelerations: Any = None, angular_jerks: Any = None,
-                 signs: Signs = "shortest", scalar_first: bool = False, normalize: bool = False, normalise: bool = False,
-                 euler: str | None = None, angle_unit: AngleUnit | None = None, time_unit: TimeUnit | None = None,
-                 **options: Any) -> None:
+                 inner_leaving: Any = None, inner_arriving: Any = None, signs: Signs = "shortest", scalar_first: bool = False,
+                 normalize: bool = False, normalise: bool = False, euler: str | None = None,
+                 angle_unit: AngleUnit | None = None, time_unit: TimeUnit | None = None, **options: Any) -> None:
         for name in ("positions", "settings", "drop_invalid", "drop_duplicates", "sort"):
             if name in options:
                 raise ArgumentError(f"{name}: found it with a CurveStack, wanted it with a Curve of each joint")
@@ -71,15 +74,16 @@ class CurveStack:
         _check_shape(array, euler)
         if np.shape(times)[:1] != array.shape[:1]:
             raise DataError(f"rotations: found {len(array)}, wanted one row for each of the {np.size(times)} times")
-        rates = {name: numbers(name, rows, (*array.shape[:2], 3)) for name, rows in
-                 (("angular_velocities", angular_velocities), ("angular_accelerations", angular_accelerations),
-                  ("angular_jerks", angular_jerks)) if rows is not None}
+        given = {"angular_velocities": angular_velocities, "angular_accelerations": angular_accelerations,
+                 "angular_jerks": angular_jerks, "inner_leaving": inner_leaving, "inner_arriving": inner_arriving}
+        parts = {name: numbers(name, rows, (*array.shape[:2], len(PARTS[name])))
+                 for name, rows in given.items() if rows is not None}
         how: dict[str, Any] = {"signs": signs, "scalar_first": scalar_first, "normalize": normalize, "normalise": normalise,
                                "euler": euler, "angle_unit": angle_unit, "time_unit": time_unit}
         curves = []
         for joint in range(array.shape[1]):
             try:
-                keys = Keys(times, array[:, joint], **how, **{name: rows[:, joint] for name, rows in rates.items()})  # type: ignore[arg-type]
+                keys = Keys(times, array[:, joint], **how, **{name: rows[:, joint] for name, rows in parts.items()})  # type: ignore[arg-type]
                 curves.append(Curve(keys, method=method, extrapolate=extrapolate, **options))
             except Error as error:
                 error.joint = joint

@@ -121,7 +121,7 @@ Expected<CompareRequest> compare_request(const CompareArguments& options) {
   read->input.read.rate_orders = 1;
   read->input.read.world_rates = true;
   for (const jobs::LabelledMethod& method : read->job.methods) {
-    read->input.read.rate_orders = std::max(read->input.read.rate_orders, jobs::family_of(method.method).rate_orders);
+    read->input.read = with_columns_of(method.method, std::move(read->input.read));
     if (!options.reference) continue;
     for (std::string& name : open_parameters(method.method)) {
       auto& parameters = read->input.read.parameters;

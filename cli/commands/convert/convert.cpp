@@ -32,7 +32,7 @@ Expected<io::TrackFile> open_source(InputRequest request, const io::OrientationF
   if (!method) return tl::unexpected(method.error());
   if (*method) {
     request.read.parameters = open_parameters(**method);
-    request.read.rate_orders = std::max(request.read.rate_orders, jobs::family_of(**method).rate_orders);
+    request.read = with_columns_of(**method, std::move(request.read));
     request.read.world_rates = jobs::family_of(**method).rate_orders > 0;
   }
   recipe.signs = request.signs.value_or(recipe.signs);
@@ -65,6 +65,8 @@ ConvertReport report_on(const io::TrackFile& source, const ConvertArguments& opt
                        .dropped_columns = source.ignored_columns};
   if (columns.derivatives == 0 && !source.track.keys.angular_velocities().empty())
     report.dropped_columns.emplace_back("angular velocities");
+  if (!columns.format->holds.rates && source.track.keys.have_inner_quaternions())
+    report.dropped_columns.emplace_back("inner quaternions");
   if (!columns.format->holds.settings)
     for (const auto& [name, values] : source.track.settings) report.dropped_columns.push_back(name);
   if (!columns.positions)

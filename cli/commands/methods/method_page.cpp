@@ -112,6 +112,11 @@ std::string page_of(const FamilyInfo& family) {
   text += line("ends", ends_of(family));
   text += line("loops", family.closes ? "It can be a loop: --closed, or --period T." : "It cannot be a loop.");
   text += line("rates", rates_of(family));
+  if (const auto& order = family.order_with_inner_quaternions)
+    text +=
+        line("inner", formatted("It reads {} where the file has them, and chooses the others itself. They leave it C{} "
+                                "and G{}, unless the rates on both sides of a key agree.",
+                                inner_columns_of(family), *order, *order));
   if (!family.alias.empty()) text += line("former name", family.alias);
   text += line("page", formatted("docs/families/{}.md", family.name));
   text += line("try", formatted("orispline sample keys.csv --method {} --rate 100 -o motion.csv", family.name));

@@ -62,7 +62,8 @@ std::string ends_text(const FamilyInfo& family) {
 std::string entry(const FamilyInfo& family) {
   return "\n" + wrapped(formatted("{:{}}", family.name, name_width), family.title) +
          wrapped(std::string(name_width, ' '), promises_of(family)) + labelled("settings", settings_of(family)) +
-         labelled("ends", ends_text(family)) + labelled("columns", rate_columns_of(family)) +
+         labelled("ends", ends_text(family)) +
+         labelled("columns", std::string(rate_columns_of(family)) + inner_columns_of(family)) +
          labelled("source", family.source);
 }
 

@@ -47,6 +47,11 @@ Json findings_json(const FamilyInfo& family) {
   return findings;
 }
 
+Json inner_json(const FamilyInfo& family) {
+  const auto& order = family.order_with_inner_quaternions;
+  return order ? Json(*order) : Json(nullptr);
+}
+
 Json method(const FamilyInfo& family) {
   Json json = {{"name", family.name},
                {"title", family.title},
@@ -61,6 +66,7 @@ Json method(const FamilyInfo& family) {
                {"min_keys", family.min_keys},
                {"closes", family.closes},
                {"rate_orders", family.rate_orders},
+               {"order_with_inner_quaternions", inner_json(family)},
                {"parameters", parameters_of(family)},
                {"choices", choices_of(family)},
                {"ends", ends_json(family)}};

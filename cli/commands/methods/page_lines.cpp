@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include <orispline/base/formatted.hpp>
+#include <orispline/io/orientation_form.hpp>
+
 #include "options/option_text.hpp"
 
 namespace orispline::cli {
@@ -41,6 +44,11 @@ std::string_view rate_columns_of(const FamilyInfo& family) {
   constexpr std::array<std::string_view, 4> columns{"", "wx,wy,wz", "wx,wy,wz[,ax,ay,az]",
                                                     "wx,wy,wz[,ax,ay,az[,jx,jy,jz]]"};
   return columns[static_cast<std::size_t>(family.rate_orders)];
+}
+
+std::string inner_columns_of(const FamilyInfo& family) {
+  if (!family.takes_inner_quaternions()) return "";
+  return formatted("{}, {}", joined(io::inner_names[0], ","), joined(io::inner_names[1], ","));
 }
 
 }  // namespace orispline::cli

@@ -16,6 +16,9 @@ namespace orispline::cli {
 /// The columns of a file that a family reads rates from.
 [[nodiscard]] std::string_view rate_columns_of(const FamilyInfo& family);
 
+/// The columns of a file that a family reads inner quaternions from.
+[[nodiscard]] std::string inner_columns_of(const FamilyInfo& family);
+
 /// Everything about one method.
 [[nodiscard]] std::string page_of(const FamilyInfo& family);
 

@@ -212,6 +212,7 @@ class PiecewiseSampling {
                         .keys = static_cast<std::size_t>(sampler_->keys()),
                         .keyframes = sampler_->report(),
                         .rate_orders = static_cast<std::size_t>(std::ranges::count_if(keys_.columns()->rates, has)),
+                        .inner_quaternions = std::ranges::any_of(keys_.columns()->inner, has),
                         .start = epoch_ + Decimal::from_double(domain().start),
                         .end = epoch_ + Decimal::from_double(domain().end),
                         .samples = samples_,

@@ -96,7 +96,8 @@ Expected<void> tune(const TuneArguments& options) {
   if (!chosen) return tl::unexpected(std::move(chosen.error()));
   warn(std::exchange(chosen->warnings, {}));
   request->input.read.parameters = open_parameters(chosen->method);
-  request->input.read.rate_orders = jobs::family_of(chosen->method).rate_orders;
+  request->input.read.rate_orders = 0;
+  request->input.read = with_columns_of(chosen->method, std::move(request->input.read));
   auto file = io::read_track(std::move(*input), request->input.read, request->input.signs);
   if (!file) return tl::unexpected(std::move(file.error()));
   warn(file->warnings);

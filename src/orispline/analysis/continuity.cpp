@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include <orispline/analysis/direction_beside.hpp>
 #include <orispline/analysis/joints.hpp>
 #include <orispline/analysis/rounding.hpp>
 
@@ -83,29 +84,6 @@ int told_order(const AnyCurve& curve, const Joint& joint, const Rounding& roundi
   return rounding.curvature_rate * turn * turn > 1.0 ? 2 : 3;
 }
 
-/// The direction of a path beside a key: that of ω, or at a rest its limit.
-struct DirectionBeside {
-  int order;  ///< of the rate that it is taken from: 1 where the body moves
-  Eigen::Vector3d direction;
-  double rounding;
-};
-
-/// The limit of ω/‖ω‖ on one side: near a rest ω is ατ, or jτ²/2 where α vanishes too. Absent where all three do.
-std::optional<DirectionBeside> direction_beside(const Motion& motion, Side side, double spacing,
-                                                const Continuity& in_time) {
-  const std::array<const RateJump*, 3> of_curve{&in_time.angular_velocity, &in_time.angular_acceleration,
-                                                &in_time.angular_jerk};
-  for (std::size_t k = 0; k < rates_of_motion.size(); ++k) {
-    const int order = static_cast<int>(k) + 1;
-    const Eigen::Vector3d& rate = motion.*rates_of_motion[k];
-    const double rounding = rounding_of_rates(spacing, order), norm = rate.norm();
-    if (norm <= std::max(continuity_tolerance * of_curve[k]->magnitude, rounding)) continue;
-    const double sign = side == Side::left && order == 2 ? -1.0 : 1.0;
-    return DirectionBeside{order, sign / norm * rate, rounding / norm};
-  }
-  return std::nullopt;
-}
-
 void look_at_rest(ShapeContinuity& found, const Joint& joint, const std::optional<DirectionBeside>& left,
                   const std::optional<DirectionBeside>& right) {
   if (found.rests++ == 0) found.first_rest = joint.key;
@@ -121,6 +99,21 @@ int order_without_jumps(const ShapeContinuity& shape) noexcept {
 }
 
 }  // namespace
+
+std::optional<DirectionBeside> direction_beside(const Motion& motion, Side side, double spacing,
+                                                const Continuity& in_time) {
+  const std::array<const RateJump*, 3> of_curve{&in_time.angular_velocity, &in_time.angular_acceleration,
+                                                &in_time.angular_jerk};
+  for (std::size_t k = 0; k < rates_of_motion.size(); ++k) {
+    const int order = static_cast<int>(k) + 1;
+    const Eigen::Vector3d& rate = motion.*rates_of_motion[k];
+    const double rounding = rounding_of_rates(spacing, order), norm = rate.norm();
+    if (norm <= std::max(continuity_tolerance * of_curve[k]->magnitude, rounding)) continue;
+    const double sign = side == Side::left && order == 2 ? -1.0 : 1.0;
+    return DirectionBeside{order, sign / norm * rate, rounding / norm};
+  }
+  return std::nullopt;
+}
 
 int Continuity::order() const noexcept {
   if (orientation.angle > 0.0) return -1;

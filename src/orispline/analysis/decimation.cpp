@@ -8,6 +8,7 @@
 
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/key_parts.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -36,15 +37,6 @@ std::size_t random_step(std::size_t step, Dice& dice) {
   return std::max<std::size_t>(1, steps[static_cast<std::size_t>(4.0 * dice())]);
 }
 
-template <class T>
-std::vector<T> kept_of(const std::vector<T>& values, std::span<const std::size_t> kept) {
-  std::vector<T> result;
-  if (values.empty()) return result;
-  result.reserve(kept.size());
-  for (const std::size_t i : kept) result.push_back(values[i]);
-  return result;
-}
-
 std::string ordinal(std::size_t n) {
   const std::size_t last = n % 10;
   const bool teen = n % 100 / 10 == 1;
@@ -60,16 +52,10 @@ struct Parted {
 };
 
 Parted parted(const Keyframes& keys, std::size_t phase) {
-  const auto copy = [](const auto& span) { return std::vector(span.begin(), span.end()); };
-  const KeyframeData all{.times = copy(keys.times()),
-                         .orientations = copy(keys.orientations()),
-                         .angular_velocities = copy(keys.angular_velocities()),
-                         .angular_accelerations = copy(keys.angular_accelerations()),
-                         .angular_jerks = copy(keys.angular_jerks())};
   std::vector<std::size_t> kept, left_out;
   for (std::size_t i = 0; i < keys.size(); ++i)
     (i > 0 && i + 1 < keys.size() && i % phases == phase ? left_out : kept).push_back(i);
-  return {kept_keys(all, kept), std::move(left_out)};
+  return {kept_keys(keys.data(), kept), std::move(left_out)};
 }
 
 }  // namespace
@@ -88,12 +74,7 @@ std::vector<std::size_t> kept_samples(const Decimation& decimation, std::size_t 
 }
 
 KeyframeData kept_keys(const KeyframeData& data, std::span<const std::size_t> kept) {
-  return {.times = kept_of(data.times, kept),
-          .orientations = kept_of(data.orientations, kept),
-          .positions = kept_of(data.positions, kept),
-          .angular_velocities = kept_of(data.angular_velocities, kept),
-          .angular_accelerations = kept_of(data.angular_accelerations, kept),
-          .angular_jerks = kept_of(data.angular_jerks, kept)};
+  return list_by_list(data, [kept](const auto& list) { return entries_at(list, kept); });
 }
 
 std::string name_of(const Decimation& decimation) {

@@ -123,12 +123,18 @@ struct FamilyInfo {
   std::span<const EndRule> ends{};  ///< the first is the default; empty: no choice
   bool closes = false;              ///< can be a loop
   int rate_orders = 0;  ///< rates of the keys that it uses where they have them: 1 is ω, 2 also α, 3 also the jerk
+  /// That it uses inner quaternions of the keys where they have them, and the order of continuity, in time and of the
+  /// shape, that those leave. Absent: it uses none.
+  std::optional<int> order_with_inner_quaternions{};
   KeyUse key_use{};
   /// Where settings change what a segment depends on: the keys on either side, or none for all. Null: as above.
   std::optional<std::size_t> (*keys_beside)(const FamilySettings& settings) = nullptr;
   const OwnFamily* own = nullptr;  ///< what it is of, where it is not in the registry
 
   [[nodiscard]] constexpr int shape_order() const noexcept { return continuity_of_shape.value_or(continuity_uniform); }
+  [[nodiscard]] constexpr bool takes_inner_quaternions() const noexcept {
+    return order_with_inner_quaternions.has_value();
+  }
   [[nodiscard]] constexpr bool is_global() const noexcept { return support_keys == all_keys; }
   [[nodiscard]] constexpr bool passes_through(std::size_t key) const noexcept {
     return interpolates || (key_use.stride > 1 && key % key_use.stride == 0);

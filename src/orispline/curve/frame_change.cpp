@@ -176,7 +176,8 @@ NewFrames::NewFrames(const FrameChange& change) : change_(change) {
 
 KeyframeData in_frames(KeyframeData data, const NewFrames& frames) {
   if (frames.change_nothing()) return data;
-  for (Eigen::Quaterniond& q : data.orientations) q = frames.orientation(q);
+  for (auto* const orientations : {&data.orientations, &data.inner_leaving, &data.inner_arriving})
+    for (Eigen::Quaterniond& q : *orientations) q = frames.orientation(q);
   for (Eigen::Vector3d& p : data.positions) p = frames.in_world(p);
   for (auto* const rates : {&data.angular_velocities, &data.angular_accelerations, &data.angular_jerks})
     for (Eigen::Vector3d& rate : *rates) rate = frames.body_rate(rate);
@@ -186,15 +187,7 @@ KeyframeData in_frames(KeyframeData data, const NewFrames& frames) {
 Expected<Track> in_frames(const Track& track, const FrameChange& change) {
   if (auto checked = check(change); !checked) return tl::unexpected(std::move(checked.error()));
   const NewFrames frames(change);
-  const Keyframes& keys = track.keys;
-  const auto copied = [](auto values) { return std::vector(values.begin(), values.end()); };
-  KeyframeData data{.times = copied(keys.times()),
-                    .orientations = copied(keys.orientations()),
-                    .positions = copied(keys.positions()),
-                    .angular_velocities = copied(keys.angular_velocities()),
-                    .angular_accelerations = copied(keys.angular_accelerations()),
-                    .angular_jerks = copied(keys.angular_jerks())};
-  return Keyframes::make(in_frames(std::move(data), frames), track.recipe.signs).map([&](const Keyframes& turned) {
+  return Keyframes::make(in_frames(track.keys.data(), frames), track.recipe.signs).map([&](const Keyframes& turned) {
     Track result = track.with_keys(turned);
     for (Eigen::Quaterniond& q : result.as_read) q = frames.orientation(q);
     result.recipe = in_frames(track.recipe, frames);

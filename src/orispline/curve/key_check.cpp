@@ -29,11 +29,20 @@ Error time_error(std::size_t key, double time, double before) {
                                   time - before, shortest_step, longest_step));
 }
 
-Error norm_error(std::size_t key, const Eigen::Vector4d& components) {
+Error norm_error(std::size_t key, const char* what, const Eigen::Vector4d& components) {
   if (!components.allFinite())
-    return key_error(key, "the quaternion has a component that is not finite, wanted a unit quaternion");
-  return key_error(key, formatted("the quaternion has norm {:.6g}, wanted 1 within {:g}", components.stableNorm(),
-                                  norm_error_limit));
+    return key_error(key, formatted("the {} has a component that is not finite, wanted a unit quaternion", what));
+  return key_error(
+      key, formatted("the {} has norm {:.6g}, wanted 1 within {:g}", what, components.stableNorm(), norm_error_limit));
+}
+
+/// Of what may be free, but lacks some of its components.
+template <int Size>
+std::optional<Error> check_is_whole(std::size_t key, const char* what, const Eigen::Matrix<double, Size, 1>& value) {
+  const auto missing = value.array().isNaN().count();
+  if (missing == 0) return std::nullopt;
+  return key_error(key, formatted("the {} lacks {} of its {} components, wanted all of them, or none to leave it free",
+                                  what, missing, Size));
 }
 
 }  // namespace
@@ -71,10 +80,10 @@ std::optional<Error> check_times(std::span<const double> times) {
   return std::nullopt;
 }
 
-Expected<double> checked_norm(std::size_t key, const Eigen::Quaterniond& q) {
+Expected<double> checked_norm(std::size_t key, const Eigen::Quaterniond& q, const char* what) {
   const double norm = norm_of(q);
   if (std::abs(norm - 1.0) <= norm_error_limit) return norm;
-  return tl::unexpected(norm_error(key, q.coeffs()));
+  return tl::unexpected(norm_error(key, what, q.coeffs()));
 }
 
 Eigen::Quaterniond normalised(Eigen::Quaterniond q, double norm) noexcept {
@@ -98,10 +107,15 @@ std::optional<Error> check_vector(std::size_t key, const char* what, const Eigen
 
 std::optional<Error> check_rate(std::size_t key, const char* what, const Eigen::Vector3d& rate) {
   if (is_free(rate)) return std::nullopt;
-  if (const auto missing = rate.array().isNaN().count(); missing > 0)
-    return key_error(key, formatted("the {} lacks {} of its 3 components, wanted all of them, or none to leave it free",
-                                    what, missing));
+  if (auto error = check_is_whole(key, what, rate)) return error;
   return check_vector(key, what, rate);
+}
+
+std::optional<Error> check_inner(std::size_t key, const char* what, const Eigen::Quaterniond& inner) {
+  if (is_free_inner(inner)) return std::nullopt;
+  if (auto error = check_is_whole(key, what, inner.coeffs())) return error;
+  const auto norm = checked_norm(key, inner, what);
+  return norm ? std::nullopt : std::optional(norm.error());
 }
 
 }}  // namespace orispline

@@ -77,8 +77,10 @@ class RecentTimes {
   std::size_t size_ = 0;
 };
 
-/// The norm of a key's quaternion; an error when it is not finite or farther than `norm_error_limit` from 1.
-[[nodiscard]] ORISPLINE_EXPORT Expected<double> checked_norm(std::size_t key, const Eigen::Quaterniond& q);
+/// The norm of a key's quaternion, which `what` names; an error when it is not finite or farther than
+/// `norm_error_limit` from 1.
+[[nodiscard]] ORISPLINE_EXPORT Expected<double> checked_norm(std::size_t key, const Eigen::Quaterniond& q,
+                                                             const char* what = "quaternion");
 
 /// A quaternion of this norm, divided by it, and by what is left as long as that brings the norm nearer to 1. What
 /// comes out stays as it is when it comes in again: keys that were written and read are the same bit for bit.
@@ -96,5 +98,10 @@ class RecentTimes {
 /// A rate that is not finite or too large, which may be free; one of which only some components are NaN is an error.
 [[nodiscard]] ORISPLINE_EXPORT std::optional<Error> check_rate(std::size_t key, const char* what,
                                                                const Eigen::Vector3d& rate);
+
+/// An inner quaternion of another norm than a key's, which may be free; one of which only some components are NaN is an
+/// error.
+[[nodiscard]] ORISPLINE_EXPORT std::optional<Error> check_inner(std::size_t key, const char* what,
+                                                                const Eigen::Quaterniond& inner);
 
 }}  // namespace orispline

@@ -2,28 +2,15 @@
 #include <orispline/curve/keyframe.hpp>
 
 #include <algorithm>
-#include <array>
 
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/key_check.hpp>
+#include <orispline/curve/key_parts.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
-
-/// What a key may have besides its time and orientation, with its name in the singular and in the plural, and what it
-/// must be.
-struct Optional {
-  std::vector<Eigen::Vector3d> KeyframeData::*values;
-  const char *one, *many;
-  std::optional<Error> (*check)(std::size_t, const char*, const Eigen::Vector3d&);
-};
-constexpr std::array optional_data{
-    Optional{&KeyframeData::positions, "position", "positions", check_vector},
-    Optional{&KeyframeData::angular_velocities, "angular velocity", "angular velocities", check_rate},
-    Optional{&KeyframeData::angular_accelerations, "angular acceleration", "angular accelerations", check_rate},
-    Optional{&KeyframeData::angular_jerks, "angular jerk", "angular jerks", check_rate}};
 
 std::optional<Error> check_lengths(const KeyframeData& data) {
   const std::size_t n = data.times.size();
@@ -31,17 +18,32 @@ std::optional<Error> check_lengths(const KeyframeData& data) {
     return Error{ErrorCode::bad_data, formatted("found {} {} for {} times, wanted one per key", size, what, n), {}};
   };
   if (data.orientations.size() != n) return differs("orientations", data.orientations.size());
-  for (const Optional& some : optional_data)
-    if (const std::size_t size = (data.*some.values).size(); size != 0 && size != n) return differs(some.many, size);
+  if (auto error = first_error_of_parts([&](const auto& part) -> std::optional<Error> {
+        const std::size_t size = (data.*part.list).size();
+        return size == 0 || size == n ? std::nullopt : differs(part.many, size);
+      }))
+    return error;
   if (n == 0) return Error{ErrorCode::bad_data, "empty: no keys", {}};
   return std::nullopt;
 }
 
-std::optional<Error> check_vectors(const KeyframeData& data, std::size_t i) {
-  for (const Optional& some : optional_data)
-    if (const auto& values = data.*some.values; !values.empty())
-      if (auto error = some.check(i, some.one, values[i])) return error;
-  return std::nullopt;
+std::optional<Error> check_parts(const KeyframeData& data, std::size_t i) {
+  return first_error_of_parts([&](const auto& part) -> std::optional<Error> {
+    const auto& list = data.*part.list;
+    return list.empty() ? std::nullopt : part.check(i, part.one, list[i]);
+  });
+}
+
+/// Calls `change` with the inner quaternions of a key, but not with those that are free.
+template <class Change>
+void for_each_inner(KeyframeData& data, std::size_t i, Change change) {
+  for (auto* list : {&data.inner_leaving, &data.inner_arriving})
+    if (!list->empty() && !is_free_inner((*list)[i])) change((*list)[i]);
+}
+
+/// Of the two signs of q the one that is nearer to another quaternion.
+void align(Eigen::Quaterniond& q, const Eigen::Quaterniond& other) {
+  if (q.dot(other) < 0.0) q.coeffs() = -q.coeffs();
 }
 
 /// What stands for the data of no keys.
@@ -66,8 +68,12 @@ Expected<Keyframes> Keyframes::make(KeyframeData data, Signs signs) {
     Eigen::Quaterniond& q = data.orientations[i];
     const auto norm = checked_norm(i, q);
     if (!norm) return tl::unexpected(norm.error());
-    if (auto error = check_vectors(data, i)) return tl::unexpected(std::move(*error));
+    if (auto error = check_parts(data, i)) return tl::unexpected(std::move(*error));
     q = alignment.next(normalised(q, *norm), *norm, signs, i > 0 ? &data.orientations[i - 1] : nullptr);
+    for_each_inner(data, i, [&q, i](Eigen::Quaterniond& inner) {
+      inner = normalised(inner, checked_norm(i, inner).value());
+      align(inner, q);
+    });
   }
   keys.report_ = alignment.report;
   keys.data_ = std::make_shared<const KeyframeData>(std::move(data));
@@ -91,14 +97,11 @@ std::vector<std::size_t> Keyframes::rests() const {
 
 Keyframes Keyframes::first(std::size_t count) const {
   ORISPLINE_EXPECT(1 <= count && count <= size());
-  KeyframeData kept_data = *data_;
-  const auto cut = [count](auto& values) {
-    if (!values.empty()) values.erase(values.begin() + static_cast<std::ptrdiff_t>(count), values.end());
-  };
-  cut(kept_data.times);
-  cut(kept_data.orientations);
-  for (const Optional& some : optional_data) cut(kept_data.*some.values);
-  return with(std::move(kept_data));
+  KeyframeData kept = *data_;
+  for_each_list(kept, [count](auto& list) {
+    if (!list.empty()) list.erase(list.begin() + static_cast<std::ptrdiff_t>(count), list.end());
+  });
+  return with(std::move(kept));
 }
 
 Keyframes Keyframes::with(KeyframeData data) const {
@@ -109,17 +112,12 @@ Keyframes Keyframes::with(KeyframeData data) const {
 
 Keyframes Keyframes::at(std::span<const std::size_t> indices) const {
   ORISPLINE_EXPECT(!indices.empty());
-  KeyframeData kept;
-  const auto pick = [indices](auto& to, const auto& from) {
-    if (from.empty()) return;
-    to.reserve(indices.size());
-    for (const std::size_t i : indices) to.push_back(from[i]);
-  };
-  pick(kept.times, data_->times);
-  pick(kept.orientations, data_->orientations);
-  for (const Optional& some : optional_data) pick(kept.*some.values, (*data_).*some.values);
-  for (std::size_t i = 1; i < kept.orientations.size(); ++i)
-    if (Eigen::Quaterniond& q = kept.orientations[i]; q.dot(kept.orientations[i - 1]) < 0.0) q.coeffs() = -q.coeffs();
+  KeyframeData kept = list_by_list(*data_, [indices](const auto& list) { return entries_at(list, indices); });
+  for (std::size_t i = 1; i < kept.orientations.size(); ++i) {
+    Eigen::Quaterniond& q = kept.orientations[i];
+    align(q, kept.orientations[i - 1]);
+    for_each_inner(kept, i, [&q](Eigen::Quaterniond& inner) { align(inner, q); });
+  }
   return with(std::move(kept));
 }
 
@@ -140,7 +138,7 @@ Expected<Keyframes> Keyframes::with_rates(std::vector<Eigen::Vector3d> angular_v
   data.angular_jerks = std::move(angular_jerks);
   if (auto error = check_lengths(data)) return tl::unexpected(std::move(*error));
   for (std::size_t i = 0; i < data.times.size(); ++i)
-    if (auto error = check_vectors(data, i)) return tl::unexpected(std::move(*error));
+    if (auto error = check_parts(data, i)) return tl::unexpected(std::move(*error));
   return with(std::move(data));
 }
 

@@ -28,13 +28,28 @@ namespace orispline { inline namespace ORISPLINE_ABI {
   return !std::ranges::all_of(rates, is_free);
 }
 
+/// What stands for an inner quaternion that a key leaves free, so that a method chooses it: four NaN.
+[[nodiscard]] inline Eigen::Quaterniond free_inner() noexcept {
+  return Eigen::Quaterniond(Eigen::Vector4d::Constant(std::numeric_limits<double>::quiet_NaN()));
+}
+
+[[nodiscard]] inline bool is_free_inner(const Eigen::Quaterniond& inner) noexcept {
+  return inner.coeffs().array().isNaN().all();
+}
+
+/// Whether some key has an inner quaternion: there are some, and not all of them are free.
+[[nodiscard]] inline bool any_given(std::span<const Eigen::Quaterniond> inner) noexcept {
+  return !std::ranges::all_of(inner, is_free_inner);
+}
+
 /// How the signs of the key quaternions are chosen; q and -q are the same orientation.
 enum class Signs {
   shortest,  ///< key i is negated when its dot product with key i-1 (after its own flip) is negative
   as_given,  ///< the signs say which way round the motion goes, up to 2π per step
 };
 
-/// What the caller holds: one entry per key in every vector that is not empty. A rate may be free_rate(), three NaN.
+/// What the caller holds: one entry per key in every vector that is not empty. A rate may be free_rate(), three NaN, an
+/// inner quaternion free_inner(), four.
 struct KeyframeData {
   std::vector<double> times{};                           ///< [s], finite, strictly increasing
   std::vector<Eigen::Quaterniond> orientations{};        ///< body to world, norm within 1e-3 of 1
@@ -42,6 +57,10 @@ struct KeyframeData {
   std::vector<Eigen::Vector3d> angular_velocities{};     ///< [rad/s], body frame, optional
   std::vector<Eigen::Vector3d> angular_accelerations{};  ///< [rad/s²], body frame, optional
   std::vector<Eigen::Vector3d> angular_jerks{};          ///< [rad/s³], body frame, optional
+  /// The control points aₙ of `squad` on the segment that leaves the key, body to world, norm within 1e-3 of 1,
+  /// optional: docs/families/squad.md.
+  std::vector<Eigen::Quaterniond> inner_leaving{};
+  std::vector<Eigen::Quaterniond> inner_arriving{};  ///< those, bₙ, on the segment that arrives at it
 };
 
 /// What validation changed or noticed.
@@ -82,7 +101,7 @@ inline constexpr double rest_angle = 1e-5, rest_length = 1e-6;
 /// Orientations at times, validated at the door: every curve is built from these.
 ///
 /// Times are finite and strictly increasing, orientations are unit quaternions with the signs that the curve will
-/// follow.
+/// follow, inner quaternions those with the sign that is nearer to their key.
 class ORISPLINE_EXPORT Keyframes {
  public:
   /// No keys: size() is 0, all lists are empty. No curve goes through them.
@@ -95,7 +114,7 @@ class ORISPLINE_EXPORT Keyframes {
   ///
   /// Errors (bad_data, with the key index): no keys, vectors of different length, a time that is not finite or does not
   /// increase or steps out of range, steps too uneven, a component that is too large or not finite and not of a
-  /// free rate, a norm farther than `norm_error_limit` from 1.
+  /// free rate or inner quaternion, a norm farther than `norm_error_limit` from 1.
   [[nodiscard]] static Expected<Keyframes> make(KeyframeData data, Signs signs = Signs::shortest);
 
   /// The first `count` of these keys, 1 ≤ count ≤ size().
@@ -110,7 +129,7 @@ class ORISPLINE_EXPORT Keyframes {
   /// The keys at these rising indices, at least one, with their signs aligned anew for the shortest way.
   [[nodiscard]] Keyframes at(std::span<const std::size_t> indices) const;
 
-  /// These orientations, positions and rates at other times [s].
+  /// These keys at other times [s].
   ///
   /// Errors (bad_data): not one time per key; times that Keyframes::make() refuses.
   [[nodiscard]] Expected<Keyframes> with_times(std::vector<double> times) const;
@@ -122,6 +141,8 @@ class ORISPLINE_EXPORT Keyframes {
                                                std::vector<Eigen::Vector3d> angular_accelerations = {},
                                                std::vector<Eigen::Vector3d> angular_jerks = {}) const;
 
+  /// All that they hold, as it was checked: what make() takes for the same keys, with Signs::as_given.
+  [[nodiscard]] const KeyframeData& data() const noexcept { return *data_; }
   [[nodiscard]] std::size_t size() const noexcept { return data_->times.size(); }
   [[nodiscard]] std::span<const double> times() const noexcept { return data_->times; }
   [[nodiscard]] std::span<const Eigen::Quaterniond> orientations() const noexcept { return data_->orientations; }
@@ -143,6 +164,14 @@ class ORISPLINE_EXPORT Keyframes {
   }
   /// Empty when the keys carry no angular jerks. [rad/s³], body frame.
   [[nodiscard]] std::span<const Eigen::Vector3d> angular_jerks() const noexcept { return data_->angular_jerks; }
+  /// Empty when the keys carry no inner quaternions for the segments that leave them.
+  [[nodiscard]] std::span<const Eigen::Quaterniond> inner_leaving() const noexcept { return data_->inner_leaving; }
+  /// Empty when the keys carry no inner quaternions for the segments that arrive at them.
+  [[nodiscard]] std::span<const Eigen::Quaterniond> inner_arriving() const noexcept { return data_->inner_arriving; }
+  /// Whether some of them are not free.
+  [[nodiscard]] bool have_inner_quaternions() const noexcept {
+    return any_given(inner_leaving()) || any_given(inner_arriving());
+  }
   [[nodiscard]] const KeyframeReport& report() const noexcept { return report_; }
 
  private:

@@ -5,21 +5,13 @@
 #include <utility>
 
 #include <orispline/base/date_text.hpp>
+#include <orispline/curve/key_parts.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
 constexpr double rounding = 1e-15;  // of the components of a unit quaternion
-
-template <class T>
-std::vector<T> picked(const std::vector<T>& values, std::span<const std::size_t> indices) {
-  std::vector<T> some;
-  if (values.empty()) return some;
-  some.reserve(indices.size());
-  for (const std::size_t i : indices) some.push_back(values[i]);
-  return some;
-}
 
 /// The place with the name of the track and, where it is a key, its line.
 Where in_file(Where where, const Track& track) {
@@ -55,11 +47,11 @@ Track Track::at(std::span<const std::size_t> indices) const {
   some.name = name;
   some.epoch = epoch;
   some.is_dated = is_dated;
-  some.lines = picked(lines, indices);
-  some.exact_times = picked(exact_times, indices);
-  for (const auto& [parameter, values] : settings) some.settings.emplace(parameter, picked(values, indices));
-  some.as_read = picked(as_read, indices);
-  some.table = {table.names, picked(table.rows, indices)};
+  some.lines = entries_at(lines, indices);
+  some.exact_times = entries_at(exact_times, indices);
+  for (const auto& [parameter, values] : settings) some.settings.emplace(parameter, entries_at(values, indices));
+  some.as_read = entries_at(as_read, indices);
+  some.table = {table.names, entries_at(table.rows, indices)};
   return some;
 }
 

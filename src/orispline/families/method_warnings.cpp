@@ -121,8 +121,9 @@ bool moves_between(const AnyCurve& curve, std::size_t segment) {
 
 /// Equal keys between which the curve does not stand still.
 std::optional<Warning> moving_rests(const Method& method, const FamilyInfo& family, const Keyframes& keys) {
-  const bool has_rates = family.rate_orders > 0 && any_given(keys.angular_velocities());  // which say how it moves
-  if (!family.interpolates || family.key_use.stride > 1 || has_rates) return std::nullopt;
+  const bool says_how_it_moves = (family.rate_orders > 0 && any_given(keys.angular_velocities())) ||
+                                 (family.takes_inner_quaternions() && keys.have_inner_quaternions());
+  if (!family.interpolates || family.key_use.stride > 1 || says_how_it_moves) return std::nullopt;
   std::vector<std::size_t> rests = keys.rests();
   if (rests.empty()) return std::nullopt;
   const auto curve = make_curve(method, keys);

@@ -2,6 +2,7 @@
 #include <orispline/families/squad.hpp>
 
 #include <array>
+#include <span>
 
 #include <orispline/curve/one_axis.hpp>
 
@@ -40,17 +41,29 @@ Neighbours neighbours_of(const Keyframes& keys, std::size_t i, const FamilySetti
   return {.next = to(i + 1), .previous = to(i - 1)};
 }
 
+/// The rotation vector from key i to the inner quaternion of Eberly, (22), or of the end rule.
+Eigen::Vector3d chosen_handle(const Keyframes& keys, std::size_t i, const FamilySettings& settings) {
+  const bool bare =
+      (i == 0 && settings.start.rule == EndRule::key) || (i == keys.size() - 1 && settings.end.rule == EndRule::key);
+  if (bare) return Eigen::Vector3d::Zero();
+  const Neighbours n = neighbours_of(keys, i, settings);
+  return -0.25 * (n.next + n.previous);
+}
+
+/// That to the inner quaternion which the key is given, else the chosen one.
+Eigen::Vector3d handle_to(std::span<const Eigen::Quaterniond> given, const Keyframes& keys, std::size_t i,
+                          const Eigen::Vector3d& chosen) {
+  const bool is_given = !given.empty() && !is_free_inner(given[i]);
+  return is_given ? increment<double>(keys.orientations()[i], given[i]) : chosen;
+}
+
 }  // namespace
 
 Expected<SquadCurve> Squad::curve(const Keyframes& keys, const FamilySettings& settings) {
-  const std::size_t last = keys.size() - 1;
   return SquadCurve(keys, [&](std::size_t i) -> SquadCurve::Handles {
-    const bool bare =
-        (i == 0 && settings.start.rule == EndRule::key) || (i == last && settings.end.rule == EndRule::key);
-    if (bare) return {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-    const Neighbours n = neighbours_of(keys, i, settings);
-    const Eigen::Vector3d handle = -0.25 * (n.next + n.previous);
-    return {handle, handle};
+    const Eigen::Vector3d chosen = chosen_handle(keys, i, settings);
+    return {.leaving = handle_to(keys.inner_leaving(), keys, i, chosen),
+            .arriving = handle_to(keys.inner_arriving(), keys, i, chosen)};
   });
 }
 

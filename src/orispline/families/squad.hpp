@@ -64,6 +64,13 @@ class SquadCurve {
 };
 
 /// Eberly's spline of squads in the normalised parameter: C1 on uniform knots.
+///
+/// Inner quaternions that keys have are the control points of their segments, in the words of Eberly's section 6
+///
+///     S_n(t) = Slerp(2t(1-t); Slerp(t; q_n, q_{n+1}), Slerp(t; a_n, b_{n+1}))
+///
+/// with a_n of Keyframes::inner_leaving() and b_n of inner_arriving(), whatever the end rules; one that is free is
+/// chosen by (22). That which would lie outside the curve, b of the first key and a of the last one, is not used.
 struct Squad {
   static constexpr std::array ends{EndRule::key, EndRule::phantom};
   static constexpr FamilyInfo info{.name = "squad",
@@ -74,7 +81,8 @@ struct Squad {
                                    .keeps_constant_rate_uniform = true,
                                    .keeps_constant_rate_uneven = false,
                                    .support_keys = 4,
-                                   .ends = ends};
+                                   .ends = ends,
+                                   .order_with_inner_quaternions = 0};
   [[nodiscard]] static Expected<SquadCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   /// Catmull–Rom in time: a quadrangle of positions would be C1 on even key times only.
   [[nodiscard]] static Expected<CatmullRomPath> path(const Keyframes& keys, const FamilySettings&) {

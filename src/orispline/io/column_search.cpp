@@ -51,15 +51,13 @@ Expected<ColumnGroup> ColumnSearch::group(std::span<const std::string_view> name
   return group;
 }
 
-Expected<std::optional<VectorColumns>> ColumnSearch::vector(std::span<const std::string_view, 3> names,
-                                                            std::span<const Unit> accepted,
-                                                            std::span<const Unit> known) const {
-  const auto found = group(names, accepted, known);
-  if (!found) return tl::unexpected(found.error());
-  if (found->is_absent()) return std::nullopt;
-  if (found->is_complete()) return VectorColumns{found->columns[0], found->columns[1], found->columns[2]};
-  return failure(ErrorCode::bad_data, formatted("found {} without {}, wanted all three columns or none",
-                                                joined(found->present, ", "), joined(found->missing, ", ")));
+Expected<ColumnGroup> ColumnSearch::whole_group(std::span<const std::string_view> names, std::span<const Unit> accepted,
+                                                std::span<const Unit> known) const {
+  auto found = group(names, accepted, known);
+  if (!found || found->is_absent() || found->is_complete()) return found;
+  return failure(ErrorCode::bad_data,
+                 formatted("found {} without {}, wanted all {} columns or none", joined(found->present, ", "),
+                           joined(found->missing, ", "), names.size() == 3 ? "three" : "four"));
 }
 
 std::string ColumnSearch::found_names() const { return in_quotes(joined(header_, ","), longest_list); }

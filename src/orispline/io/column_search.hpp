@@ -26,7 +26,8 @@ struct NumberColumn {
   double numerator = 1.0, denominator = 1.0;
 };
 
-using VectorColumns = std::array<NumberColumn, 3>;  ///< of x, y, z
+using VectorColumns = std::array<NumberColumn, 3>;      ///< of x, y, z
+using QuaternionColumns = std::array<NumberColumn, 4>;  ///< of w, x, y, z
 
 /// The unit with the longest suffix that a name ends in.
 template <class U>
@@ -82,15 +83,27 @@ class ColumnSearch {
   [[nodiscard]] Expected<ColumnGroup> group(std::span<const std::string_view> names, std::span<const Unit> accepted,
                                             std::span<const Unit> known) const;
 
-  /// The three columns of a vector; nothing if there is none of them.
-  [[nodiscard]] Expected<std::optional<VectorColumns>> vector(std::span<const std::string_view, 3> names,
-                                                              std::span<const Unit> accepted,
-                                                              std::span<const Unit> known) const;
+  /// The columns of what has so many components; nothing if there is none of them.
+  template <std::size_t Size>
+  [[nodiscard]] Expected<std::optional<std::array<NumberColumn, Size>>> all_or_none(
+      const std::array<std::string_view, Size>& names, std::span<const Unit> accepted,
+      std::span<const Unit> known) const {
+    using Columns = std::array<NumberColumn, Size>;
+    return whole_group(names, accepted, known).map([](const ColumnGroup& found) {
+      if (found.is_absent()) return std::optional<Columns>();
+      Columns columns;
+      std::ranges::copy(found.columns, columns.begin());
+      return std::optional(columns);
+    });
+  }
 
   /// The header as a message shows it.
   [[nodiscard]] std::string found_names() const;
 
  private:
+  /// A group that is complete or absent. Error (bad_data): it is neither.
+  [[nodiscard]] Expected<ColumnGroup> whole_group(std::span<const std::string_view> names,
+                                                  std::span<const Unit> accepted, std::span<const Unit> known) const;
   template <class Accepts>
   [[nodiscard]] Expected<std::optional<std::size_t>> only_column(std::string_view canonical, const auto& names,
                                                                  Accepts accepts) const {

@@ -41,7 +41,7 @@ inline constexpr std::string_view standard_stream = "-";
 /// What files of a format have room for beside times, positions and unit quaternions.
 struct FormatHolds {
   bool forms = false;             ///< orientations in every form
-  bool rates = false;             ///< angular rates, and the rates of positions
+  bool rates = false;             ///< angular rates, the rates of positions, and inner quaternions
   bool settings = false;          ///< columns of a method's parameters
   bool always_positions = false;  ///< zeros where the keys have none
   bool comments = false;          ///< lines from `#` on, such as one for the recipe of keys

@@ -154,9 +154,9 @@ Expected<std::optional<RateVector>> rate_vector(const ColumnSearch& search, cons
       return RateVector{*columns, frame};
     };
   };
-  const auto body = search.vector(order.in_body, order.body_units, order.body_units);
+  const auto body = search.all_or_none(order.in_body, order.body_units, order.body_units);
   if (!body || *body || !reading.world) return body.map(in_frame(Frame::body));
-  return search.vector(order.in_world, order.world_units, order.world_units).map(in_frame(Frame::world));
+  return search.all_or_none(order.in_world, order.world_units, order.world_units).map(in_frame(Frame::world));
 }
 
 std::string name_of(const ColumnSearch& search, const RateVector& rates) {
@@ -178,6 +178,7 @@ std::vector<std::string_view> canonical_names(std::span<const std::string> param
   append(orientation_names());
   append(position_names);
   append(rate_names());
+  for (const auto& names_of_side : inner_names) append(names_of_side);
   append(parameters);
   return names;
 }
@@ -222,12 +223,22 @@ Expected<std::vector<ParameterColumn>> parameter_columns(const ColumnSearch& sea
 }
 
 Expected<std::optional<VectorColumns>> position_columns(const ColumnSearch& search) {
-  auto columns = search.vector(position_names, lengths, lengths);
+  auto columns = search.all_or_none(position_names, lengths, lengths);
   for (const auto& names : other_position_names) {
     if (!columns || *columns) return columns;
     if (std::ranges::any_of(names, [&](std::string_view name) { return search.is_mapped(name); })) continue;
     const auto others = search.group(names, lengths, lengths);
-    if (!others || others->is_complete()) columns = search.vector(names, lengths, lengths);
+    if (!others || others->is_complete()) columns = search.all_or_none(names, lengths, lengths);
+  }
+  return columns;
+}
+
+Expected<InnerColumns> inner_columns(const ColumnSearch& search) {
+  InnerColumns columns;
+  for (std::size_t side = 0; side < columns.size(); ++side) {
+    auto found = search.all_or_none(inner_names[side], plain_numbers, plain_numbers);
+    if (!found) return tl::unexpected(std::move(found.error()));
+    columns[side] = *found;
   }
   return columns;
 }
@@ -243,6 +254,8 @@ std::vector<std::string> ignored_names(std::span<const std::string_view> header,
   if (columns.position) mark(*columns.position);
   for (const auto& rate : columns.rates)
     if (rate) mark(rate->columns);
+  for (const auto& inner : columns.inner)
+    if (inner) mark(*inner);
   mark(columns.parameters);
   std::vector<std::string> ignored;
   for (std::size_t i = 0; i < header.size(); ++i)
@@ -314,6 +327,8 @@ Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
   if (!position) return tl::unexpected(position.error());
   auto rates = rate_columns(search, reading.rates);
   if (!rates) return tl::unexpected(std::move(rates.error()));
+  auto inner = reading.inner_quaternions ? inner_columns(search) : InnerColumns();
+  if (!inner) return tl::unexpected(std::move(inner.error()));
   auto parameters = parameter_columns(search, reading.parameters);
   if (!parameters) return tl::unexpected(std::move(parameters.error()));
 
@@ -328,6 +343,7 @@ Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
                      .orientation = std::move(required->orientation.group.columns),
                      .position = *position,
                      .rates = *rates,
+                     .inner = *inner,
                      .parameters = std::move(*parameters)};
   columns.ignored = ignored_names(header, columns);
   return columns;

@@ -57,6 +57,9 @@ using RateColumns = std::array<std::optional<RateVector>, 3>;
 /// accelerations.
 [[nodiscard]] Expected<RateColumns> rate_columns(const ColumnSearch& search, const RateReading& reading);
 
+/// Of the inner quaternions of the segments that leave the keys, and of those that arrive at them.
+using InnerColumns = std::array<std::optional<QuaternionColumns>, inner_names.size()>;
+
 /// A column of a parameter's values.
 struct ParameterColumn {
   std::string name;
@@ -75,6 +78,7 @@ struct KeyColumns {
   std::vector<NumberColumn> orientation{};  ///< in the order that `orientation_from` takes
   std::optional<VectorColumns> position{};
   RateColumns rates{};
+  InnerColumns inner{};
   std::vector<ParameterColumn> parameters{};
   std::vector<std::string> ignored{};  ///< names of the others
 };
@@ -84,6 +88,7 @@ struct HeaderReading {
   ColumnNames names{};
   std::span<const std::string> parameters{};  ///< read where a column has the name
   RateReading rates{};
+  bool inner_quaternions = false;  ///< whether they are read
   OrientationReading orientation{};
 };
 
@@ -94,7 +99,7 @@ struct HeaderReading {
 /// `t_us`, `t_ns`), the orientation by one of its representations, and where present `px,py,pz` (or `tx,ty,tz`, or
 /// `x,y,z`; `px_m`, `px_mm`, `px_cm`, `px_km`), the rates that are asked for (`wx,wy,wz`, `ax,ay,az`, `jx,jy,jz`;
 /// `wx_rad_s`, `wx_deg_s`, `wx_body`, `wx_body_rad_s`, `wx_body_deg_s`, `ax_rad_s2`, `jx_rad_s3`, …; on request
-/// `wx_world`, …) and parameters. Others are ignored.
+/// `wx_world`, …), on request inner quaternions (`a_qw,…`, `b_qw,…`), and parameters. Others are ignored.
 ///
 /// A unit may also stand in brackets behind the name: `time (us)`, `px [mm]`. A name that was mapped brings the unit
 /// that it ends in.

@@ -98,6 +98,7 @@ struct ReadOptions {
   int rate_orders = 1;
   /// Read `wx_world,…` where there are none in the body frame, and turn them into it.
   bool world_rates = false;
+  bool inner_quaternions = false;             ///< read `a_qw,…` and `b_qw,…` where they are there
   FreeRates free_rates = FreeRates::allowed;  ///< what a rate without numbers in its cells is
   bool drop_duplicates = false;               ///< of equal times keep the first
   bool drop_invalid = false;                  ///< drop rows where a cell that is needed is empty, NaN or infinite

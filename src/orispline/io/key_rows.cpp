@@ -9,6 +9,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/curve/key_parts.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/io/clock.hpp>
@@ -29,19 +30,12 @@ Expected<void> check_width(const TextTable& table, std::size_t width) {
                  table.here());
 }
 
-/// The values at the places, in their order.
-template <class T>
-std::vector<T> gathered(const std::vector<T>& values, const std::vector<std::uint32_t>& places) {
-  std::vector<T> result;
-  if (values.empty()) return result;
-  result.reserve(places.size());
-  for (const std::uint32_t place : places) result.push_back(values[place]);
-  return result;
-}
-
 /// Where the rates of each order go.
 constexpr std::array rates_of_keys{&KeyframeData::angular_velocities, &KeyframeData::angular_accelerations,
                                    &KeyframeData::angular_jerks};
+
+/// Where the inner quaternions of either side go.
+constexpr std::array inner_of_keys{&KeyframeData::inner_leaving, &KeyframeData::inner_arriving};
 
 /// The rates in the body frame of a key at this orientation, of any norm.
 std::array<Eigen::Vector3d, 3> body_rates(const KeyRow& key, const RateColumns& columns,
@@ -116,8 +110,15 @@ Expected<void> KeyRows::add(const TextTable& table) {
     return {};
   }
   if (auto settled = settle_clock(table); !settled) return refused(std::move(settled.error()));
-  const auto unit = normalised(key.orientation, table.here());
+  const auto unit = orientation_of(key.orientation, table.here());
   if (!unit) return refused(unit.error());
+  std::array<Eigen::Quaterniond, inner_of_keys.size()> inner = key.inner;
+  for (std::size_t side = 0; side < inner.size(); ++side) {
+    if (!columns_.inner[side] || is_free_inner(inner[side])) continue;
+    auto found = orientation_of(inner[side], table.here((*columns_.inner[side])[0].index));
+    if (!found) return refused(std::move(found.error()));
+    inner[side] = *found;
+  }
   if (auto turned = check_turned_jerk(key, columns_.rates, table); !turned) return refused(std::move(turned.error()));
   if (options_.sort) {
     times_.push_back(key.time);
@@ -132,15 +133,22 @@ Expected<void> KeyRows::add(const TextTable& table) {
     file_.table.rows.emplace_back(cells.begin(), cells.end());
   }
   append_motion(key, *unit);
+  for (std::size_t side = 0; side < inner.size(); ++side)
+    if (columns_.inner[side]) (file_.data.*inner_of_keys[side]).push_back(frames_.orientation(inner[side]));
   for (std::size_t i = 0; i < key.parameters.size(); ++i)
     file_.parameters[columns_.parameters[i].name].push_back(key.parameters[i]);
   return {};
 }
 
-/// Appends the orientation of the row, near enough to norm 1, with its position and rates.
-void KeyRows::append_motion(const KeyRow& key, const Eigen::Quaterniond& stated) {
-  const bool is_inverse = options_.conjugate || options_.inverse_poses;
-  const Eigen::Quaterniond orientation = is_inverse ? stated.conjugate() : stated;
+/// The orientation, body to world, that a quaternion of the file states.
+Expected<Eigen::Quaterniond> KeyRows::orientation_of(const Eigen::Quaterniond& stated, Where where) {
+  return normalised(stated, std::move(where)).map([this](const Eigen::Quaterniond& unit) {
+    return options_.conjugate || options_.inverse_poses ? unit.conjugate() : unit;
+  });
+}
+
+/// Appends the orientation of the row, body to world, with its position and rates.
+void KeyRows::append_motion(const KeyRow& key, const Eigen::Quaterniond& orientation) {
   if (key.angles) turns_.add(*key.angles, orientation);
   file_.data.orientations.push_back(frames_.orientation(orientation));
   if (columns_.position)
@@ -249,12 +257,11 @@ Expected<void> KeyRows::sort() {
     if (!appended) return tl::unexpected(appended.error());
     if (*appended) kept.push_back(place);
   }
-  file_.lines = gathered(file_.lines, kept);
-  file_.table.rows = gathered(file_.table.rows, kept);
-  file_.data.orientations = gathered(file_.data.orientations, kept);
-  file_.data.positions = gathered(file_.data.positions, kept);
-  for (const auto rates : rates_of_keys) file_.data.*rates = gathered(file_.data.*rates, kept);
-  for (auto& [name, values] : file_.parameters) values = gathered(values, kept);
+  file_.lines = entries_at(file_.lines, kept);
+  file_.table.rows = entries_at(file_.table.rows, kept);
+  file_.data.orientations = entries_at(file_.data.orientations, kept);
+  for_each_part([&](const auto& part) { file_.data.*part.list = entries_at(file_.data.*part.list, kept); });
+  for (auto& [name, values] : file_.parameters) values = entries_at(values, kept);
   return {};
 }
 

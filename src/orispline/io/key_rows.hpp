@@ -34,10 +34,11 @@ class KeyRows {
   [[nodiscard]] const KeyColumns& columns() const noexcept { return columns_; }
 
  private:
+  [[nodiscard]] Expected<Eigen::Quaterniond> orientation_of(const Eigen::Quaterniond& stated, Where where);
   [[nodiscard]] Expected<Eigen::Quaterniond> normalised(Eigen::Quaterniond q, Where where);
   [[nodiscard]] Expected<void> settle_clock(const TextTable& table);
   void settle_time_unit(const Decimal& first);
-  void append_motion(const KeyRow& key, const Eigen::Quaterniond& stated);
+  void append_motion(const KeyRow& key, const Eigen::Quaterniond& orientation);
   [[nodiscard]] Expected<bool> append_time(const Decimal& time, std::string_view text, std::size_t line);
   [[nodiscard]] Expected<void> sort();
 

@@ -63,6 +63,10 @@ inline constexpr double orthonormality_limit = 1e-3;
 /// The names of Euler angles by the axes that they turn about, `roll` x, `pitch` y, `yaw` z, in the order of the turns.
 [[nodiscard]] ORISPLINE_EXPORT std::array<std::string_view, 3> names_by_axis(const EulerOrder& order) noexcept;
 
+/// The names of the columns of inner quaternions, of the segments that leave the keys and of those that arrive at them.
+inline constexpr std::array<std::array<std::string_view, 4>, 2> inner_names{
+    {{"a_qw", "a_qx", "a_qy", "a_qz"}, {"b_qw", "b_qx", "b_qy", "b_qz"}}};
+
 /// The names of the columns that hold a form when it is written: `roll_deg,pitch_deg,yaw_deg` for the order ZYX.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<std::string> written_names(const OrientationForm& form);
 

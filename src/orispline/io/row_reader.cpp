@@ -16,7 +16,15 @@ KeyRow RowReader::key(const KeyColumns& columns) {
   set_orientation(key, columns);
   if (columns.position) key.position = vector(*columns.position);
   for (std::size_t k = 0; k < columns.rates.size(); ++k)
-    if (columns.rates[k]) key.rates[k] = rate(columns.rates[k]->columns);
+    if (columns.rates[k])
+      key.rates[k] = free_rates_ == FreeRates::allowed
+                         ? free_vector(columns.rates[k]->columns, "three cells of the rate")
+                         : vector(columns.rates[k]->columns);
+  for (std::size_t side = 0; side < columns.inner.size(); ++side)
+    if (columns.inner[side]) {
+      const Eigen::Vector4d wxyz = free_vector(*columns.inner[side], "four cells of the inner quaternion");
+      key.inner[side] = quaternion_wxyz(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+    }
   for (const ParameterColumn& column : columns.parameters) key.parameters.push_back(number({column.index}));
   return key;
 }
@@ -26,7 +34,7 @@ std::optional<Error> RowReader::not_finite() const {
   const std::string_view cell = table_.cells()[*not_finite_];
   return mended_by("drop_invalid",
                    formatted("found {}, wanted a finite number{}", cell.empty() ? "an empty cell" : in_quotes(cell),
-                             not_finite_in_rate_ ? ", or none in all three cells of the rate to leave it free" : ""),
+                             free_instead_),
                    table_.here(not_finite_))
       .value();
 }
@@ -56,18 +64,22 @@ double RowReader::number(const NumberColumn& column) {
   return value;
 }
 
-Eigen::Vector3d RowReader::vector(const VectorColumns& columns) {
-  const double x = number(columns[0]), y = number(columns[1]), z = number(columns[2]);
-  return {x, y, z};
+template <std::size_t Size>
+Eigen::Vector<double, static_cast<int>(Size)> RowReader::vector(const std::array<NumberColumn, Size>& columns) {
+  Eigen::Vector<double, static_cast<int>(Size)> numbers;
+  std::ranges::transform(columns, numbers.begin(), [this](const NumberColumn& column) { return number(column); });
+  return numbers;
 }
 
-Eigen::Vector3d RowReader::rate(const VectorColumns& columns) {
-  if (free_rates_ == FreeRates::refused) return vector(columns);
+/// The numbers of what may be free, where there are none; `what` names its cells.
+template <std::size_t Size>
+Eigen::Vector<double, static_cast<int>(Size)> RowReader::free_vector(const std::array<NumberColumn, Size>& columns,
+                                                                     const char* what) {
   const auto before = not_finite_;
-  const Eigen::Vector3d rate = vector(columns);
-  if (is_free(rate)) not_finite_ = before;
-  else if (!before && rate.hasNaN()) not_finite_in_rate_ = true;
-  return rate;
+  const auto numbers = vector(columns);
+  if (numbers.array().isNaN().all()) not_finite_ = before;
+  else if (!before && numbers.hasNaN()) free_instead_ = formatted(", or none in all {} to leave it free", what);
+  return numbers;
 }
 
 void RowReader::set_orientation(KeyRow& key, const KeyColumns& columns) {

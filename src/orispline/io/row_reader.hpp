@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <orispline/io/clock.hpp>
@@ -18,6 +19,7 @@ struct KeyRow {
   std::optional<Eigen::Vector3d> angles{};  ///< of Euler [rad], in the order of the turns
   Eigen::Vector3d position{};
   std::array<Eigen::Vector3d, 3> rates{};  ///< in the frames of the columns
+  std::array<Eigen::Quaterniond, inner_names.size()> inner{};
   std::vector<double> parameters{};
 };
 
@@ -38,8 +40,11 @@ class RowReader {
   [[nodiscard]] Decimal time(const KeyColumns& columns);
   [[nodiscard]] Decimal iso_time(const KeyColumns& columns);
   [[nodiscard]] double number(const NumberColumn& column);
-  [[nodiscard]] Eigen::Vector3d vector(const VectorColumns& columns);
-  [[nodiscard]] Eigen::Vector3d rate(const VectorColumns& columns);
+  template <std::size_t Size>
+  [[nodiscard]] Eigen::Vector<double, static_cast<int>(Size)> vector(const std::array<NumberColumn, Size>& columns);
+  template <std::size_t Size>
+  [[nodiscard]] Eigen::Vector<double, static_cast<int>(Size)> free_vector(const std::array<NumberColumn, Size>& columns,
+                                                                          const char* what);
   void set_orientation(KeyRow& key, const KeyColumns& columns);
   void refuse(std::optional<std::size_t> index, Error error);
   void note_not_finite(std::size_t index);
@@ -49,7 +54,7 @@ class RowReader {
   FreeRates free_rates_;
   std::optional<Error> refused_;
   std::optional<std::size_t> not_finite_;
-  bool not_finite_in_rate_ = false;  // which could be free
+  std::string free_instead_;  // how what is not finite could be left free
 };
 
 }}}  // namespace orispline::io

@@ -49,6 +49,8 @@ Expected<void> check_columns(const SampleColumns& columns) {
   if (columns.settings.size() > settings)
     return failure(ErrorCode::bad_argument, formatted("{} columns of settings were asked for, and {} holds {}",
                                                       columns.settings.size(), format.title, settings));
+  if (std::ranges::count(columns.inner, true) > 0 && !format.holds.rates)
+    return failure(ErrorCode::bad_argument, formatted("{} has no columns for inner quaternions", format.title));
   if (columns.band && !format.holds.rates)
     return failure(ErrorCode::bad_argument, formatted("{} has no column for a band", format.title));
   return check("", columns.derivatives, highest_derivative).and_then([&] {
@@ -74,19 +76,25 @@ std::vector<std::string> column_names(const SampleColumns& columns) {
     append(rate_letters[order], rate_suffix(columns));
   for (std::size_t order = 0; order < static_cast<std::size_t>(columns.position_derivatives); ++order)
     append(position_rate_letters[order], "");
+  for (std::size_t side = 0; side < inner_names.size(); ++side)
+    if (columns.inner[side]) names.insert(names.end(), inner_names[side].begin(), inner_names[side].end());
   if (columns.band) names.emplace_back("band");
   std::ranges::copy(columns.settings, std::back_inserter(names));
   return names;
 }
 
 RowNumbers named_numbers(const Sample& sample, const SampleColumns& columns) {
-  const auto& [motion, linear_motion, settings, band] = sample;
+  const auto& [motion, linear_motion, inner, settings, band] = sample;
   RowNumbers row;
-  for (const double number : numbers_of(written_orientation(sample, columns), columns.form)) row.add(number);
+  for (const double number : numbers_of(written_orientation(motion.orientation, columns), columns.form))
+    row.add(number);
   if (columns.positions) row.add(linear_motion.position);
   for (int order = 1; order <= columns.derivatives; ++order) row.add(rate_of(motion, order, columns.frame));
   if (columns.position_derivatives > 0) row.add(linear_motion.velocity);
   if (columns.position_derivatives > 1) row.add(linear_motion.acceleration);
+  for (std::size_t side = 0; side < inner.size(); ++side)
+    if (columns.inner[side])
+      for (const double number : numbers_of(written_orientation(inner[side], columns), {})) row.add(number);
   if (columns.band) row.add_band(band);
   for (const double setting : settings) row.add(setting);
   return row;

@@ -23,16 +23,18 @@ struct SampleColumns {
   int position_derivatives = 0;  ///< highest order of the rates of position: 0 none, 1 velocity, 2 and acceleration
   Frame frame = Frame::body;
   Turning turning = Turning::body_to_world;  ///< of the orientations; the names of body rates say so where it is not
-  bool band = false;                         ///< a radius [rad] of where the true motion may be, behind the rates
-  std::vector<std::string> settings{};       ///< columns of a method's parameters, behind all others
+  std::array<bool, inner_names.size()> inner{};  ///< inner quaternions of keys: of segments that leave, that arrive
+  bool band = false;                             ///< a radius [rad] of where the true motion may be, behind the rates
+  std::vector<std::string> settings{};           ///< columns of a method's parameters, behind all others
 };
 
 /// A moving body.
 struct Sample {
   Motion motion{};
   LinearMotion linear_motion{};
-  std::span<const double> settings{};  ///< one for each of the columns of settings
-  double band = 0.0;                   ///< [rad]; infinite: nothing is known
+  std::array<Eigen::Quaterniond, inner_names.size()> inner{};  ///< body to world
+  std::span<const double> settings{};                          ///< one for each of the columns of settings
+  double band = 0.0;                                           ///< [rad]; infinite: nothing is known
 };
 
 inline constexpr std::size_t most_settings = 8;  ///< columns of settings in a file
@@ -40,23 +42,23 @@ inline constexpr std::size_t most_settings = 8;  ///< columns of settings in a f
 /// Error (bad_argument): what the format cannot hold.
 [[nodiscard]] ORISPLINE_EXPORT Expected<void> check_columns(const SampleColumns& columns);
 
-/// The orientation of a sample as a file of these columns has it.
-[[nodiscard]] inline Eigen::Quaterniond written_orientation(const Sample& sample, const SampleColumns& columns) {
-  return columns.turning == Turning::body_to_world ? sample.motion.orientation : sample.motion.orientation.conjugate();
+/// An orientation, body to world, as a file of these columns has it.
+[[nodiscard]] inline Eigen::Quaterniond written_orientation(const Eigen::Quaterniond& q, const SampleColumns& columns) {
+  return columns.turning == Turning::body_to_world ? q : q.conjugate();
 }
 
 /// What stands before that many rows of a file of these columns.
 [[nodiscard]] ORISPLINE_EXPORT std::string header_of(const SampleColumns& columns, std::size_t rows);
 
 /// The names of the columns where a file may hold all: time, orientation, position, angular rates, rates of position,
-/// band, settings.
+/// inner quaternions, band, settings.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<std::string> column_names(const SampleColumns& columns);
 
 /// The numbers of a row after its time.
 class ORISPLINE_EXPORT RowNumbers {
  public:
-  static constexpr std::size_t most =
-      9 + 3 + 9 + 6 + 1 + most_settings;  ///< a matrix, a position, three and two rates, a band, settings
+  /// A matrix, a position, three and two rates, two inner quaternions, a band, settings.
+  static constexpr std::size_t most = 9 + 3 + 9 + 6 + 8 + 1 + most_settings;
 
   void add(double value) noexcept { values_[count_++] = value; }
   void add(const Eigen::Vector3d& v) noexcept;

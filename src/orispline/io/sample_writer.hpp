@@ -17,7 +17,7 @@ inline constexpr std::size_t written_block = std::size_t{256} << 10;  ///< [byte
 enum class MissingSamples {
   refused,
   written,    ///< samples at times for which there are none
-  free_rates  ///< rates that keys leave free
+  free_rates  ///< rates and inner quaternions that keys leave free
 };
 
 /// Rows of samples as their file holds them, gathered in memory: several threads may each make some.

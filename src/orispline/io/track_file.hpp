@@ -51,7 +51,7 @@ struct TrackFile {
 [[nodiscard]] ORISPLINE_EXPORT TrackFile track_file(KeyFile file, Keyframes keys);
 
 /// Whether a file with these columns says which curve the keys are for: the format has comments, and room for the rates
-/// that are part of them.
+/// and inner quaternions that are part of them.
 [[nodiscard]] ORISPLINE_EXPORT bool states_recipe(const Track& track, const SampleColumns& columns);
 
 /// `recipe_not_stated`: the keys are for the curve of a method, and a file with these columns cannot say so.
@@ -62,9 +62,9 @@ struct TrackFile {
 /// Writes keys into an open file, which is left to be closed.
 ///
 /// A track that carries its table is written as its file has it, with its settings in their columns, where the format
-/// has tables. Every other one is written in these columns, but with positions and settings where it has them and with
-/// no more rates than its keys have; quaternions keep the digits of its file. Where states_recipe(), the track's recipe
-/// is a comment above.
+/// has tables. Every other one is written in these columns, but with positions, inner quaternions and settings where it
+/// has them and with no more rates than its keys have; quaternions keep the digits of its file. Where states_recipe(),
+/// the track's recipe is a comment above.
 ///
 /// Errors: bad_access; bad_argument for what the format cannot hold, several tracks among it; bad_data with the key.
 [[nodiscard]] ORISPLINE_EXPORT Expected<void> write_tracks(OutputFile& file, std::span<const Track> tracks,

@@ -33,6 +33,8 @@ SampleColumns columns_for(const Track& track, SampleColumns columns) {
   columns.positions = !track.keys.positions().empty();
   columns.derivatives = std::min(columns.derivatives, rate_orders_of(track.keys));
   columns.position_derivatives = 0;
+  const bool has_room = columns.format->holds.rates;
+  columns.inner = {has_room && !track.keys.inner_leaving().empty(), has_room && !track.keys.inner_arriving().empty()};
   columns.settings.clear();
   for (const auto& [name, values] : track.settings) columns.settings.push_back(name);
   return columns;
@@ -45,6 +47,8 @@ Sample sample_at(const Track& track, const SampleColumns& columns, std::size_t k
   if (columns.derivatives > 0) sample.motion.angular_velocity = rate_at(keys.angular_velocities(), key);
   if (columns.derivatives > 1) sample.motion.angular_acceleration = rate_at(keys.angular_accelerations(), key);
   if (columns.derivatives > 2) sample.motion.angular_jerk = rate_at(keys.angular_jerks(), key);
+  if (columns.inner[0]) sample.inner[0] = keys.inner_leaving()[key];
+  if (columns.inner[1]) sample.inner[1] = keys.inner_arriving()[key];
   return sample;
 }
 
@@ -56,6 +60,7 @@ std::optional<std::string_view> lacking_for_recipe(const Track& track, const Sam
   if (!format.holds.comments) return "comments";
   if (track.recipe.signs == Signs::as_given && !keeps_signs) return "signs in this form of orientations";
   if (!format.holds.rates && rate_orders_of(track.keys) > 0) return "columns for rates";
+  if (!format.holds.rates && track.keys.have_inner_quaternions()) return "columns for inner quaternions";
   if (!format.holds.settings && !track.settings.empty()) return "columns for settings";
   return std::nullopt;
 }

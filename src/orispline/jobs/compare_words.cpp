@@ -54,6 +54,17 @@ std::vector<std::string> methods_with_rates(const CompareOutcome& outcome, std::
   return names;
 }
 
+/// Methods that are told inner quaternions at the keys.
+std::vector<std::string> methods_with_inner(const CompareOutcome& outcome, std::size_t key_set) {
+  std::vector<std::string> names;
+  const Keyframes& keys = outcome.data.key_sets[key_set].track.keys;
+  if (!keys.have_inner_quaternions()) return names;
+  for (const ComparedMethod& method : outcome.methods)
+    if (is_on(method, key_set) && family_of(method.candidate.method).takes_inner_quaternions())
+      names.push_back(method.label);
+  return names;
+}
+
 /// Whether some method has more of a measure than is shown: what happens inside the segments only.
 bool is_infinite_for_some(const MeasureInfo& measure, const CompareOutcome& outcome, std::size_t key_set) {
   return std::ranges::any_of(outcome.methods, [&](const ComparedMethod& method) {
@@ -80,6 +91,8 @@ std::vector<std::string> notes_of(const CompareOutcome& outcome, std::size_t key
   std::vector<std::string> notes;
   if (const auto names = methods_with_rates(outcome, key_set); !names.empty())
     notes.push_back(formatted("{} took the logged rates at the keys too.", joined(names, ", ")));
+  if (const auto names = methods_with_inner(outcome, key_set); !names.empty())
+    notes.push_back(formatted("{} took the inner quaternions of the keys.", joined(names, ", ")));
   for (const MeasureInfo& measure : measures)
     if (is_infinite_for_some(measure, outcome, key_set)) notes.push_back(note_on_infinite(measure));
   if (rests_at_some(outcome, key_set)) notes.emplace_back("The shape is undefined (–) where the body rests at a key.");

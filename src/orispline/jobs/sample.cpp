@@ -34,10 +34,13 @@ std::string keys_line(const SampleOutcome& outcome) {
   return line + "\n";
 }
 
-std::string rates_line(const SampleOutcome& outcome) {
+std::string lines_of_columns(const SampleOutcome& outcome) {
   constexpr std::array names{"angular velocities", "accelerations", "jerks"};
-  if (outcome.rate_orders == 0) return "";
-  return formatted("rates taken from the keys: {}\n", joined(std::span(names).first(outcome.rate_orders), ", "));
+  std::string lines;
+  if (outcome.rate_orders > 0)
+    lines += formatted("rates taken from the keys: {}\n", joined(std::span(names).first(outcome.rate_orders), ", "));
+  if (outcome.inner_quaternions) lines += "inner quaternions taken from the keys\n";
+  return lines;
 }
 
 std::string truth_line(const TruthDistance& truth) {
@@ -85,6 +88,7 @@ SampleOutcome outcome_of(const Track& keys, const Method& method, const CurveOfK
           .keys = keys.keys.size(),
           .keyframes = keys.keys.report(),
           .rate_orders = rate_orders_of(keys.keys),
+          .inner_quaternions = keys.keys.have_inner_quaternions(),
           .start = keys.epoch + Decimal::from_double(domain.start),
           .end = keys.epoch + Decimal::from_double(domain.end),
           .findings = shaped.findings};
@@ -111,7 +115,7 @@ Json document_of(const SampleOutcome& outcome, Json of_columns, Json of_repairs)
 std::string summary_of(const SampleOutcome& outcome) {
   std::string text = keys_line(outcome);
   if (!outcome.mended.empty()) text += outcome.mended + "\n";
-  text += rates_line(outcome);
+  text += lines_of_columns(outcome);
   text += formatted("{} with {}{}\n", counted(outcome.samples, "sample"), outcome.method_text,
                     outcome.written_to.empty() ? "" : " written to " + outcome.written_to);
   if (outcome.findings) text += "the keys say: " + findings_text(*outcome.findings) + "\n";

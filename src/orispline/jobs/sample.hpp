@@ -27,6 +27,7 @@ struct SampleOutcome {
   std::size_t keys = 0;
   KeyframeReport keyframes{};
   std::size_t rate_orders = 0;                ///< of the keys' own rates that the curve has
+  bool inner_quaternions = false;             ///< whether it has the keys' own
   Decimal start{}, end{};                     ///< of the curve, in the file's own time [s]
   std::size_t samples = 0, held_samples = 0;  ///< in all, and outside the curve
   Extrapolation extrapolation = Extrapolation::hold;

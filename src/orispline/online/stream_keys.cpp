@@ -5,29 +5,16 @@
 #include <limits>
 
 #include <orispline/families/registry.hpp>
+#include <orispline/online/stream_parts.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
-
-namespace {
-
-/// Calls `change` with every list of the data that has an entry per key, empty ones included.
-template <class Change>
-void for_each_list(KeyframeData& data, Change change) {
-  change(data.times);
-  change(data.orientations);
-  for (auto* vectors : {&data.positions, &data.angular_velocities, &data.angular_accelerations, &data.angular_jerks})
-    change(*vectors);
-}
-
-}  // namespace
 
 void StreamKeys::push(const StreamKey& key) {
   data_.times.push_back(key.time);
   data_.orientations.push_back(key.orientation);
-  if (key.position) data_.positions.push_back(*key.position);
-  if (key.angular_velocity) data_.angular_velocities.push_back(*key.angular_velocity);
-  if (key.angular_acceleration) data_.angular_accelerations.push_back(*key.angular_acceleration);
-  if (key.angular_jerk) data_.angular_jerks.push_back(*key.angular_jerk);
+  for_each_stream_part([&](const auto& part) {
+    if (const auto& value = key.*part.value) (data_.*part.of_keys.list).push_back(*value);
+  });
   settings_.resize(key.settings.size());
   for (auto list = settings_.begin(); const auto& [name, value] : key.settings) (list++)->push_back(value);
 }
@@ -54,10 +41,9 @@ void StreamKeys::forget_before(std::uint64_t key) {
 void StreamKeys::clear() { *this = {}; }
 
 KeyParts StreamKeys::parts() const noexcept {
-  return {.position = !data_.positions.empty(),
-          .angular_velocity = !data_.angular_velocities.empty(),
-          .angular_acceleration = !data_.angular_accelerations.empty(),
-          .angular_jerk = !data_.angular_jerks.empty()};
+  KeyParts found;
+  for_each_stream_part([&](const auto& part) { found.*part.is_there = !(data_.*part.of_keys.list).empty(); });
+  return found;
 }
 
 Expected<StreamKeys> StreamKeys::from_kept(std::uint64_t first, KeyframeData data,
@@ -102,16 +88,9 @@ Expected<PoseCurve> StreamKeys::curve_from(std::uint64_t key, const StreamMethod
   if (key > 0) options.start = {};
   if (stream == Stream::open) options.end = {};
   for (std::size_t i = 0; i < settings_.size(); ++i) options.parameters[method.per_key[i]] = part(settings_[i]);
-  auto curve = Keyframes::make({.times = part(data_.times),
-                                .orientations = part(data_.orientations),
-                                .positions = part(data_.positions),
-                                .angular_velocities = part(data_.angular_velocities),
-                                .angular_accelerations = part(data_.angular_accelerations),
-                                .angular_jerks = part(data_.angular_jerks)},
-                               Signs::as_given)
-                   .and_then([&](const Keyframes& keys) {
-                     return make_pose_curve({*method.family, options}, keys);
-                   });
+  auto curve = Keyframes::make(list_by_list(data_, part), Signs::as_given).and_then([&](const Keyframes& keys) {
+    return make_pose_curve({*method.family, options}, keys);
+  });
   if (curve || !curve.error().where.key) return curve;
   Error error = std::move(curve.error());
   *error.where.key += static_cast<std::size_t>(key);

@@ -2,29 +2,15 @@
 #include <orispline/online/stream_method.hpp>
 
 #include <algorithm>
-#include <array>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/key_check.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/online/stream_parts.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
-
-struct Part {
-  std::optional<Eigen::Vector3d> StreamKey::*value;
-  bool KeyParts::*wanted;
-  const char *name, *one;
-  std::optional<Error> (*check)(std::size_t, const char*, const Eigen::Vector3d&);
-};
-constexpr std::array known_parts{
-    Part{&StreamKey::position, &KeyParts::position, "position", "a position", check_vector},
-    Part{&StreamKey::angular_velocity, &KeyParts::angular_velocity, "angular velocity", "an angular velocity",
-         check_rate},
-    Part{&StreamKey::angular_acceleration, &KeyParts::angular_acceleration, "angular acceleration",
-         "an angular acceleration", check_rate},
-    Part{&StreamKey::angular_jerk, &KeyParts::angular_jerk, "angular jerk", "an angular jerk", check_rate}};
 
 /// Enough for every end rule and every family.
 constexpr std::size_t segments_of_a_trial = 9;
@@ -54,6 +40,18 @@ std::vector<std::string> taken_per_key(const FamilyInfo& family, CurveOptions& o
   return per_key;
 }
 
+/// What is wrong with a part of a key, which the keys before have or have not.
+template <class T>
+std::optional<Error> check_part(std::size_t place, const StreamPart<T>& part, const std::optional<T>& value,
+                                bool is_wanted) {
+  const char* const name = part.of_keys.one;
+  if (value.has_value() == is_wanted) return value ? part.of_keys.check(place, name, *value) : std::nullopt;
+  return Error{ErrorCode::bad_data,
+               value ? formatted("found {} {}, wanted none as the keys before have none", part.article, name)
+                     : formatted("found no {}, wanted one as the keys before have", name),
+               {.key = place}};
+}
+
 /// The curve through keys in one place, a second apart from 0 s on: what no keys can have is refused before there are
 /// any.
 Expected<AnyCurve> trial_curve(const FamilyInfo& family, const CurveOptions& options) {
@@ -77,7 +75,7 @@ Eigen::Quaterniond unit_orientation(const Eigen::Quaterniond& orientation) {
 
 KeyParts parts_of(const StreamKey& key) noexcept {
   KeyParts found;
-  for (const Part& part : known_parts) found.*part.wanted = (key.*part.value).has_value();
+  for_each_stream_part([&](const auto& part) { found.*part.is_there = (key.*part.value).has_value(); });
   return found;
 }
 
@@ -85,16 +83,12 @@ Expected<Eigen::Quaterniond> checked_orientation(std::uint64_t index, const Stre
                                                  std::span<const double> before, const KeyParts& wanted) {
   const auto place = static_cast<std::size_t>(index);
   if (auto error = check_time(place, key.time, before)) return tl::unexpected(std::move(*error));
-  for (const Part& part : known_parts) {
+  std::optional<Error> refused;
+  for_each_stream_part([&](const auto& part) {
     const auto& value = key.*part.value;
-    if (!before.empty() && value.has_value() != wanted.*part.wanted)
-      return failure(ErrorCode::bad_data,
-                     value ? formatted("found {}, wanted none as the keys before have none", part.one)
-                           : formatted("found no {}, wanted one as the keys before have", part.name),
-                     {.key = place});
-    if (value)
-      if (auto error = part.check(place, part.name, *value)) return tl::unexpected(std::move(*error));
-  }
+    if (!refused) refused = check_part(place, part, value, before.empty() ? value.has_value() : wanted.*part.is_there);
+  });
+  if (refused) return tl::unexpected(std::move(*refused));
   const auto norm = checked_norm(place, key.orientation);
   if (!norm) return tl::unexpected(norm.error());
   return normalised(key.orientation, *norm);

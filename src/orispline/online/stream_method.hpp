@@ -19,10 +19,11 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 struct StreamKey {
   double time = 0.0;  ///< [s]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
-  std::optional<Eigen::Vector3d> position{};              ///< [m], world frame
-  std::optional<Eigen::Vector3d> angular_velocity{};      ///< [rad/s], body frame
-  std::optional<Eigen::Vector3d> angular_acceleration{};  ///< [rad/s²], body frame
-  std::optional<Eigen::Vector3d> angular_jerk{};          ///< [rad/s³], body frame
+  std::optional<Eigen::Vector3d> position{};                            ///< [m], world frame
+  std::optional<Eigen::Vector3d> angular_velocity{};                    ///< [rad/s], body frame
+  std::optional<Eigen::Vector3d> angular_acceleration{};                ///< [rad/s²], body frame
+  std::optional<Eigen::Vector3d> angular_jerk{};                        ///< [rad/s³], body frame
+  std::optional<Eigen::Quaterniond> inner_leaving{}, inner_arriving{};  ///< those of KeyframeData
   /// By name, the parameters whose values come with the keys: those without values in the options of the curve.
   std::map<std::string, double, std::less<>> settings{};
 };
@@ -32,7 +33,8 @@ struct StreamKey {
 
 /// What the keys of a stream have besides time and orientation: all of them or none.
 struct KeyParts {
-  bool position = false, angular_velocity = false, angular_acceleration = false, angular_jerk = false;
+  bool position = false, angular_velocity = false, angular_acceleration = false, angular_jerk = false,
+       inner_leaving = false, inner_arriving = false;
   bool operator==(const KeyParts&) const = default;
 };
 

@@ -10,6 +10,7 @@
 #include <orispline/base/parallel.hpp>
 #include <orispline/batch/sample_layout.hpp>
 #include <orispline/curve/key_check.hpp>
+#include <orispline/online/stream_parts.hpp>
 #include <orispline/online/track_state.hpp>
 #include <orispline/online/track_stretch.hpp>
 
@@ -131,20 +132,16 @@ Expected<void> TrackSampler::append(const KeyframeData& keys,
   const auto fits = [count](const auto& list) { return list.empty() || list.size() == count; };
   const bool settings_fit =
       std::ranges::all_of(settings, [count](const auto& setting) { return setting.second.size() == count; });
-  if (keys.orientations.size() != count || !fits(keys.positions) || !fits(keys.angular_velocities) ||
-      !fits(keys.angular_accelerations) || !fits(keys.angular_jerks) || !settings_fit)
+  bool parts_fit = true;
+  for_each_part([&](const auto& part) { parts_fit &= fits(keys.*part.list); });
+  if (keys.orientations.size() != count || !parts_fit || !settings_fit)
     return failure(ErrorCode::bad_data,
                    formatted("found lists of different length, wanted {} entries, one per key", count));
-  const auto at = [](const std::vector<Eigen::Vector3d>& list, std::size_t i) {
-    return list.empty() ? std::nullopt : std::optional(list[i]);
-  };
   for (std::size_t i = 0; i < count; ++i) {
-    StreamKey key{.time = keys.times[i],
-                  .orientation = keys.orientations[i],
-                  .position = at(keys.positions, i),
-                  .angular_velocity = at(keys.angular_velocities, i),
-                  .angular_acceleration = at(keys.angular_accelerations, i),
-                  .angular_jerk = at(keys.angular_jerks, i)};
+    StreamKey key{.time = keys.times[i], .orientation = keys.orientations[i]};
+    for_each_stream_part([&](const auto& part) {
+      if (const auto& list = keys.*part.of_keys.list; !list.empty()) key.*part.value = list[i];
+    });
     for (const auto& [name, values] : settings) key.settings.emplace(name, values[i]);
     if (auto taken = push(std::move(key)); !taken) return taken;
   }

@@ -2,16 +2,19 @@
 #include <orispline/online/track_state.hpp>
 
 #include <cmath>
+#include <concepts>
+#include <vector>
 
 #include <orispline/families/blending/blending_family.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/online/stream_parts.hpp>
 #include <orispline/online/track_stretch.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-constexpr std::uint64_t mark = 0x334b434152545249u;  // "IRTRACK3", lowest byte first
+constexpr std::uint64_t mark = 0x344b434152545249u;  // "IRTRACK4", lowest byte first
 
 tl::unexpected<Error> no_state(const std::string& why) {
   return failure(ErrorCode::bad_data, "the bytes are no state of a track: " + why);
@@ -178,9 +181,21 @@ Expected<Method> read_family(StateReader& in) {
   return Method(std::move(*family));
 }
 
-template <class Data>
-auto vectors_of(Data& data) {
-  return std::array{&data.positions, &data.angular_velocities, &data.angular_accelerations, &data.angular_jerks};
+void write(StateWriter& out, const Eigen::Vector3d& v) { out.vector(v); }
+void write(StateWriter& out, const Eigen::Quaterniond& q) {
+  for (const double component : q.coeffs()) out.real(component);
+}
+template <class T>
+T read_entry(StateReader& in) {
+  const Eigen::Vector3d xyz = in.vector();
+  if constexpr (std::same_as<T, Eigen::Vector3d>) return xyz;
+  else return quaternion_xyzw(xyz.x(), xyz.y(), xyz.z(), in.real());
+}
+template <class T>
+std::vector<T> read_entries(StateReader& in, std::size_t count) {
+  std::vector<T> entries;
+  for (std::size_t i = 0; i < count; ++i) entries.push_back(read_entry<T>(in));
+  return entries;
 }
 
 void write(StateWriter& out, const TrackStretch& stretch) {
@@ -190,25 +205,22 @@ void write(StateWriter& out, const TrackStretch& stretch) {
   out.whole(stretch.keys().first());
   const KeyframeData& data = stretch.keys().data();
   out.reals(data.times);
-  for (const Eigen::Quaterniond& q : data.orientations)
-    for (const double component : q.coeffs()) out.real(component);
-  for (const auto* vectors : vectors_of(data)) {
-    out.whole(vectors->empty() ? 0 : 1);
-    for (const Eigen::Vector3d& v : *vectors) out.vector(v);
-  }
+  for (const Eigen::Quaterniond& q : data.orientations) write(out, q);
+  for_each_part([&](const auto& part) {
+    const auto& list = data.*part.list;
+    out.whole(list.empty() ? 0 : 1);
+    for (const auto& value : list) write(out, value);
+  });
   out.whole(stretch.keys().settings().size());
   for (const auto& values : stretch.keys().settings()) out.reals(values);
 }
 
 KeyframeData read_data(StateReader& in) {
   KeyframeData data{.times = in.reals()};
-  for (std::size_t i = 0; i < data.times.size(); ++i) {
-    const Eigen::Vector3d xyz = in.vector();
-    data.orientations.push_back(quaternion_xyzw(xyz.x(), xyz.y(), xyz.z(), in.real()));
-  }
-  for (auto* vectors : vectors_of(data))
-    if (in.below(2) == 1)
-      for (std::size_t i = 0; i < data.times.size(); ++i) vectors->push_back(in.vector());
+  data.orientations = read_entries<Eigen::Quaterniond>(in, data.times.size());
+  for_each_part([&]<class T>(const KeyPart<T>& part) {
+    if (in.below(2) == 1) data.*part.list = read_entries<T>(in, data.times.size());
+  });
   return data;
 }
 
@@ -241,9 +253,8 @@ std::vector<std::byte> TrackState::bytes_of(const TrackSampler& sampler) {
   out.whole(sampler.next_);
   for (const auto& time : {sampler.newest_, sampler.start_, sampler.end_}) write(out, time);
   write(out, sampler.alignment_);
-  for (const bool part : {sampler.parts_.position, sampler.parts_.angular_velocity, sampler.parts_.angular_acceleration,
-                          sampler.parts_.angular_jerk, sampler.finished_})
-    out.whole(part ? 1 : 0);
+  for_each_stream_part([&](const auto& part) { out.whole(sampler.parts_.*part.is_there ? 1 : 0); });
+  out.whole(sampler.finished_ ? 1 : 0);
   out.whole(sampler.stretches_.size());
   for (const TrackStretch& stretch : sampler.stretches_) write(out, stretch);
   return std::move(out).sealed();
@@ -272,9 +283,8 @@ Expected<void> TrackState::read_rest(StateReader& in, TrackSampler& sampler) {
   sampler.next_ = in.below(static_cast<std::uint64_t>(SampleGrid::most_samples) + 1);
   for (auto* time : {&sampler.newest_, &sampler.start_, &sampler.end_}) *time = read_optional(in);
   sampler.alignment_ = read_alignment(in, sampler.keys_);
-  for (bool* part : {&sampler.parts_.position, &sampler.parts_.angular_velocity, &sampler.parts_.angular_acceleration,
-                     &sampler.parts_.angular_jerk, &sampler.finished_})
-    *part = in.below(2) == 1;
+  for_each_stream_part([&](const auto& part) { sampler.parts_.*part.is_there = in.below(2) == 1; });
+  sampler.finished_ = in.below(2) == 1;
   const auto is_known = [](const std::optional<double>& time) { return time && std::isfinite(*time); };
   if ((sampler.start_ && !is_known(sampler.start_)) || is_known(sampler.end_) != sampler.finished_ ||
       (sampler.end_ && !sampler.start_))

@@ -63,6 +63,9 @@ Expected<void> check_parameters(const BlendingData& data) {
                                p->lowest, p->highest));
     if (!(p->lowest <= p->initial && p->initial <= p->highest))
       return refused(formatted("parameters: '{}' is {}, wanted {} to {}", p->name, p->initial, p->lowest, p->highest));
+    if (p->initial != 0.0 && std::abs(p->initial) < blending::Expression::smallest_number)
+      return refused(formatted("parameters: '{}' is {}, wanted 0 or a size of {:g} at least", p->name, p->initial,
+                               blending::Expression::smallest_number));
   }
   return {};
 }

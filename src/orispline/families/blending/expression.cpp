@@ -16,7 +16,6 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace blending {
 
 namespace {
 
-constexpr double largest_number = 1e9;
 constexpr int largest_power = 20, largest_offset = 8, most_digits = 40;
 
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
@@ -177,10 +176,11 @@ class ExpressionParser {
     }
     const std::string_view text = text_.substr(start, at_ - start);
     const auto value = number_in(text);
-    const bool is_small = value && std::abs(*value) <= largest_number && (*value == 0.0 || std::abs(*value) >= 1e-30);
-    if (!is_small || text.size() > most_digits) {
+    const double size = std::abs(value.value_or(Expression::largest_number * 2.0));
+    const bool is_in_range = size <= Expression::largest_number && (size == 0.0 || size >= Expression::smallest_number);
+    if (!is_in_range || text.size() > most_digits) {
       at_ = start;
-      return fail(formatted("found {}, wanted a number up to {:g}", in_quotes(text), largest_number));
+      return fail(formatted("found {}, wanted a number up to {:g}", in_quotes(text), Expression::largest_number));
     }
     made_.literals_.push_back({*value, exact_value(text)});
     made_.steps_.push_back({Operation::literal, made_.literals_.size() - 1});

@@ -27,6 +27,7 @@ Expected<TableLayout> layout_of_header(const TextTable& table, const ReadOptions
   const HeaderReading reading{.names = options.columns,
                               .parameters = options.parameters,
                               .rates = rate_reading(options),
+                              .inner_quaternions = options.inner_quaternions,
                               .orientation = options.orientation};
   return located(table, columns_of_header(table.cells(), reading)).map([&](KeyColumns columns) {
     std::vector<std::string> names(table.cells().begin(), table.cells().end());

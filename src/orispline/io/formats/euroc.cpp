@@ -92,7 +92,7 @@ std::string header(const SampleColumns&, std::size_t) {
 }
 
 RowNumbers numbers(const Sample& sample, const SampleColumns& columns) {
-  const Eigen::Quaterniond orientation = written_orientation(sample, columns);
+  const Eigen::Quaterniond orientation = written_orientation(sample.motion.orientation, columns);
   RowNumbers numbers;
   numbers.add(sample.linear_motion.position);
   numbers.add(orientation.w());

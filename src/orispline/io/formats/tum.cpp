@@ -30,7 +30,7 @@ Expected<TableLayout> layout(const TextTable& table, const ReadOptions& options)
 }
 
 RowNumbers numbers(const Sample& sample, const SampleColumns& columns) {
-  const Eigen::Quaterniond orientation = written_orientation(sample, columns);
+  const Eigen::Quaterniond orientation = written_orientation(sample.motion.orientation, columns);
   RowNumbers numbers;
   numbers.add(sample.linear_motion.position);
   numbers.add(Eigen::Vector3d(orientation.vec()));
