@@ -38,7 +38,8 @@ class Expression {
 
   /// Reads an expression in that many parameters. Errors (bad_argument), with the position of the character from 1:
   /// what cannot be understood, a name that there is not, a division by an expression in a parameter or by 0, a number
-  /// that is not finite or out of range, a power that is no whole number from 0 to 20, more than `deepest_stack` levels.
+  /// that is not finite or out of range, a power that is no whole number from 0 to 20, more than `deepest_stack`
+  /// levels.
   [[nodiscard]] static Expected<Expression> parse(std::string_view text, std::size_t parameters);
 
   /// The value over a field: `constant(Literal)`, `quantity(Quantity)`.
