@@ -93,11 +93,12 @@ class OnlineCurve:
         else:
             first = self._scalar_first
         row = quaternions("q", array_of("q", q)[None], scalar_first=first)[0]
-        p, *rates = [None if vector is None else numbers(name, vector, (3,)) for name, vector in
+        p, w, a, j = [None if vector is None else numbers(name, vector, (3,)) for name, vector in
                       (("position", position), ("angular_velocity", angular_velocity),
                        ("angular_acceleration", angular_acceleration), ("angular_jerk", angular_jerk))]
-        inner = [None if rows is None else quaternions(name, array_of(name, rows)[None], scalar_first=self._scalar_first)[0]
-                for name, rows in (("inner_leaving", inner_leaving), ("inner_arriving", inner_arriving))]
+        leaving, arriving = [
+            None if one is None else quaternions(name, array_of(name, one)[None], scalar_first=self._scalar_first)[0]
+            for name, one in (("inner_leaving", inner_leaving), ("inner_arriving", inner_arriving))]
         stated = {name: real(name, value) for name, value in settings.items()}
         with self._lock:
             if self._clock is None:
@@ -107,7 +108,7 @@ class OnlineCurve:
                 clock = self._clock
                 time = float(clock.seconds("t", t))
                 clock.check_after(len(self._core), time, self._last)
-            self._core.append(time, row, p, *rates, *inner, stated)
+            self._core.append(time, row, p, w, a, j, leaving, arriving, stated)
             self._clock, self._last = clock, time
 
     def finish(self) -> None:
