@@ -21,6 +21,7 @@ enum class MeanKind {
 
 struct MeanOptions {
   MeanKind kind = MeanKind::mean;
+  std::optional<double> every{};  ///< length of windows in time with a mean each [s]; absent: all have one
 };
 
 /// Orientations, and what belongs to them. Their order and their signs do not count. A list that is not empty has an
@@ -61,11 +62,29 @@ struct Mean {
 [[nodiscard]] ORISPLINE_EXPORT std::optional<Eigen::Vector3d> sigma(const Mean& mean);           ///< [rad], of the body
 [[nodiscard]] ORISPLINE_EXPORT std::optional<Eigen::Vector3d> position_sigma(const Mean& mean);  ///< [m], of the world
 
-/// The mean or the median. Formulas and proofs: docs/mean.md.
+/// The mean or the median of all, with `every` too. Formulas and proofs: docs/mean.md.
 ///
 /// Errors (bad_data, with the key): no orientations, lists of different length, a quaternion that is none, a weight
 /// below 0 or not finite, no weight above 0; orientations that cancel, such as two that are 180° apart.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Mean> mean(const OrientationSet& given, const MeanOptions& options = {});
+
+/// A window in time, and the mean of what is in it.
+struct MeanWindow {
+  double time = 0.0;      ///< its middle, or that of all times [s]
+  std::size_t first = 0;  ///< index of the first orientation in it
+  Mean mean{};
+};
+
+/// Those of successive windows, the first of which begins at the first time; without `every` a single one. A window
+/// with nothing in it, or nothing with a weight, has no mean. Times rise.
+///
+/// Errors: those of check() and mean(), with the first key of the window where they name none.
+[[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<MeanWindow>> mean_in_windows(std::span<const double> times,
+                                                                                 const OrientationSet& given,
+                                                                                 const MeanOptions& options = {});
+
+/// Error (bad_argument): options that are wrong whatever is given.
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> check(const MeanOptions& options);
 
 template <>
 inline constexpr std::array words<MeanKind>{

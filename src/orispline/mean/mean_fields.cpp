@@ -19,6 +19,11 @@ std::span<const FieldInfo> fields_of<MeanOptions>() noexcept {
   static constexpr std::array fields{
       field<&MeanOptions::kind>(
           {.name = "kind", .sentence = "Which middle: the mean, or the median, which bad rows hardly move"}),
+      field<&MeanOptions::every>({.name = "every",
+                                  .sentence = "Length of windows in time, each with a mean of its own",
+                                  .quantity = &quantities::duration,
+                                  .range = positive,
+                                  .absent = "one mean of all"}),
   };
   return fields;
 }
