@@ -129,8 +129,10 @@ def mean(rotations: Any, *, weights: Any = None, positions: Any = None, scalar_f
     --------
     >>> import orispline as ori
     >>> found = ori.mean([[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, -0.6, -0.8]])
+    >>> found.orientation.round(6).tolist(), found.count, found.certified
+    ([0.0, 0.0, 0.415962, 0.909382], 3, True)
     >>> found
-    Mean([0, 0, 0.413804, 0.910366], mean of 3, rms_distance=0.606682, certified=True)
+    Mean([0, 0, 0.415962, 0.909382], mean of 3, rms_distance=0.606699, certified=True)
     >>> ori.mean([[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 0.6, 0.8]], kind="median").orientation.tolist()
     [0.0, 0.0, 0.6, 0.8]
     """

@@ -287,7 +287,9 @@ Expected<Mean> mean(const OrientationSet& given, const MeanOptions& options) {
              .farthest = counted->indices[distances.farthest],
              .spread = distances.spread,
              .covariance = distances.covariance};
-  if (found.orientation.w() < 0.0) found.orientation.coeffs() *= -1.0;
+  const Eigen::Vector4d coeffs = found.orientation.coeffs(), zero = Eigen::Vector4d::Zero();
+  found.orientation.coeffs() =
+      coeffs[3] < 0.0 ? Eigen::Vector4d(zero - coeffs) : Eigen::Vector4d(zero + coeffs);  // no -0
   certify(found, options.kind, orientations, middle, ball);
   if (middle.half_range > 0.0) found.warnings.push_back(of_a_range(middle.half_range));
   else if (!found.certified) found.warnings.push_back(not_certified(found, options.kind));
