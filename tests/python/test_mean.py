@@ -166,7 +166,7 @@ def test_tables_have_windows_weights_and_positions():
     found = tables.mean(table, by="camera", every="1s", weight="w", position=["x", "y", "z"]).read_all()
     assert found.column_names[:9] == ["camera", "t", "qx", "qy", "qz", "qw", "x", "y", "z"]
     assert list(zip(found["camera"].to_pylist(), found["t"].to_pylist())) == [("a", 10.5), ("a", 12.5), ("b", 3.5)]
-    assert found["x"].to_pylist() == [1, 1, 1] and found["weight"].to_pylist() == [4, 1, 2] and found["count"].to_pylist() == [2, 1, 1]
+    assert found["x"].to_pylist() == [1, 1, 1] and found["weight_sum"].to_pylist() == [4, 1, 2] and found["count"].to_pylist() == [2, 1, 1]
     q = np.column_stack([found[name] for name in ("qx", "qy", "qz", "qw")])
     for row, degrees in zip(q, (5, 40, 7)):
         assert distance(row, about(BASE, degrees)[0]) < 1e-15

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 import dataclasses
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -89,9 +89,15 @@ class Mean:
         return table(repr(self), ("", "", "meaning"), rows)
 
 
+@overload
+def mean(rotations: Any, *, every: None = None, weights: Any = None, positions: Any = None, scalar_first: bool = False, normalize: bool = False,
+         normalise: bool = False, euler: str | None = None, angle_unit: AngleUnit | None = None, **options: Any) -> Mean: ...
+@overload
+def mean(rotations: Keys, *, every: float | str, weights: Any = None, **options: Any) -> list[Mean]: ...
 @takes("MeanOptions")
-def mean(rotations: Any, *, weights: Any = None, positions: Any = None, scalar_first: bool = False, normalize: bool = False,
-         normalise: bool = False, euler: str | None = None, angle_unit: AngleUnit | None = None, **options: Any) -> Any:
+def mean(rotations: Any, *, every: float | str | None = None, weights: Any = None, positions: Any = None, scalar_first: bool = False,
+         normalize: bool = False, normalise: bool = False, euler: str | None = None, angle_unit: AngleUnit | None = None,
+         **options: Any) -> Mean | list[Mean]:
     """The mean or the median of many orientations, with its covariance and whether it is the only one.
 
     Neither the order nor the signs of quaternions count.
@@ -140,12 +146,12 @@ def mean(rotations: Any, *, weights: Any = None, positions: Any = None, scalar_f
         _check_none_beside_keys(positions=positions, scalar_first=scalar_first, normalize=normalize, normalise=normalise, euler=euler,
                                 angle_unit=angle_unit)
         keys, scalar_first = rotations, rotations._scalar_first
-    elif options.get("every") is not None:
+    elif every is not None:
         raise ArgumentError("every: found orientations without times, wanted Keys, whose times make windows")
     else:
         orientations, positions = orientations_of(rotations, positions, flag("scalar_first", scalar_first), euler, angle_unit)
         keys = _set_of(orientations, positions, normalize=normalize, normalise=normalise)
-    core = _core.mean(keys._core, None if weights is None else _weights(weights), plain(options))
+    core = _core.mean(keys._core, None if weights is None else _weights(weights), plain({"every": every, **options}))
     tell(core.warnings)
     members = core.members()
     found = core.windows()

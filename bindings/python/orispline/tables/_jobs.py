@@ -192,7 +192,7 @@ def mean(source: Any, *, by: str | Sequence[str] = "track", every: Any = None, k
     -------
     pyarrow.RecordBatchReader
         The columns of `by`, with `every` the middle of the window in the column of time, those of quaternion and position, then `count`,
-        `weight`, `rms_distance_rad`, `largest_distance_rad`, `sigma_x_rad` … (one standard deviation of the mean along the axes of its
+        `weight_sum`, `rms_distance_rad`, `largest_distance_rad`, `sigma_x_rad` … (one standard deviation of the mean along the axes of its
         body), `certified`, whether it is proved to be the only one, and `error`.
 
     Examples
@@ -314,8 +314,7 @@ def run(job: Job, source: Source, *, assume_sorted: bool, memory_limit: str, pro
     job.layout.check(source.schema)
     rows = selected(source, job.layout.names)
     assume_sorted, memory_limit = flag("assume_sorted", assume_sorted), text("memory_limit", memory_limit)
-    order = job.layout.order if job.layout.time else [*job.layout.order, job.layout.quaternion[0]]
-    return reader(job, rows, counted(rows, lambda: ordered(rows, order, assume_sorted=assume_sorted, threads=job.threads,
+    return reader(job, rows, counted(rows, lambda: ordered(rows, job.layout.order, assume_sorted=assume_sorted, threads=job.threads,
                                                            memory_limit=memory_limit), progress))
 
 

@@ -33,7 +33,7 @@ class Layout:
     @property
     def names(self) -> list[str]:
         """All of them, in this order."""
-        return [*self.order, *self.numbers]
+        return [*self.by, self.time, *self.numbers]
 
     @property
     def numbers(self) -> list[str]:
@@ -43,7 +43,7 @@ class Layout:
     @property
     def order(self) -> list[str]:
         """Those that rows are put in order by."""
-        return [*self.by, *([self.time] if self.time else [])]
+        return [*self.by, self.time]
 
     def check(self, schema: Any, what: str = "source") -> None:
         """Raises ArgumentError where a column is missing or of a type that it cannot have."""
@@ -64,9 +64,24 @@ class Layout:
 
 @dataclasses.dataclass(frozen=True)
 class SetLayout(Layout):
-    """The columns of rows that need no order in time, where `time` may be empty, and may have a weight."""
+    """The columns of rows that are a set where `time` is empty, and may have a weight."""
 
     weight: tuple[str, ...] = ()
+
+    @property
+    def ids(self) -> list[str]:
+        """Those of groups, and of times where they count."""
+        return [*self.by, *([self.time] if self.time else [])]
+
+    @property
+    def names(self) -> list[str]:
+        """All of them, in this order."""
+        return [*self.ids, *self.numbers]
+
+    @property
+    def order(self) -> list[str]:
+        """Those that rows are put in order by, so that a set has the same bits however its rows came."""
+        return [*self.by, self.time or self.quaternion[0]]
 
     @property
     def numbers(self) -> list[str]:

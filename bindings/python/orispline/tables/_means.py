@@ -28,14 +28,16 @@ class Means:
 
     def schema(self, layout: Layout, given: Any) -> Any:
         """The ids, the time of a window, the middle, and what is known of it."""
-        found = {"count": pa.int64(), "weight": pa.float64(), "rms_distance_rad": pa.float64(), "largest_distance_rad": pa.float64(),
+        assert isinstance(layout, SetLayout)
+        found = {"count": pa.int64(), "weight_sum": pa.float64(), "rms_distance_rad": pa.float64(), "largest_distance_rad": pa.float64(),
                  **{f"sigma_{axis}_rad": pa.float64() for axis in AXES}, "certified": pa.bool_(), "error": pa.string()}
-        return pa.schema([*(given.field(name) for name in layout.order),
+        return pa.schema([*(given.field(name) for name in layout.ids),
                           *(pa.field(name, pa.float64()) for name in (*layout.quaternion, *layout.position)),
                           *(pa.field(name, kind) for name, kind in found.items())])
 
     def of_track(self, layout: Layout, rows: Any, given: Any) -> Result:
         """Rows without a time of their own are a set."""
+        assert isinstance(layout, SetLayout)
         if layout.time:
             track = track_of(layout, rows)
             columns = np.column_stack(track.numbers)
@@ -49,8 +51,8 @@ class Means:
         return Result(rows, np.zeros(len(found), np.int64), [*times, *_columns(found)])
 
 
-def _weights(layout: Layout, columns: Any) -> Any:
-    return columns[:, -1] if isinstance(layout, SetLayout) and layout.weight else None
+def _weights(layout: SetLayout, columns: Any) -> Any:
+    return columns[:, -1] if layout.weight else None
 
 
 def _columns(found: list[Mean]) -> list[Any]:
