@@ -29,7 +29,8 @@ TEST(Mean, OfTurnsThatCancelIsWhereTheyBegan) {
   EXPECT_EQ(found->weight, 6.0);
   const Eigen::Vector3d variances = Eigen::Vector3d(2.0, 8.0, 4.5) / 5.0 * degree * degree;
   EXPECT_LT((found->spread->diagonal() - variances).norm(), 1e-17);
-  EXPECT_LT((*sigma(*found) - (variances / 6.0).cwiseSqrt()).norm(), 2e-4 * sigma(*found)->norm());  // but for bending
+  EXPECT_LT((*sigma_of(*found) - (variances / 6.0).cwiseSqrt()).norm(),
+            2e-4 * sigma_of(*found)->norm());  // but for bending
 }
 
 TEST(Mean, OfTwoIsOnTheWayBetweenThemByTheirWeights) {
@@ -134,7 +135,7 @@ TEST(Mean, OfASingleOrientationIsThatOne) {
     EXPECT_LT(angular_distance(found->orientation, base_pose), 1e-15);
     EXPECT_TRUE(found->certified);
     EXPECT_EQ(found->largest_distance, 0.0);
-    EXPECT_FALSE(found->covariance || found->spread || sigma(*found));
+    EXPECT_FALSE(found->covariance || found->spread || sigma_of(*found));
   }
 }
 
@@ -156,6 +157,22 @@ TEST(Mean, SaysWhereItMayNotBeTheOnlyOne) {
   ASSERT_EQ(found->warnings.size(), 1u);
   EXPECT_EQ(found->warnings[0].code, "mean_not_certified");
   EXPECT_NE(found->warnings[0].message.find("there may be another that is as good or better"), std::string::npos);
+}
+
+TEST(Mean, IsNoWorseThanAnyOfTheRowsOrWhatLiesBelowThem) {
+  const auto sum_at = [](const Eigen::Quaterniond& q, const SetOf& set) {
+    double sum = 0.0;
+    for (const auto& p : set.orientations) sum += std::pow(angular_distance(q, p), 2);
+    return sum;
+  };
+  std::mt19937_64 random(12);
+  for (int run = 0; run < 50; ++run) {
+    SetOf set;
+    for (int k = 0; k < 5; ++k) set.orientations.push_back(any_orientation(random));
+    const auto found = set.mean();
+    ASSERT_TRUE(found);
+    for (const auto& q : set.orientations) EXPECT_LE(sum_at(found->orientation, set), sum_at(q, set));
+  }
 }
 
 TEST(Mean, RefusesOrientationsThatCancel) {

@@ -91,6 +91,25 @@ TEST(Median, StaysWhereMostAreWhenTheOthersAgree) {
   EXPECT_LT(angular_distance(set.median()->orientation, base_pose), 3.0 * degree);
 }
 
+/// Three quarters within r, the others anywhere: the bound of docs/mean.md.
+TEST(Median, IsWithinItsBoundWhereverBadRowsAre) {
+  constexpr double r = 0.02;
+  std::mt19937_64 random(6);
+  for (int run = 0; run < 200; ++run) {
+    SetOf set;
+    const Eigen::Quaterniond there = base_pose * exp<double>(normal_vector(random, run % 2 ? 0.05 : 1.0));
+    for (int k = 0; k < 12; ++k)
+      set.orientations.push_back(base_pose * exp<double>(Eigen::Vector3d(r * normal_vector(random, 1.0).normalized())));
+    for (int k = 0; k < 4; ++k)
+      set.orientations.push_back(run % 3 ? there * exp<double>(normal_vector(random, 1e-3)) : any_orientation(random));
+    const auto found = set.median();
+    ASSERT_TRUE(found);
+    EXPECT_LE(angular_distance(found->orientation, base_pose), 3.0 * r);
+    ASSERT_TRUE(found->others_within);
+    EXPECT_LE(*found->others_within, 6.0 * r);
+  }
+}
+
 TEST(Median, ProvesThatItIsTheOnlyOneThoughSomeAreFarAway) {
   SetOf set =
       turned(base_pose, {{1, 0, 0}, {-1, 1, 0}, {0, -1, 1}, {0, 0.5, -1}, {0.5, 0.5, 0.2}, {0, 0, 170}, {0, -150, 60}});

@@ -69,7 +69,7 @@ std::string position_lines(const Mean& found, std::string_view kind, const Track
   if (!found.position) return "";
   const Eigen::Vector3d& p = *found.position;
   std::string text = formatted("position {} (m)\n  px {:.17g}  py {:.17g}  pz {:.17g}\n", kind, p.x(), p.y(), p.z());
-  if (const auto deviation = position_sigma(found))
+  if (const auto deviation = position_sigma_of(found))
     text += formatted("  sigma          {} along the axes of the world\n", vector_text(*deviation, 1.0, " m"));
   return text + formatted("  distances      {:.4g} m RMS, {:.4g} m at most ({})\n", *found.position_rms_distance,
                           *found.position_largest_distance, row_text(rows, *found.farthest_position));
@@ -79,7 +79,7 @@ std::string lines_of(const Mean& found, const MeanOutcome& outcome) {
   const Track& rows = *outcome.request.rows;
   const std::string_view kind = word_of(outcome.request.options.kind);
   std::string text = formatted("orientation {}\n  {}\n", kind, orientation_text(found.orientation));
-  if (const auto deviation = sigma(found))
+  if (const auto deviation = sigma_of(found))
     text += formatted("  sigma          {} along the axes of its body\n", vector_text(*deviation, degrees, "°"));
   else
     text +=

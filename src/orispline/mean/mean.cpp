@@ -104,17 +104,17 @@ std::optional<Eigen::Vector3d> start_of(const Weighted<Eigen::Vector3d>& given) 
   return sum.value();
 }
 
-/// The best place to begin a descent to the median: bad points may be half of all, and draw the mean far away. Some
-/// points themselves are tried beside it.
+/// The best place to begin where there may be several valleys: some of the points themselves are tried beside their
+/// middle, which bad points, half of all, may have drawn far away.
 template <CurvePoint P>
-P start_of_median(const Weighted<P>& given, const P& middle) {
+P best_start(MeanKind kind, const Weighted<P>& given, const P& middle) {
   constexpr std::size_t most_ways = 1000000, fewest_tried = 20;
   const std::size_t tried = std::min(given.size(), std::max(fewest_tried, most_ways / given.size()));
   P best = middle;
-  double least = mean_of::pull_at(MeanKind::median, given, middle).sum * (1.0 - 1e-12);
+  double least = mean_of::pull_at(kind, given, middle).sum * (1.0 - 1e-12);
   for (std::size_t i = 0; i < tried; ++i) {
     const P& point = given.points[i * given.size() / tried];
-    const double sum = mean_of::pull_at(MeanKind::median, given, point).sum;
+    const double sum = mean_of::pull_at(kind, given, point).sum;
     if (sum < least) least = sum, best = point;
   }
   return best;
@@ -135,7 +135,7 @@ Middle<P> middle_of(MeanKind kind, const Weighted<P>& given, const P& start) {
     const AxisMedian<P> median = mean_of::median_on_axis(given, start, *axis);
     return {{{median.point, mean_of::pull_at(kind, given, median.point)}}, median.half_range};
   }
-  return {descent.from(start_of_median(given, start))};
+  return {descent.from(start)};
 }
 
 /// How many equal weights say as much.
@@ -245,7 +245,8 @@ Error cancelling(MeanKind kind) {
 
 void add_positions(Mean& found, MeanKind kind, const OrientationSet& given, const Counted& counted) {
   const auto positions = weighted(given.positions, counted);
-  const auto middle = middle_of(kind, positions, *start_of(positions));
+  const Eigen::Vector3d centre = *start_of(positions);
+  const auto middle = middle_of(kind, positions, kind == MeanKind::mean ? centre : best_start(kind, positions, centre));
   const Distances distances = distances_from(kind, positions, middle);
   found.position = middle.found.place.point;
   found.position_rms_distance = distances.rms;
@@ -262,8 +263,8 @@ std::optional<Eigen::Vector3d> deviations(const std::optional<Eigen::Matrix3d>& 
 
 }  // namespace
 
-std::optional<Eigen::Vector3d> sigma(const Mean& mean) { return deviations(mean.covariance); }
-std::optional<Eigen::Vector3d> position_sigma(const Mean& mean) { return deviations(mean.position_covariance); }
+std::optional<Eigen::Vector3d> sigma_of(const Mean& mean) { return deviations(mean.covariance); }
+std::optional<Eigen::Vector3d> position_sigma_of(const Mean& mean) { return deviations(mean.position_covariance); }
 
 Expected<Mean> mean(const OrientationSet& given, const MeanOptions& options) {
   if (auto checked = check(given); !checked) return tl::unexpected(std::move(checked.error()));
@@ -273,8 +274,9 @@ Expected<Mean> mean(const OrientationSet& given, const MeanOptions& options) {
   const auto start = start_of(orientations);
   if (!start) return tl::unexpected(cancelling(options.kind));
   const Ball ball = mean_of::smallest_ball(orientations.points);
-  const bool begins_outside = ball.radius < half_pi && angular_distance(ball.centre, *start) > ball.radius;
-  const auto middle = middle_of(options.kind, orientations, begins_outside ? ball.centre : *start);
+  const bool has_one_valley = options.kind == MeanKind::mean && ball.radius < half_pi;  // the start is in the ball
+  const auto middle =
+      middle_of(options.kind, orientations, has_one_valley ? *start : best_start(options.kind, orientations, *start));
   const Distances distances = distances_from(options.kind, orientations, middle);
   Mean found{.orientation = middle.found.place.point,
              .count = orientations.size(),

@@ -59,8 +59,9 @@ struct Mean {
 };
 
 /// One standard deviation of the mean along each axis; absent where it cannot be told.
-[[nodiscard]] ORISPLINE_EXPORT std::optional<Eigen::Vector3d> sigma(const Mean& mean);           ///< [rad], of the body
-[[nodiscard]] ORISPLINE_EXPORT std::optional<Eigen::Vector3d> position_sigma(const Mean& mean);  ///< [m], of the world
+[[nodiscard]] ORISPLINE_EXPORT std::optional<Eigen::Vector3d> sigma_of(const Mean& mean);  ///< [rad], of the body
+[[nodiscard]] ORISPLINE_EXPORT std::optional<Eigen::Vector3d> position_sigma_of(
+    const Mean& mean);  ///< [m], of the world
 
 /// The mean or the median of all, with `every` too. Formulas and proofs: docs/mean.md.
 ///
