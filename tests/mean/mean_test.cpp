@@ -197,7 +197,7 @@ TEST(Mean, SaysWhatIsWrongWithWeightsAndQuaternions) {
   EXPECT_EQ(error_with({1, -2}), "key 1: found the weight -2, wanted 0 or a number above it");
   EXPECT_EQ(error_with({std::numeric_limits<double>::quiet_NaN(), 1}),
             "key 0: found the weight nan, wanted 0 or a number above it");
-  EXPECT_EQ(error_with({1}), "found 1 weights of 2 orientations, wanted one of each");
+  EXPECT_EQ(error_with({1}), "found 1 weight of 2 orientations, wanted one of each");
   EXPECT_EQ(error_with({1e308, 1e308}), "found weights whose sum is not finite, wanted smaller ones");
   EXPECT_EQ(describe(mean({}).error()), "found no orientations, wanted one at least");
   SetOf bent = turned(base_pose, {{0, 0, 0}});

@@ -10,6 +10,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/math/degrees.hpp>
@@ -34,10 +35,10 @@ Expected<void> check(const OrientationSet& given) {
   const std::size_t count = given.orientations.size();
   if (count == 0) return failure(ErrorCode::bad_data, "found no orientations, wanted one at least");
   for (const auto& [what, size] :
-       {std::pair("positions", given.positions.size()), std::pair("weights", given.weights.size())})
+       {std::pair("position", given.positions.size()), std::pair("weight", given.weights.size())})
     if (size != 0 && size != count)
-      return failure(ErrorCode::bad_data,
-                     formatted("found {} {} of {} orientations, wanted one of each", size, what, count));
+      return failure(ErrorCode::bad_data, formatted("found {} of {}, wanted one of each", counted(size, what),
+                                                    counted(count, "orientation")));
   for (std::size_t k = 0; k < count; ++k) {
     if (const double norm = given.orientations[k].norm(); !(std::abs(norm - 1.0) <= norm_error_limit))
       return failure(ErrorCode::bad_data, formatted("the quaternion has norm {:.6g}, wanted 1 within 0.001", norm),
@@ -54,32 +55,32 @@ Expected<void> check(const OrientationSet& given) {
 }
 
 /// The entries with a weight, and where they are in the lists that were given.
-struct Counted {
+struct WithWeight {
   std::vector<std::size_t> indices{};
   std::vector<double> weights{};  ///< their sum is 1
   double sum = 0.0;               ///< of the weights as they were given
 };
 
-Expected<Counted> counted_in(const OrientationSet& given) {
-  Counted counted;
+Expected<WithWeight> with_weight_in(const OrientationSet& given) {
+  WithWeight heavy;
   const bool alike = given.weights.empty();
   for (std::size_t k = 0; k < given.orientations.size(); ++k) {
     const double weight = alike ? 1.0 : given.weights[k];
-    counted.sum += weight;
-    if (weight > 0.0) counted.indices.push_back(k), counted.weights.push_back(weight);
+    heavy.sum += weight;
+    if (weight > 0.0) heavy.indices.push_back(k), heavy.weights.push_back(weight);
   }
-  if (counted.indices.empty())
+  if (heavy.indices.empty())
     return failure(ErrorCode::bad_data, "found the weight 0 at every orientation, wanted one above 0 at least");
-  if (!std::isfinite(counted.sum))
+  if (!std::isfinite(heavy.sum))
     return failure(ErrorCode::bad_data, "found weights whose sum is not finite, wanted smaller ones");
-  for (double& weight : counted.weights) weight /= counted.sum;
-  return counted;
+  for (double& weight : heavy.weights) weight /= heavy.sum;
+  return heavy;
 }
 
 template <CurvePoint P>
-Weighted<P> weighted(std::span<const P> all, const Counted& counted) {
-  Weighted<P> given{.weights = counted.weights};
-  for (const std::size_t k : counted.indices) {
+Weighted<P> weighted(std::span<const P> all, const WithWeight& heavy) {
+  Weighted<P> given{.weights = heavy.weights};
+  for (const std::size_t k : heavy.indices) {
     if constexpr (std::same_as<P, Eigen::Quaterniond>) given.points.push_back(all[k].normalized());
     else given.points.push_back(all[k]);
   }
@@ -243,15 +244,15 @@ Error cancelling(MeanKind kind) {
                     word_of(kind))};
 }
 
-void add_positions(Mean& found, MeanKind kind, const OrientationSet& given, const Counted& counted) {
-  const auto positions = weighted(given.positions, counted);
+void add_positions(Mean& found, MeanKind kind, const OrientationSet& given, const WithWeight& heavy) {
+  const auto positions = weighted(given.positions, heavy);
   const Eigen::Vector3d centre = *start_of(positions);
   const auto middle = middle_of(kind, positions, kind == MeanKind::mean ? centre : best_start(kind, positions, centre));
   const Distances distances = distances_from(kind, positions, middle);
   found.position = middle.found.place.point;
   found.position_rms_distance = distances.rms;
   found.position_largest_distance = distances.largest;
-  found.farthest_position = counted.indices[distances.farthest];
+  found.farthest_position = heavy.indices[distances.farthest];
   found.position_spread = distances.spread;
   found.position_covariance = distances.covariance;
 }
@@ -268,9 +269,9 @@ std::optional<Eigen::Vector3d> position_sigma_of(const Mean& mean) { return devi
 
 Expected<Mean> mean(const OrientationSet& given, const MeanOptions& options) {
   if (auto checked = check(given); !checked) return tl::unexpected(std::move(checked.error()));
-  const auto counted = counted_in(given);
-  if (!counted) return tl::unexpected(counted.error());
-  const auto orientations = weighted(given.orientations, *counted);
+  const auto heavy = with_weight_in(given);
+  if (!heavy) return tl::unexpected(heavy.error());
+  const auto orientations = weighted(given.orientations, *heavy);
   const auto start = start_of(orientations);
   if (!start) return tl::unexpected(cancelling(options.kind));
   const Ball ball = mean_of::smallest_ball(orientations.points);
@@ -280,13 +281,13 @@ Expected<Mean> mean(const OrientationSet& given, const MeanOptions& options) {
   const Distances distances = distances_from(options.kind, orientations, middle);
   Mean found{.orientation = middle.found.place.point,
              .count = orientations.size(),
-             .weight = counted->sum,
+             .weight = heavy->sum,
              .ball_radius = std::min(ball.radius, distances.largest),
              .residual = middle.found.place.pull.residual(),
              .iterations = middle.found.iterations,
              .rms_distance = distances.rms,
              .largest_distance = distances.largest,
-             .farthest = counted->indices[distances.farthest],
+             .farthest = heavy->indices[distances.farthest],
              .spread = distances.spread,
              .covariance = distances.covariance};
   const Eigen::Vector4d coeffs = found.orientation.coeffs(), zero = Eigen::Vector4d::Zero();
@@ -295,7 +296,7 @@ Expected<Mean> mean(const OrientationSet& given, const MeanOptions& options) {
   certify(found, options.kind, orientations, middle, ball);
   if (middle.half_range > 0.0) found.warnings.push_back(of_a_range(middle.half_range));
   else if (!found.certified) found.warnings.push_back(not_certified(found, options.kind));
-  if (!given.positions.empty()) add_positions(found, options.kind, given, *counted);
+  if (!given.positions.empty()) add_positions(found, options.kind, given, *heavy);
   return found;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -43,8 +44,8 @@ Expected<void> check(const MeanOptions& options) { return check_ranges(options);
 Expected<std::vector<MeanWindow>> mean_in_windows(std::span<const double> times, const OrientationSet& given,
                                                   const MeanOptions& options) {
   if (times.size() != given.orientations.size())
-    return failure(ErrorCode::bad_data, formatted("found {} times of {} orientations, wanted one of each", times.size(),
-                                                  given.orientations.size()));
+    return failure(ErrorCode::bad_data, formatted("found {} of {}, wanted one of each", counted(times.size(), "time"),
+                                                  counted(given.orientations.size(), "orientation")));
   if (auto checked = check(options); !checked) return tl::unexpected(std::move(checked.error()));
   std::vector<MeanWindow> windows;
   if (!options.every || times.empty())
