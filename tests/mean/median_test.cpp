@@ -29,6 +29,26 @@ TEST(Median, OfOneAxisIsThatOfNumbers) {
   EXPECT_FALSE(found->covariance) << "nothing says how certain it is along the axis";
 }
 
+/// Of joints that bend in one plane, but for the digits of their file.
+TEST(Median, OfNearlyOneAxisIsThatOfNumbersToo) {
+  std::mt19937_64 random(7);
+  SetOf set;
+  std::vector<double> turns;
+  for (int k = 0; k < 1001; ++k) {
+    turns.push_back(20.0 * normal_vector(random, 1.0).x());
+    set.orientations.push_back(base_pose * exp<double>(Eigen::Vector3d(0.0, 0.0, turns.back() * degree)) *
+                               exp<double>(normal_vector(random, 1e-8)));
+  }
+  std::ranges::nth_element(turns, turns.begin() + 500);
+  const auto found = set.median();
+  ASSERT_TRUE(found);
+  EXPECT_LT(angular_distance(found->orientation, turned(base_pose, {{0, 0, turns[500]}}).orientations[0]), 1e-7);
+  EXPECT_LT(found->residual, 1e-15);
+  EXPECT_TRUE(found->certified);
+  EXPECT_FALSE(found->covariance);
+  EXPECT_LT(found->iterations, 200u);
+}
+
 TEST(Median, IsTheMiddleOfARangeAndSaysSo) {
   const auto found = turned(base_pose, {{0, 0, -5}, {0, 0, 0}, {0, 0, 8}, {0, 0, 40}}).median();
   ASSERT_TRUE(found);

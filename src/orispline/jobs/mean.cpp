@@ -82,8 +82,8 @@ std::string lines_of(const Mean& found, const MeanOutcome& outcome) {
   if (const auto deviation = sigma_of(found))
     text += formatted("  sigma          {} along the axes of its body\n", vector_text(*deviation, degrees, "°"));
   else
-    text +=
-        formatted("  sigma          unknown: {}\n", found.spread ? "all turn about one axis" : "a single orientation");
+    text += formatted("  sigma          unknown: {}\n",
+                      found.spread ? "all but turn about one axis" : "a single orientation");
   text += formatted("  distances      {:.4g}° RMS, {:.4g}° at most ({})\n", found.rms_distance * degrees,
                     found.largest_distance * degrees, row_text(rows, found.farthest));
   text += certificate_line(found, kind);
@@ -99,13 +99,14 @@ std::string time_text(const MeanOutcome& outcome, const MeanWindow& window) {
 std::string table_of(const MeanOutcome& outcome) {
   constexpr std::size_t shown = 10;
   std::string text = formatted("  {:>12}{:>9}{:>12}{:>12}  orientation\n", "t", "rows", "RMS", "at most");
-  for (std::size_t i = 0; i < outcome.windows.size(); ++i) {
+  const std::size_t count = outcome.windows.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i == shown && count > 2 * shown) {
+      text += "  …\n";
+      i = count - shown;
+    }
     const auto& window = outcome.windows[i];
     const auto& q = window.mean.orientation;
-    if (i == shown && outcome.windows.size() > 2 * shown) {
-      text += "  …\n";
-      i = outcome.windows.size() - shown;
-    }
     text += formatted("  {:>12}{:>9}{:>11.4g}°{:>11.4g}°  {:.6f} {:.6f} {:.6f} {:.6f}\n", time_text(outcome, window),
                       window.mean.count, window.mean.rms_distance * degrees, window.mean.largest_distance * degrees,
                       q.w(), q.x(), q.y(), q.z());

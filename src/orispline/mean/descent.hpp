@@ -117,7 +117,7 @@ class Descent {
     return is_least ? std::optional(sample) : std::nullopt;
   }
 
-  /// By Newton's step, else by the one that is sure to lower the sum; nothing where rounding hides that.
+  /// By Newton's step, else by the safe one, longer while that is better; nothing where rounding hides what is lower.
   [[nodiscard]] std::optional<Place<P>> stepped(const Place<P>& here) const {
     const Pull& pull = here.pull;
     if (pull.weight_here == 0.0) {
@@ -125,17 +125,26 @@ class Descent {
       if (newton.allFinite())
         if (const Place<P> there = at(moved(here.point, newton)); is_lower(here.pull, there.pull)) return there;
     }
-    const Place<P> there = at(moved(here.point, pull.residual() / pull.towards.norm() * pull.towards));
-    return is_lower(pull, there.pull) ? std::optional(there) : std::nullopt;
+    Eigen::Vector3d step = pull.residual() / pull.towards.norm() * pull.towards;
+    std::optional<Place<P>> best;
+    for (Place<P> there = at(moved(here.point, step)); is_below(best ? best->pull : pull, there.pull);
+         there = at(moved(here.point, step)))
+      best = there, step *= 4.0;
+    return best;
   }
 
-  /// By half of what is promised at least. Near the end sums differ by their rounding alone: there the gradient
-  /// decides.
+  /// By half of what is promised at least.
   [[nodiscard]] static bool is_lower(const Pull& here, const Pull& there) {
-    if (here.promised() > 1e-12 * here.sum) return there.sum <= here.sum - 0.5 * here.promised();
-    return there.residual() < here.residual();
+    const bool is_clear = here.promised() > rounding * here.sum;
+    return is_clear ? there.sum <= here.sum - 0.5 * here.promised() : there.residual() < here.residual();
+  }
+  /// Near the end sums differ by their rounding alone: there the gradient decides.
+  [[nodiscard]] static bool is_below(const Pull& here, const Pull& there) {
+    const double lower = here.sum - there.sum;
+    return lower > rounding * here.sum || (lower > -rounding * here.sum && there.residual() < here.residual());
   }
 
+  static constexpr double rounding = 1e-14;  // of sums, of which each term has some
   MeanKind kind_;
   const Weighted<P>& given_;
 };

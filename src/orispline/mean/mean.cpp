@@ -30,6 +30,8 @@ using mean_of::Weighted;
 
 constexpr double half_pi = 0.5 * std::numbers::pi;
 constexpr double at_rest = 1e-12;  // residual
+/// Of that across: with less, as where all but turn about one axis, few samples tell how certain a median is along it.
+constexpr double least_curvature = 0.01;
 
 Expected<void> check(const OrientationSet& given) {
   const std::size_t count = given.orientations.size();
@@ -172,7 +174,7 @@ Distances distances_from(MeanKind kind, const Weighted<P>& given, const Middle<P
   const bool is_mean = kind == MeanKind::mean;
   const Eigen::Matrix3d& hessian = middle.found.place.pull.hessian;
   const Eigen::Vector3d curvatures = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(hessian).eigenvalues();
-  const bool is_flat = middle.half_range > 0.0 || !(curvatures[0] > 1e-10 * curvatures[2]);
+  const bool is_flat = middle.half_range > 0.0 || !(curvatures[0] > least_curvature * curvatures[2]);
   if (found.largest == 0.0) found.covariance = Eigen::Matrix3d::Zero();
   else if (!is_flat) {
     const Eigen::Matrix3d inverse = hessian.inverse();
