@@ -16,6 +16,7 @@
 #include "commands/convert/convert_options.hpp"
 #include "commands/difference/difference_options.hpp"
 #include "commands/inspect/inspect_options.hpp"
+#include "commands/mean/mean_options.hpp"
 #include "commands/methods/methods.hpp"
 #include "commands/plot/plot_options.hpp"
 #include "commands/reduce/reduce_options.hpp"
@@ -161,6 +162,9 @@ class CommandLine {
     add_smooth_options(
         command("smooth", "Turn noisy samples into a smooth motion with rates", [this] { return smooth(smooth_); }),
         smooth_);
+    add_mean_options(
+        command("mean", "Find the mean or the median of the orientations of a file", [this] { return mean(mean_); }),
+        mean_);
     add_tune_options(command("tune", "Find the tensions that make a curve smoothest, or nearest to a recording",
                              [this] { return tune(tune_); }),
                      tune_);
@@ -259,6 +263,7 @@ class CommandLine {
   CompareArguments compare_;
   PlotArguments plot_;
   SmoothArguments smooth_;
+  MeanArguments mean_;
   TuneArguments tune_;
   ReduceArguments reduce_;
   RetimeArguments retime_;

@@ -6,6 +6,7 @@
 #include <orispline/analysis/comparison.hpp>
 #include <orispline/analysis/decimation.hpp>
 #include <orispline/fields/field_info.hpp>
+#include <orispline/mean/mean.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
 #include <orispline/reduce/reduce.hpp>
 #include <orispline/retime/retime.hpp>

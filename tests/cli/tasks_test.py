@@ -36,7 +36,7 @@ class Tasks(CommandTest):
     def test_results_are_members_of_the_json(self):
         self.write("keys.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.8,0.6,0,0\n2,0.6,0.8,0,0\n4,0,1,0,0\n")
         for name, arguments in (("smooth", ""), ("tune", "--method quintic"), ("reduce", "--tolerance 1deg"),
-                                ("retime", "--max-rate 1deg/s")):
+                                ("retime", "--max-rate 1deg/s"), ("mean", "")):
             found = json.loads(self.output_of(f"{name} keys.csv {arguments} --json -o out.csv"))
             for result in self.tasks[name]["results"]:
                 if not result["absent"]:

@@ -107,6 +107,7 @@ TYPES = {"curve(0.5)": SCALAR, "curve(np.float64(0.5))": SCALAR, "curve(1)": SCA
          "stack(0.5)": STACK, "stack.angular_velocity(t)": ARRAY, "online(0.5)": SCALAR, "online(t)": ARRAY,
          "spline(0.5, 1)": SCALAR, "spline(t, 2)": ARRAY, "curve.sample(rate=100).times": "ndarray[Any, Any]",
          "ori.blending('mine', [[0, 1]], basis='power').with_settings(ends='rest')": "str",
+         "ori.mean(t)": "orispline._mean.Mean", "ori.mean(curve.keys, every='1s')": "list[orispline._mean.Mean]",
          "ori.compare(curve.keys, [ori.read_blending('mine.json'), curve, 'auto']).curve().method": "str",
          "ori.Curve(t, t, ori.blending('mine', np.eye(2))).domain": "tuple[Any, Any]"}
 USE = """

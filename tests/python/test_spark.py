@@ -121,7 +121,7 @@ def test_one_track_of_a_million_keys(frame, collected):
     expect_equal(found, tables.resample(giant, rate=20, derivatives=2, assume_sorted=True).read_all())
 
 
-def test_evaluation_smoothing_reduction_and_comparison(frame, collected):
+def test_evaluation_smoothing_reduction_means_and_comparison(frame, collected):
     from orispline import spark as distributed
     table = table_of(tracks(12, least=30, seed=2))
     dice = np.random.default_rng(5)
@@ -132,6 +132,8 @@ def test_evaluation_smoothing_reduction_and_comparison(frame, collected):
     expect_equal(collected(distributed.smooth(keys, smoothing_time=0.2, rate=20)),
                  tables.smooth(table, smoothing_time=0.2, rate=20).read_all())
     expect_equal(collected(distributed.reduce(keys, "2deg")), tables.reduce(table, "2deg").read_all())
+    expect_equal(collected(distributed.mean(keys, every=2)), tables.mean(table, every=2).read_all())
+    expect_equal(collected(distributed.mean(keys, kind="median"), "track"), tables.mean(table, kind="median").read_all(), "track")
     order = ["track", "method", "keep_every"]
     expect_equal(collected(distributed.compare(keys, ["slerp", "auto"], keep_every=[2, 4]), *order),
                  tables.compare(table, ["slerp", "auto"], keep_every=[2, 4]).read_all(), *order)

@@ -196,6 +196,7 @@ def test_the_command_does_the_same(keys, tmp_path):
     pq.write_table(table_of(MADE).select(["track", "t"]), tmp_path / "at.parquet")
     for words, expected in ((["smooth", "--smoothing-time", "0.2", "--errors", "drop"], tables.smooth(keys, smoothing_time=0.2, errors="drop")),
                             (["reduce", "--tolerance", "2deg"], tables.reduce(keys, "2deg")),
+                            (["mean", "--every", "1.5s", "--kind", "median"], tables.mean(keys, every=1.5, kind="median")),
                             (["compare", "--methods", "slerp,auto", "--keep-every", "4"], tables.compare(keys, ["slerp", "auto"], 4)),
                             (["compare", "--methods", "timed-c2:ends=natural,rest", "--methods", "slerp", "--keep-every", "4"],
                              tables.compare(keys, ["timed-c2:ends=natural,rest", "slerp"], 4)),

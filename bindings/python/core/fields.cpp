@@ -143,6 +143,8 @@ void add_fields(nb::module_& module) {
     put_infos(all, "Retiming", fields_of<Retiming>());
     put_infos(all, "TuneOptions", fields_of<TuneOptions>());
     put_infos(all, "Tuning", fields_of<Tuning>());
+    put_infos(all, "MeanOptions", fields_of<MeanOptions>());
+    put_infos(all, "Mean", fields_of<Mean>());
     put_infos(all, "Decimation", fields_of<Decimation>());
     put_infos(all, "MeasureOptions", fields_of<MeasureOptions>());
     return all;

@@ -22,6 +22,7 @@ NB_MODULE(_core, module) {
   orispline::python::add_reduce(module);
   orispline::python::add_retime(module);
   orispline::python::add_tune(module);
+  orispline::python::add_mean(module);
   orispline::python::add_compare(module);
   orispline::python::add_scenes(module);
 }

@@ -22,6 +22,7 @@ void add_smooth(nanobind::module_& module);
 void add_reduce(nanobind::module_& module);
 void add_retime(nanobind::module_& module);
 void add_tune(nanobind::module_& module);
+void add_mean(nanobind::module_& module);
 void add_compare(nanobind::module_& module);
 void add_scenes(nanobind::module_& module);
 

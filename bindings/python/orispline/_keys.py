@@ -106,7 +106,7 @@ class Keys(Writable):
         index_of("signs", signs, SIGNS)
         scalar_first = flag("scalar_first", scalar_first)
         mending = Mending.of(normalize, normalise, drop_invalid, drop_duplicates, sort)
-        orientations, positions = _orientations(rotations, positions, scalar_first, euler, angle_unit)
+        orientations, positions = orientations_of(rotations, positions, scalar_first, euler, angle_unit)
         given = {"positions": positions, "angular_velocities": angular_velocities, "angular_accelerations": angular_accelerations,
                  "angular_jerks": angular_jerks, "inner_leaving": inner_leaving, "inner_arriving": inner_arriving}
         parts = {name: None if rows is None else numbers(name, rows, (None, len(PARTS[name]))) for name, rows in given.items()}
@@ -373,7 +373,7 @@ class Keys(Writable):
                            _core.origin_of_keys(c), getattr(self, "_source", {}))
 
 
-def _orientations(rotations: Any, positions: Any, scalar_first: bool, euler: Any, angle_unit: Any) -> tuple[Array, Any]:
+def orientations_of(rotations: Any, positions: Any, scalar_first: bool, euler: Any, angle_unit: Any) -> tuple[Array, Any]:
     """Quaternions x, y, z, w, and positions, which may stand in poses."""
     if euler is not None:
         return of_euler("rotations", rotations, euler, "rad" if angle_unit is None else angle_unit), positions

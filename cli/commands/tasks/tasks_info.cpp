@@ -25,6 +25,7 @@ std::vector<TaskInfo> tasks_info() {
       {"reduce", "The fewest keys that reproduce a recording within a tolerance", fields<ReduceOptions>(),
        fields<Reduction>()},
       {"retime", "The least slowing that keeps a motion within limits", fields<RetimeOptions>(), fields<Retiming>()},
+      {"mean", "The mean or the median of many orientations", fields<MeanOptions>(), fields<Mean>()},
       {"compare", "How near the curves of methods come to a recording", fields<Decimation, MeasureOptions>(), {}}};
 }
 

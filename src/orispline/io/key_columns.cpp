@@ -193,21 +193,21 @@ Expected<void> check_mappings(const HeaderReading& reading) {
   return {};
 }
 
-/// What every table must have.
+/// What every table must have, but for the time where rows are counted.
 struct RequiredColumns {
-  std::size_t time;
+  std::optional<std::size_t> time;
   OrientationColumns orientation;
 };
 
-Expected<RequiredColumns> required_columns(const ColumnSearch& search, const OrientationReading& reading) {
+Expected<RequiredColumns> required_columns(const ColumnSearch& search, const HeaderReading& reading) {
   auto time = search.column(time_name, [](std::string_view name) { return time_unit_of(name).has_value(); });
   if (time && !*time) time = search.column(time_name, counts_frames);
   if (!time) return tl::unexpected(time.error());
-  auto orientation = orientation_columns(search, reading);
+  auto orientation = orientation_columns(search, reading.orientation);
   if (!orientation) return tl::unexpected(std::move(orientation.error()));
   auto missing = orientation->group.missing;
-  if (!*time) missing.insert(missing.begin(), time_name);
-  if (missing.empty()) return RequiredColumns{**time, std::move(*orientation)};
+  if (!*time && !reading.count_rows) missing.insert(missing.begin(), time_name);
+  if (missing.empty()) return RequiredColumns{*time, std::move(*orientation)};
   return mended_by("columns", formatted("no column {}, found {}", joined(missing, ", "), search.found_names()));
 }
 
@@ -243,13 +243,22 @@ Expected<InnerColumns> inner_columns(const ColumnSearch& search) {
   return columns;
 }
 
+/// Which column has the times, and what its name says about them.
+void state_time(KeyColumns& columns, std::size_t index, std::string_view name) {
+  const TimeUnit unit = time_unit_of(name).value_or(time_unit_at_end_of(name));
+  columns.time = index;
+  columns.time_unit = unit.seconds;
+  columns.states_time_unit = unit.is_stated;
+  columns.counts_frames = counts_frames(name);
+}
+
 /// The names of the columns that nothing is read from.
 std::vector<std::string> ignored_names(std::span<const std::string_view> header, const KeyColumns& columns) {
   std::vector<bool> is_read(header.size(), false);
   const auto mark = [&is_read](const auto& numbers) {
     for (const auto& column : numbers) is_read[column.index] = true;
   };
-  is_read[columns.time] = true;
+  if (!columns.counts_rows) is_read[columns.time] = true;
   mark(columns.orientation);
   if (columns.position) mark(*columns.position);
   for (const auto& rate : columns.rates)
@@ -321,7 +330,7 @@ Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
   while (!header.empty() && header.back().empty()) header = header.first(header.size() - 1);
   if (auto checked = check_mappings(reading); !checked) return tl::unexpected(std::move(checked.error()));
   const ColumnSearch search(header, reading.names);
-  auto required = required_columns(search, reading.orientation);
+  auto required = required_columns(search, reading);
   if (!required) return tl::unexpected(std::move(required.error()));
   const auto position = position_columns(search);
   if (!position) return tl::unexpected(position.error());
@@ -332,32 +341,31 @@ Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
   auto parameters = parameter_columns(search, reading.parameters);
   if (!parameters) return tl::unexpected(std::move(parameters.error()));
 
-  const std::string_view time = search.plain_name(required->time);
-  const TimeUnit unit = time_unit_of(time).value_or(time_unit_at_end_of(time));
   KeyColumns columns{.width = header.size(),
-                     .time = required->time,
-                     .time_unit = unit.seconds,
-                     .states_time_unit = unit.is_stated,
-                     .counts_frames = counts_frames(time),
+                     .counts_rows = reading.count_rows,
                      .form = required->orientation.form,
                      .orientation = std::move(required->orientation.group.columns),
                      .position = *position,
                      .rates = *rates,
                      .inner = *inner,
                      .parameters = std::move(*parameters)};
+  if (!reading.count_rows) state_time(columns, *required->time, search.plain_name(*required->time));
   columns.ignored = ignored_names(header, columns);
   return columns;
 }
 
-Expected<KeyColumns> columns_of_order(std::size_t columns, QuaternionOrder order) {
-  if (columns != 5 && columns != 8)
+Expected<KeyColumns> columns_of_order(std::size_t columns, const ReadOptions& options) {
+  const bool has_time = !options.count_rows || (columns != 4 && columns != 7);
+  const std::size_t first = has_time ? 1 : 0;
+  if (columns != first + 4 && columns != first + 7)
     return failure(ErrorCode::bad_data,
                    formatted("found {} columns without a header, wanted 5 (t and the quaternion) or 8 (px, py, pz "
                              "after them)",
                              columns));
-  KeyColumns result{.width = columns, .orientation = {{1}, {2}, {3}, {4}}};
-  if (order == QuaternionOrder::xyzw) result.orientation = {{4}, {1}, {2}, {3}};
-  if (columns == 8) result.position = three_columns_from(5);
+  KeyColumns result{.width = columns, .counts_rows = options.count_rows};
+  const bool is_w_last = options.order == QuaternionOrder::xyzw;
+  for (std::size_t k = 0; k < 4; ++k) result.orientation.push_back({first + (is_w_last ? (k + 3) % 4 : k)});
+  if (columns == first + 7) result.position = three_columns_from(first + 4);
   return result;
 }
 

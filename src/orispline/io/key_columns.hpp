@@ -17,6 +17,8 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
+struct ReadOptions;
+
 /// The columns that state the orientation.
 struct OrientationColumns {
   OrientationForm form{};
@@ -74,6 +76,7 @@ struct KeyColumns {
   bool states_time_unit = false;  ///< else the size of the first time decides
   bool counts_frames = false;     ///< the times are numbers of frames, whose length the caller knows
   bool whole_times = false;       ///< times that are not whole numbers are errors
+  bool counts_rows = false;       ///< no column has the times: ReadOptions::count_rows
   OrientationForm form{};
   std::vector<NumberColumn> orientation{};  ///< in the order that `orientation_from` takes
   std::optional<VectorColumns> position{};
@@ -90,6 +93,7 @@ struct HeaderReading {
   RateReading rates{};
   bool inner_quaternions = false;  ///< whether they are read
   OrientationReading orientation{};
+  bool count_rows = false;  ///< no column of times is needed
 };
 
 /// Whether the first row of a table names columns: its first cell that is not empty is no number.
@@ -109,15 +113,14 @@ struct HeaderReading {
 [[nodiscard]] Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
                                                      const HeaderReading& reading);
 
-/// `t`, the quaternion, and with 8 columns the position. Error (bad_data): another number of columns.
-[[nodiscard]] Expected<KeyColumns> columns_of_order(std::size_t columns, QuaternionOrder order);
+/// `t`, the quaternion, and with 8 columns the position; where rows are counted `t` may be absent. Error (bad_data):
+/// another number of columns.
+[[nodiscard]] Expected<KeyColumns> columns_of_order(std::size_t columns, const ReadOptions& options);
 
 /// Columns without units, side by side.
 [[nodiscard]] constexpr VectorColumns three_columns_from(std::size_t first) noexcept {
   return {NumberColumn{first}, NumberColumn{first + 1}, NumberColumn{first + 2}};
 }
-
-struct ReadOptions;
 
 /// How the rows of a table are to be read.
 struct TableLayout {

@@ -103,6 +103,9 @@ struct ReadOptions {
   bool drop_duplicates = false;               ///< of equal times keep the first
   bool drop_invalid = false;                  ///< drop rows where a cell that is needed is empty, NaN or infinite
   bool sort = false;                          ///< by time; rows of equal time keep their order
+  /// The rows are a set, not a motion: a column of times is not needed, what it has does not count, and the n-th key
+  /// has the time n [s], from 0.
+  bool count_rows = false;
   bool keep_exact_times = false;
   bool keep_as_read = false;  ///< orientations with the norms and signs of the file, for read_track()
   bool keep_table = false;

@@ -93,6 +93,9 @@ KeyRows::KeyRows(std::string path, const FormatInfo& format, KeyColumns columns,
   file_.path = std::move(path);
   file_.format = &format;
   file_.ignored_columns = columns_.ignored;
+  if (!options_.count_rows) return;
+  columns_.counts_rows = columns_.states_time_unit = true;
+  columns_.time_unit = Fraction();
 }
 
 Expected<void> KeyRows::add(const TextTable& table) {
@@ -102,7 +105,8 @@ Expected<void> KeyRows::add(const TextTable& table) {
   };
   if (auto checked = check_width(table, columns_.width); !checked) return refused(std::move(checked.error()));
   RowReader row(table, options_.clock, options_.free_rates);
-  const KeyRow key = row.key(columns_);
+  KeyRow key = row.key(columns_);
+  if (columns_.counts_rows) key.time = Decimal::from_double(static_cast<double>(taken_ + size()));
   if (row.refused()) return refused(*row.refused());
   if (auto error = row.not_finite()) {
     if (!options_.drop_invalid) return refused(std::move(*error));
@@ -180,6 +184,7 @@ Expected<Eigen::Quaterniond> KeyRows::normalised(Eigen::Quaterniond q, Where whe
 
 /// Times of ISO 8601 are seconds, and a file has them in all rows or in none.
 Expected<void> KeyRows::settle_clock(const TextTable& table) {
+  if (columns_.counts_rows) return {};
   const std::string_view cell = table.cells()[columns_.time];
   const bool is_iso = looks_like_iso_time(cell);
   if (has_iso_times_ && *has_iso_times_ != is_iso)

@@ -40,6 +40,7 @@ std::optional<Error> RowReader::not_finite() const {
 }
 
 Decimal RowReader::time(const KeyColumns& columns) {
+  if (columns.counts_rows) return {};
   const std::string_view cell = table_.cells()[columns.time];
   if (looks_like_iso_time(cell) && !columns.whole_times) return iso_time(columns);
   const auto time = decimal_of(cell);

@@ -14,8 +14,8 @@ except ImportError as error:
     raise ImportError(f"orispline.spark: found no {error.name}, wanted it installed: pip install 'orispline[spark]'",
                       name=error.name) from None
 
-from ._jobs import compare, evaluate, reduce, resample, smooth
+from ._jobs import compare, evaluate, mean, reduce, resample, smooth
 from ._rounds import resample_to
 from ._stream import resample_stream
 
-__all__ = ["compare", "evaluate", "reduce", "resample", "resample_stream", "resample_to", "smooth"]
+__all__ = ["compare", "evaluate", "mean", "reduce", "resample", "resample_stream", "resample_to", "smooth"]

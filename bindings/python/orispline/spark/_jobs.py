@@ -59,6 +59,12 @@ def reduce(df: Any, tolerance: Any, *, by: str | Sequence[str] = "track", time: 
     return _run(jobs.reduction(layout(by, time, quaternion, position), tolerance, errors, ONE_THREAD, options), df)
 
 
+def mean(df: Any, *, by: str | Sequence[str] = "track", every: Any = None, kind: str = "mean", weight: str | None = None,
+         time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, errors: str = "row") -> Any:
+    """The mean or the median of every group of rows, or of its windows in time: `orispline.tables.mean`."""
+    return _run(jobs.averaging(by, every, kind, weight, time, quaternion, position, errors, ONE_THREAD), df)
+
+
 def compare(df: Any, methods: Sequence[Method] | Method | None = None, keep_every: int | Sequence[int] = 8, *,
             by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION, errors: str = "row",
             **options: Any) -> Any:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of many tracks: resampled, evaluated beside other tables, smoothed, reduced and compared, track by track.
+"""Tables of many tracks: resampled, evaluated beside other tables, smoothed, reduced, averaged and compared, track by track.
 
 One row is one key; a track is the rows with the same `by`. Everything is a stream of Arrow record batches, so that memory
 does not grow with the data. Needs pyarrow, and DuckDB for the order of files: `pip install 'orispline[tables]'`.
@@ -18,7 +18,7 @@ except ImportError:
     raise ImportError("orispline.tables: found no pyarrow, wanted it installed: pip install 'orispline[tables]'", name="pyarrow") from None
 
 from ._files import resample_files, write
-from ._jobs import compare, evaluate, reduce, resample, smooth
+from ._jobs import compare, evaluate, mean, reduce, resample, smooth
 from ._sealed import Summary
 
-__all__ = ["Summary", "compare", "evaluate", "reduce", "resample", "resample_files", "smooth", "write"]
+__all__ = ["Summary", "compare", "evaluate", "mean", "reduce", "resample", "resample_files", "smooth", "write"]

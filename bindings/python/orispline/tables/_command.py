@@ -139,9 +139,9 @@ class _Parser(argparse.ArgumentParser):
 def _parser() -> argparse.ArgumentParser:
     parser = _Parser(
         prog="orispline-tables", allow_abbrev=False,
-        description="Resamples, smooths, reduces and compares tables of many tracks, Parquet in and out. One row is one key.")
+        description="Resamples, smooths, reduces, averages and compares tables of many tracks, Parquet in and out. One row is one key.")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for add in (_resample, _evaluate, _smooth, _reduce, _compare):
+    for add in (_resample, _evaluate, _smooth, _reduce, _mean, _compare):
         add(commands)
     return parser
 
@@ -203,6 +203,13 @@ def _reduce(commands: Any) -> None:
     parser.add_argument("--tolerance", required=True, metavar="ANGLE", help="such as 0.1deg or 2mrad")
     _method(parser, "of the curve through the keys that are kept")
     _of_task(parser, "ReduceOptions", without=("tolerance", "values"))
+
+
+def _mean(commands: Any) -> None:
+    parser = _command(commands, "mean", "the mean or the median of every group of rows, or of its windows in time")
+    parser.add_argument("--position", type=_names, metavar="X,Y,Z", help="columns of positions [m]")
+    parser.add_argument("--weight", metavar="NAME", help="column of weights")
+    _of_task(parser, "MeanOptions", without=())
 
 
 def _compare(commands: Any) -> None:

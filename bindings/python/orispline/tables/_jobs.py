@@ -14,7 +14,8 @@ from .._checks import FRAMES, flag, in_world, index_of, rate_text, real, text, t
 from .._curve import BEYOND
 from .._errors import ArgumentError
 from .._methods import method_text
-from ._layout import UNIT_QUATERNION, Layout, converted, layout
+from ._layout import UNIT_QUATERNION, Layout, converted, layout, set_layout
+from ._means import Means
 from ._per_track import PerTrack
 from ._resampling import Resampling, sampled_schema
 from ._source import Source, ordered, selected, source_of
@@ -168,6 +169,43 @@ def reduce(source: Any, tolerance: Any, *, by: str | Sequence[str] = "track", ti
     return run(job, source_of(source), assume_sorted=assume_sorted, memory_limit=memory_limit, progress=progress)
 
 
+def mean(source: Any, *, by: str | Sequence[str] = "track", every: Any = None, kind: str = "mean", weight: str | None = None,
+         time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, errors: str = "row",
+         assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB", progress: Progress | None = None) -> Any:
+    """The mean or the median of every group of rows, or of its windows in time, as of `orispline.mean`.
+
+    Parameters
+    ----------
+    by : str or list of str
+        The columns that tell groups apart.
+    every : number or str, optional
+        Length of windows in time, such as `"0.5s"`; the first one begins at the first row of its group. Without it each group has one
+        mean, and a column of times is not needed.
+    kind : {"mean", "median"}
+        Which middle.
+    weight : str, optional
+        The column of weights, 0 or more.
+    others
+        As of `resample`.
+
+    Returns
+    -------
+    pyarrow.RecordBatchReader
+        The columns of `by`, with `every` the middle of the window in the column of time, those of quaternion and position, then `count`,
+        `weight_sum`, `rms_distance_rad`, `largest_distance_rad`, `sigma_x_rad` … (one standard deviation of the mean along the axes of its
+        body), `certified`, whether it is proved to be the only one, and `error`.
+
+    Examples
+    --------
+    >>> import orispline.tables as tables, pyarrow as pa
+    >>> shots = pa.table({"camera": ["b", "a", "a"], "qx": [0.0] * 3, "qy": [0.0] * 3, "qz": [0.0, 0.6, 0.0], "qw": [1.0, 0.8, 1.0]})
+    >>> tables.mean(shots, by="camera").read_all().select(["camera", "count", "certified"]).to_pylist()
+    [{'camera': 'a', 'count': 2, 'certified': True}, {'camera': 'b', 'count': 1, 'certified': True}]
+    """
+    job = averaging(by, every, kind, weight, time, quaternion, position, errors, threads)
+    return run(job, source_of(source), assume_sorted=assume_sorted, memory_limit=memory_limit, progress=progress)
+
+
 def compare(source: Any, methods: Sequence[Method] | Method | None = None, keep_every: int | Sequence[int] = 8, *,
             by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION, errors: str = "row",
             assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB",
@@ -215,6 +253,12 @@ def smoothing(columns: Layout, rate: Any, derivatives: int, frame: str, errors: 
 def reduction(columns: Layout, tolerance: Any, errors: str, threads: int, options: dict[str, Any]) -> PerTrack:
     """The job of these arguments."""
     return PerTrack(columns, Reduction(tolerance, options), _errors(errors), thread_count(threads))
+
+
+def averaging(by: Any, every: Any, kind: str, weight: Any, time: Any, quaternion: Any, position: Any, errors: str, threads: int) -> PerTrack:
+    """The job of these arguments."""
+    columns = set_layout(by, None if every is None else time, quaternion, position, weight)
+    return PerTrack(columns, Means({"kind": kind, "every": every}), _errors(errors), thread_count(threads))
 
 
 def comparison(columns: Layout, methods: Any, keep_every: Any, errors: str, threads: int, options: dict[str, Any]) -> PerTrack:

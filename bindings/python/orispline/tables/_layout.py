@@ -54,22 +54,64 @@ class Layout:
                                     "quaternion= and position=")
         for name in self.by:
             check_id_type(what, name, schema.field(name).type)
-        time_type(what, self.time, schema.field(self.time).type)
+        if self.time:
+            time_type(what, self.time, schema.field(self.time).type)
         for name in self.numbers:
             found = schema.field(name).type
             if not (pa.types.is_floating(found) or pa.types.is_integer(found)):
                 raise ArgumentError(f"{what}: found {found} in the column {name!r}, wanted numbers")
 
 
+@dataclasses.dataclass(frozen=True)
+class SetLayout(Layout):
+    """The columns of rows that are a set where `time` is empty, and may have a weight."""
+
+    weight: tuple[str, ...] = ()
+
+    @property
+    def ids(self) -> list[str]:
+        """Those of groups, and of times where they count."""
+        return [*self.by, *([self.time] if self.time else [])]
+
+    @property
+    def names(self) -> list[str]:
+        """All of them, in this order."""
+        return [*self.ids, *self.numbers]
+
+    @property
+    def order(self) -> list[str]:
+        """Those that rows are put in order by, so that a set has the same bits however its rows came."""
+        return [*self.by, self.time or self.quaternion[0]]
+
+    @property
+    def numbers(self) -> list[str]:
+        """Those of quaternions, positions and weights."""
+        return [*self.quaternion, *self.position, *self.weight]
+
+
 def layout(by: Any, time: Any, quaternion: Any, position: Any) -> Layout:
     """Of arguments. Raises TypeError and ArgumentError."""
-    made = Layout(_names("by", by, None), _names("time", time, 1)[0], _names("quaternion", quaternion, 4),
-                  () if position is None else _names("position", position, 3))
-    twice = sorted({name for name in made.names if made.names.count(name) > 1})
-    if twice:
-        raise ArgumentError(f"found the column {twice[0]!r} named twice, wanted a column for each of by, time, quaternion and "
-                            "position")
+    made = Layout(_names("by", by, None), _names("time", time, 1)[0], *_of_poses(quaternion, position))
+    _check_named_once(made, "by, time, quaternion and position")
     return made
+
+
+def set_layout(by: Any, time: Any, quaternion: Any, position: Any, weight: Any) -> SetLayout:
+    """Likewise, without a time or weight where they are None."""
+    made = SetLayout(_names("by", by, None), "" if time is None else _names("time", time, 1)[0], *_of_poses(quaternion, position),
+                     () if weight is None else _names("weight", weight, 1))
+    _check_named_once(made, "by, time, quaternion, position and weight")
+    return made
+
+
+def _of_poses(quaternion: Any, position: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    return _names("quaternion", quaternion, 4), () if position is None else _names("position", position, 3)
+
+
+def _check_named_once(columns: Layout, arguments: str) -> None:
+    twice = sorted({name for name in columns.names if columns.names.count(name) > 1})
+    if twice:
+        raise ArgumentError(f"found the column {twice[0]!r} named twice, wanted a column for each of {arguments}")
 
 
 def _names(argument: str, names: Any, count: int | None) -> tuple[str, ...]:

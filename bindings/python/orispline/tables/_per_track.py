@@ -32,7 +32,7 @@ class Track:
     def keys(self) -> Keys:
         """Raises the errors of Keys."""
         columns = np.column_stack(self.numbers)
-        return Keys(self.seconds, columns[:, :4], positions=columns[:, 4:] if columns.shape[1] > 4 else None)
+        return Keys(self.seconds, columns[:, :4], positions=columns[:, 4:7] if columns.shape[1] > 6 else None)
 
     def back(self, seconds: Floats) -> Any:
         """Times as the table has them."""

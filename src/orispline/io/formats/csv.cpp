@@ -28,7 +28,8 @@ Expected<TableLayout> layout_of_header(const TextTable& table, const ReadOptions
                               .parameters = options.parameters,
                               .rates = rate_reading(options),
                               .inner_quaternions = options.inner_quaternions,
-                              .orientation = options.orientation};
+                              .orientation = options.orientation,
+                              .count_rows = options.count_rows};
   return located(table, columns_of_header(table.cells(), reading)).map([&](KeyColumns columns) {
     std::vector<std::string> names(table.cells().begin(), table.cells().end());
     names.resize(columns.width);
@@ -51,10 +52,11 @@ Expected<TableLayout> layout_of_order(const TextTable& table, const ReadOptions&
     return misplaced(table, *option, "found no header, wanted one that names the columns");
   if (!options.order) return no_header(table, options);
   const std::size_t width = width_of(table.cells());
-  return located(table, columns_of_order(width, *options.order)).map([&](KeyColumns columns) {
+  return located(table, columns_of_order(width, options)).map([&](KeyColumns columns) {
+    const std::ptrdiff_t first = width == 4 || width == 7 ? 1 : 0;  // without a time
     const auto& names = *options.order == QuaternionOrder::xyzw ? names_xyzw : names_wxyz;
     return TableLayout{std::move(columns),
-                       {names.begin(), names.begin() + static_cast<std::ptrdiff_t>(width)},
+                       {names.begin() + first, names.begin() + first + static_cast<std::ptrdiff_t>(width)},
                        TableLayout::FirstRow::key};
   });
 }

@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The mean and the median of many orientations."""
+from __future__ import annotations
+
+import copy
+import dataclasses
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._arrays import numbers
+from ._checks import flag
+from ._errors import ArgumentError, DataError, tell
+from ._html import table
+from ._keys import Keys, orientations_of
+from ._options import FIELDS, plain, states, takes
+
+if TYPE_CHECKING:
+    from ._types import AngleUnit
+
+Vector = NDArray[np.float64]
+MATRICES = ("covariance", "spread", "position_covariance", "position_spread")
+VECTORS = ("sigma", "position_sigma")
+
+
+@states("Mean")
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Mean:
+    """The middle of many orientations, of `mean`.
+
+    Attributes
+    ----------
+    orientation
+        (4,) unit quaternion, in the order of those that were given.
+    position
+        (3,) arithmetic mean or geometric median of the positions [m], world frame; None without any.
+    kind
+        `"mean"` or `"median"`.
+    time
+        Of a window in time its middle, as the times of the keys are; else None.
+    farthest, farthest_position
+        Indices of the orientation and the position at the largest distance.
+    {fields}
+    """
+
+    orientation: Vector
+    position: Vector | None
+    kind: str
+    time: Any
+    count: int
+    weight: float
+    sigma: Vector | None
+    covariance: Vector | None
+    spread: Vector | None
+    rms_distance: float
+    largest_distance: float
+    farthest: int
+    certified: bool
+    ball_radius: float
+    others_within: float | None
+    residual: float
+    iterations: int
+    position_sigma: Vector | None
+    position_covariance: Vector | None
+    position_spread: Vector | None
+    position_rms_distance: float | None
+    position_largest_distance: float | None
+    farthest_position: int | None
+    _members: dict[str, Any]
+    _summary: str
+
+    def as_dict(self) -> dict[str, Any]:
+        """By name with unit, as the JSON of the command has it."""
+        return copy.deepcopy(self._members)
+
+    def __str__(self) -> str:
+        return self._summary.rstrip("\n") or repr(self)
+
+    def __repr__(self) -> str:
+        q = ", ".join(f"{x:.6g}" for x in self.orientation)
+        return f"Mean([{q}], {self.kind} of {self.count}, rms_distance={self.rms_distance:.6g}, certified={self.certified})"
+
+    def _repr_html_(self) -> str:
+        """The table that a notebook shows: what was found, by name with unit, and what it means."""
+        rows = [(field["member"], value, field["sentence"]) for field in FIELDS["Mean"]
+                if isinstance(value := self._members.get(field["member"]), (bool, int, float, str))]
+        return table(repr(self), ("", "", "meaning"), rows)
+
+
+@overload
+def mean(rotations: Any, *, every: None = None, weights: Any = None, positions: Any = None, scalar_first: bool = False, normalize: bool = False,
+         normalise: bool = False, euler: str | None = None, angle_unit: AngleUnit | None = None, **options: Any) -> Mean: ...
+@overload
+def mean(rotations: Keys, *, every: float | str, weights: Any = None, **options: Any) -> list[Mean]: ...
+@takes("MeanOptions")
+def mean(rotations: Any, *, every: float | str | None = None, weights: Any = None, positions: Any = None, scalar_first: bool = False,
+         normalize: bool = False, normalise: bool = False, euler: str | None = None, angle_unit: AngleUnit | None = None,
+         **options: Any) -> Mean | list[Mean]:
+    """The mean or the median of many orientations, with its covariance and whether it is the only one.
+
+    Neither the order nor the signs of quaternions count.
+
+    Parameters
+    ----------
+    rotations : Keys, (n, 4) quaternions, (n, 3, 3) matrices, (n, 4, 4) poses, a SciPy Rotation or RigidTransform, or a list of Rotations
+        Body to world, as of `Keys`. Keys and poses bring positions.
+    weights : (n,) array, optional
+        0 or more; without them all weigh the same.
+    positions : (n, 3) array, optional
+        [m], world frame.
+    scalar_first, normalize, normalise, euler, angle_unit
+        As of `Keys`.
+    {options}
+
+    Returns
+    -------
+    Mean or list of Mean
+        With `every` a list, of each window in time of the keys that has some with a weight; the first one begins at the first key.
+
+    Raises
+    ------
+    ArgumentError
+        Arrays of another shape, an option that there is not, `every` for orientations without times.
+    DataError
+        No orientations, weights below 0 or not finite or all 0, and orientations that cancel, such as two that are 180° apart.
+
+    Warns
+    -----
+    ShapeWarning
+        It may not be the only one, or a median is the middle of a range.
+
+    Examples
+    --------
+    >>> import orispline as ori
+    >>> found = ori.mean([[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, -0.6, -0.8]])
+    >>> found.orientation.round(6).tolist(), found.count, found.certified
+    ([0.0, 0.0, 0.415962, 0.909382], 3, True)
+    >>> found
+    Mean([0, 0, 0.415962, 0.909382], mean of 3, rms_distance=0.606699, certified=True)
+    >>> ori.mean([[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 0.6, 0.8]], kind="median").orientation.tolist()
+    [0.0, 0.0, 0.6, 0.8]
+    """
+    if isinstance(rotations, Keys):
+        _check_none_beside_keys(positions=positions, scalar_first=scalar_first, normalize=normalize, normalise=normalise, euler=euler,
+                                angle_unit=angle_unit)
+        keys, scalar_first = rotations, rotations._scalar_first
+    elif every is not None:
+        raise ArgumentError("every: found orientations without times, wanted Keys, whose times make windows")
+    else:
+        orientations, positions = orientations_of(rotations, positions, flag("scalar_first", scalar_first), euler, angle_unit)
+        keys = _set_of(orientations, positions, normalize=normalize, normalise=normalise)
+    core = _core.mean(keys._core, None if weights is None else _weights(weights), plain({"every": every, **options}))
+    tell(core.warnings)
+    members = core.members()
+    found = core.windows()
+    windows = members.get("windows", [members])
+    kind, is_single = members["kind"], "windows" not in members
+    made = [_made(one, scalar_first, kind, None if is_single else keys._clock.time(one["time"]), of_it,
+                  core.summary() if is_single else "") for one, of_it in zip(found, windows)]
+    return made[0] if is_single else made
+
+
+def _check_none_beside_keys(**stated: Any) -> None:
+    for name, value in stated.items():
+        if value is not None and value is not False:
+            raise ArgumentError(f"{name}: found it beside Keys, which have their own, wanted one of them")
+
+
+def _set_of(orientations: Vector, positions: Any, **norms: Any) -> Keys:
+    """Orientations without times as keys, which are checked; the numbers of rows are their times."""
+    if not len(orientations):
+        raise DataError("rotations: found none, wanted one at least")
+    if positions is not None and len(positions := numbers("positions", positions, (None, 3))) != len(orientations):
+        raise DataError(f"positions: found {len(positions)}, wanted one for each of the {len(orientations)} rotations")
+    return Keys(np.arange(float(len(orientations))), orientations, positions=positions, **norms)
+
+
+def _weights(weights: Any) -> Vector:
+    return numbers("weights", weights, (None,))
+
+
+def _made(found: dict[str, Any], scalar_first: bool, kind: str, time: Any, members: dict[str, Any], summary: str) -> Mean:
+    q = found["orientation"]
+    values = {**found, "orientation": q[[3, 0, 1, 2]] if scalar_first else q, "kind": kind, "time": time}
+    for name in MATRICES:
+        values[name] = None if found[name] is None else _matrix(*found[name])
+    for name in VECTORS:
+        values[name] = None if found[name] is None else np.array(found[name])
+    return Mean(**values, _members=members, _summary=summary)
+
+
+def _matrix(xx: float, yy: float, zz: float, xy: float, xz: float, yz: float) -> Vector:
+    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])

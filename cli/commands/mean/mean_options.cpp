@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/mean/mean_options.hpp"
+
+#include <orispline/fields.hpp>
+#include <orispline/jobs/mean.hpp>
+
+namespace orispline::cli {
+
+namespace {
+
+constexpr auto mean_footer = R"(Examples:
+  orispline mean shots.csv
+  orispline mean shots.csv --kind median
+  orispline mean shots.csv --columns weight=confidence --json
+  orispline mean shots.csv -o base.csv
+  orispline mean recording.csv --every 0.5s -o means.csv
+
+The rows of INPUT are a set: without --every a column of times is not needed, and what it has does not count. A column
+'weight' weighs the rows; --columns weight=NAME takes another one. Signs of quaternions do not count. Positions have
+their arithmetic mean, or their geometric median. Without -o what was found is printed. docs/mean.md says more.)";
+
+}  // namespace
+
+void add_mean_options(Command& app, MeanArguments& o) {
+  add_input_options(app, o.input);
+  add_fields(app, o.mean, fields_of<orispline::MeanOptions>(), "Mean");
+  add_output_options(app, o.output);
+  app.option("-o,--output").sentence =
+      "File to write the mean into, one row, or one for each window; it appears complete or not at all [the mean is "
+      "printed]";
+  add_summary_options(app, o.summary);
+  app.option("--json").sentence = "Print what was found as JSON on standard output";
+  app.footer = mean_footer;
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/jobs/mean.hpp>
+
+#include <algorithm>
+#include <utility>
+
+#include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
+#include <orispline/fields/field_json.hpp>
+#include <orispline/jobs/curve_of_keys.hpp>
+#include <orispline/jobs/words.hpp>
+#include <orispline/math/degrees.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+
+namespace {
+
+std::span<const double> weights_of(const Track& rows) {
+  const auto found = rows.settings.find(weight_name);
+  return found == rows.settings.end() ? std::span<const double>() : found->second;
+}
+
+/// One of each kind, with the number of windows where there are several.
+std::vector<Warning> warnings_of(const std::vector<MeanWindow>& windows, const Track& rows) {
+  std::vector<std::pair<Warning, std::size_t>> kinds;
+  for (const MeanWindow& window : windows)
+    for (const Warning& warning : window.mean.warnings) {
+      const auto found = std::ranges::find_if(kinds, [&](const auto& kind) { return kind.first.code == warning.code; });
+      if (found == kinds.end()) kinds.emplace_back(warning, 1);
+      else ++found->second;
+    }
+  std::vector<Warning> warnings;
+  for (auto& [warning, count] : kinds) {
+    if (windows.size() > 1) {
+      warning.message =
+          formatted("in {} of {}, first here: {}", count, counted(windows.size(), "window"), warning.message);
+      warning.numbers.emplace_back("windows", static_cast<double>(count));
+    }
+    warnings.push_back(rows.located(std::move(warning)));
+  }
+  return warnings;
+}
+
+/// Where a row is in the file, else its number.
+std::string row_text(const Track& rows, std::size_t row) {
+  return rows.lines.empty() ? formatted("row {}", row) : formatted("line {}", rows.lines[row]);
+}
+
+std::string orientation_text(const Eigen::Quaterniond& q) {
+  return formatted("qw {:.17g}  qx {:.17g}  qy {:.17g}  qz {:.17g}", q.w(), q.x(), q.y(), q.z());
+}
+
+std::string vector_text(const Eigen::Vector3d& v, double unit, std::string_view name) {
+  return formatted("{:.4g}{}, {:.4g}{}, {:.4g}{}", v.x() * unit, name, v.y() * unit, name, v.z() * unit, name);
+}
+
+/// `certified: all within 2.5° of an orientation`
+std::string certificate_line(const Mean& found, std::string_view kind) {
+  if (found.certified)
+    return formatted("  only one       proved: no other orientation is as good; all are in a ball of {:.4g}°\n",
+                     found.ball_radius * degrees);
+  if (found.others_within)
+    return formatted("  only one       not proved; every other {} is within {:.4g}° of it\n", kind,
+                     *found.others_within * degrees);
+  return formatted("  only one       not proved; no ball of less than 90° holds all orientations\n");
+}
+
+std::string position_lines(const Mean& found, std::string_view kind, const Track& rows) {
+  if (!found.position) return "";
+  const Eigen::Vector3d& p = *found.position;
+  std::string text = formatted("position {} (m)\n  px {:.17g}  py {:.17g}  pz {:.17g}\n", kind, p.x(), p.y(), p.z());
+  if (const auto deviation = position_sigma_of(found))
+    text += formatted("  sigma          {} along the axes of the world\n", vector_text(*deviation, 1.0, " m"));
+  return text + formatted("  distances      {:.4g} m RMS, {:.4g} m at most ({})\n", *found.position_rms_distance,
+                          *found.position_largest_distance, row_text(rows, *found.farthest_position));
+}
+
+std::string lines_of(const Mean& found, const MeanOutcome& outcome) {
+  const Track& rows = *outcome.request.rows;
+  const std::string_view kind = word_of(outcome.request.options.kind);
+  std::string text = formatted("orientation {}\n  {}\n", kind, orientation_text(found.orientation));
+  if (const auto deviation = sigma_of(found))
+    text += formatted("  sigma          {} along the axes of its body\n", vector_text(*deviation, degrees, "°"));
+  else
+    text += formatted("  sigma          unknown: {}\n",
+                      found.spread ? "all but turn about one axis" : "a single orientation");
+  text += formatted("  distances      {:.4g}° RMS, {:.4g}° at most ({})\n", found.rms_distance * degrees,
+                    found.largest_distance * degrees, row_text(rows, found.farthest));
+  text += certificate_line(found, kind);
+  text += formatted("  residual       {:.2g} rad after {}\n", found.residual, counted(found.iterations, "step"));
+  return text + position_lines(found, kind, rows);
+}
+
+std::string time_text(const MeanOutcome& outcome, const MeanWindow& window) {
+  return formatted("{:.6g}", window.time + outcome.request.rows->epoch.to_double());
+}
+
+/// Window by window, the first and the last ones of many.
+std::string table_of(const MeanOutcome& outcome) {
+  constexpr std::size_t shown = 10;
+  std::string text = formatted("  {:>12}{:>9}{:>12}{:>12}  orientation\n", "t", "rows", "RMS", "at most");
+  const std::size_t count = outcome.windows.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i == shown && count > 2 * shown) {
+      text += "  …\n";
+      i = count - shown;
+    }
+    const auto& window = outcome.windows[i];
+    const auto& q = window.mean.orientation;
+    text += formatted("  {:>12}{:>9}{:>11.4g}°{:>11.4g}°  {:.6f} {:.6f} {:.6f} {:.6f}\n", time_text(outcome, window),
+                      window.mean.count, window.mean.rms_distance * degrees, window.mean.largest_distance * degrees,
+                      q.w(), q.x(), q.y(), q.z());
+  }
+  return text;
+}
+
+Json place_json(const Track& rows, std::size_t row) {
+  return {{"key", row}, {"line", rows.lines.empty() ? Json(nullptr) : Json(rows.lines[row])}};
+}
+
+Json mean_json(const Mean& found, const Track& rows) {
+  const Eigen::Quaterniond& q = found.orientation;
+  Json json{{"qw", q.w()}, {"qx", q.x()}, {"qy", q.y()}, {"qz", q.z()}};
+  if (found.position)
+    json.update({{"px", found.position->x()}, {"py", found.position->y()}, {"pz", found.position->z()}});
+  const Places places{rows.lines};
+  for (const FieldInfo& field : fields_of<Mean>())
+    if (found.position || !field.name.starts_with("position")) put(json, found, {field.name}, places);
+  json["farthest"] = place_json(rows, found.farthest);
+  if (found.farthest_position) json["farthest_position"] = place_json(rows, *found.farthest_position);
+  return json;
+}
+
+std::string subject(const MeanOutcome& outcome) {
+  return keys_text(*outcome.request.rows, "row") + (outcome.is_weighted() ? ", weighted" : "") +
+         (outcome.mended.empty() ? "" : "; " + outcome.mended);
+}
+
+}  // namespace
+
+bool MeanOutcome::is_weighted() const { return !weights_of(*request.rows).empty(); }
+
+Track MeanOutcome::track() const {
+  KeyframeData data;
+  for (const MeanWindow& window : windows) {
+    data.times.push_back(request.has_times ? window.time : 0.0);
+    data.orientations.push_back(window.mean.orientation);
+    if (window.mean.position) data.positions.push_back(*window.mean.position);
+  }
+  Track track(*Keyframes::make(std::move(data)));
+  if (request.has_times) track.epoch = request.rows->epoch;
+  return track;
+}
+
+Expected<MeanOutcome> mean(MeanRequest request) {
+  const Track& rows = *request.rows;
+  const Keyframes& keys = rows.keys;
+  auto windows =
+      mean_in_windows(keys.times(), {keys.orientations(), keys.positions(), weights_of(rows)}, request.options);
+  if (!windows) return tl::unexpected(placed(rows, std::move(windows.error())));
+  std::vector<Warning> warnings = warnings_of(*windows, rows);
+  return MeanOutcome{.request = std::move(request), .windows = std::move(*windows), .warnings = std::move(warnings)};
+}
+
+Json document_of(const MeanOutcome& outcome) {
+  const Track& rows = *outcome.request.rows;
+  Json json{
+      {"kind", word_of(outcome.request.options.kind)}, {"rows", rows.keys.size()}, {"weighted", outcome.is_weighted()}};
+  if (!outcome.request.options.every) {
+    json.update(mean_json(outcome.windows.front().mean, rows));
+    return json;
+  }
+  json["every_s"] = *outcome.request.options.every;
+  Json windows = Json::array();
+  for (const MeanWindow& window : outcome.windows) {
+    Json one{{"t", window.time + rows.epoch.to_double()}};
+    one.update(mean_json(window.mean, rows));
+    windows.push_back(std::move(one));
+  }
+  json["windows"] = std::move(windows);
+  return json;
+}
+
+std::string summary_of(const MeanOutcome& outcome) {
+  if (!outcome.request.options.every) return subject(outcome) + "\n" + lines_of(outcome.windows.front().mean, outcome);
+  return formatted("{}: {} of {:.6g} s\n", subject(outcome), counted(outcome.windows.size(), "window"),
+                   *outcome.request.options.every) +
+         table_of(outcome);
+}
+
+std::string line_of(const MeanOutcome& outcome) {
+  const std::string_view kind = word_of(outcome.request.options.kind);
+  const std::size_t count = outcome.windows.size();
+  if (count > 1) return formatted("{}s of {}", kind, counted(count, "window"));
+  const Mean& found = outcome.windows.front().mean;
+  return formatted("{} of {}, {:.4g}° RMS, {:.4g}° at most", kind, counted(found.count, "row"),
+                   found.rms_distance * degrees, found.largest_distance * degrees);
+}
+
+}}}  // namespace orispline::jobs
