@@ -9,6 +9,17 @@
 
 namespace orispline::cli {
 
+namespace {
+
+/// The option that asks for other frames, of which there is one at least.
+std::string_view option_of(const FrameChange& frames) {
+  if (!frames.world.axes.is_none()) return "world_axes";
+  if (!frames.body.axes.is_none()) return "body_axes";
+  return frames.world.rotation ? "world_rotation" : "body_rotation";
+}
+
+}  // namespace
+
 bool is_scene(const std::string& path) { return scenes::scene_format_of(path) != nullptr; }
 
 const scenes::SceneFormat* scene_format_of(const InputRequest& input) {
@@ -37,6 +48,11 @@ Expected<scenes::Scene> open_scene(const InputRequest& input) {
     return usage_failure("--joint: found an output that holds all joints, wanted one of a single track, such as CSV");
   if (input.read.scene.space == io::SceneTrack::Space::world)
     return usage_failure("--space: found an output that holds all joints, wanted one of a single track, such as CSV");
+  if (!input.read.frames.is_none())
+    return usage_failure(
+        formatted("{}: found a skeleton as a whole, wanted --joint NAME and an output of one track, "
+                  "such as CSV",
+                  flag_of(option_of(input.read.frames))));
   return scenes::read_scene(input.path, scene_reading(input)).and_then([&](scenes::Scene scene) {
     return scenes::with_clips(std::move(scene), input.read.scene.clips);
   });

@@ -5,9 +5,11 @@
 #include <vector>
 
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/vector.h>
 
 #include <orispline/analysis.hpp>
+#include <orispline/axes.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/jobs.hpp>
 
@@ -96,6 +98,24 @@ Keys since(const Keys& keys, const std::string& epoch, bool is_dated) {
   return shared(std::move(track));
 }
 
+/// Of an error, whose options are called after the sides where keys are turned.
+Error by_side(Error error) {
+  for (std::string* const name : {&error.option, &error.remedy})
+    if (*name == "world_axes" || *name == "body_axes") *name = name->substr(0, name->find('_'));
+  if (const std::string other = std::exchange(error.remedy, {}); !other.empty())
+    error.message += " (" + other + "=\"FROM:TO\" changes it there too)";
+  return error;
+}
+
+/// Keys in the frames that options of reading state.
+Keys in_axes(const Keys& keys, const io::StatedOptions& stated) {
+  io::Reading reading;
+  if (auto taken = io::take_options(reading, stated); !taken) raise(by_side(std::move(taken.error())));
+  auto turned = in_frames(*keys.track, reading.options.frames);
+  if (!turned) raise(by_side(std::move(turned.error())));
+  return shared(std::move(*turned));
+}
+
 /// The method that the keys are for, `otherwise` where the file names none, but for what these names say otherwise and
 /// with these rules for its ends.
 MethodText method_for(const Keys& keys, const std::vector<std::string>& names, const std::string& otherwise,
@@ -136,6 +156,7 @@ void add_key_origins(nb::module_& module) {
   module.def("origin_of_keys", &origin_of, "keys"_a);
   module.def("keys_from", &from, "keys"_a, "name"_a, "epoch"_a, "lines"_a, "exact_times"_a, "as_read"_a.none(),
              "method"_a, "signs_as_given"_a, "line"_a, "is_dated"_a, "blending"_a = "");
+  module.def("keys_in_axes", &in_axes, "keys"_a, "stated"_a);
   module.def("keys_since", &since, "keys"_a, "epoch"_a, "is_dated"_a);
   module.def("method_for_keys", &method_for, "keys"_a, "names"_a, "otherwise"_a, "ends"_a.none());
   module.def("recipe_set_aside", &set_aside, "keys"_a, "method"_a);

@@ -92,7 +92,7 @@ Warning left_out(const std::string& path, const std::string& reason) {
 /// that the file names, as the command does.
 Expected<io::TrackFile> read_keys(const std::string& path, io::Reading reading) {
   reading.options.keep_exact_times = reading.options.keep_as_read = true;
-  auto input = io::KeyInput::open(path, reading.options.recipe);
+  auto input = io::KeyInput::open(path, reading.options);
   if (!input) return tl::unexpected(std::move(input.error()));
   const auto method = method_of(input->recipe(), path);
   if (!method) return tl::unexpected(method.error());

@@ -2,6 +2,7 @@
 """The forms in which callers have orientations, as the quaternions x, y, z, w that the library takes."""
 from __future__ import annotations
 
+import os
 import re
 from typing import Any
 
@@ -40,6 +41,21 @@ def quaternions(name: str, rotations: Any, *, scalar_first: bool) -> Array:
     if positions is not None:
         raise ArgumentError(f"{name}: found poses, wanted orientations without positions")
     return found
+
+
+def rotation_text(name: str, rotation: Any, *, scalar_first: bool = False) -> str | None:
+    """One rotation as the library reads it, by names; a text and the path of a file are left as they are."""
+    if rotation is None or isinstance(rotation, str):
+        return rotation
+    if isinstance(rotation, os.PathLike):
+        return os.fspath(rotation)
+    if hasattr(rotation, "as_quat"):
+        rotation, scalar_first = rotation.as_quat(), False
+    array = array_of(name, rotation)
+    found = quaternions(name, array[None] if array.shape in ((4,), (3, 3)) else array, scalar_first=scalar_first)
+    if len(found) != 1:
+        raise ArgumentError(f"{name}: found {len(found)} rotations, wanted one")
+    return ",".join(f"{component}={float(value)!r}" for component, value in zip(("qx", "qy", "qz", "qw"), found[0]))
 
 
 def of_euler(name: str, angles: Any, order: Any, unit: Any) -> Array:

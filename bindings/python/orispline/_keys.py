@@ -13,8 +13,8 @@ from ._checks import flag, index_of, wrong_type
 from ._clock import Clock, times_of_keys
 from ._columns import VECTORS, Columns, arguments_of, as_arrow, as_pandas, columns_of, named
 from ._errors import ArgumentError, DataError, tell
-from ._files import Options, Writable, write
-from ._forms import of_euler, poses
+from ._files import Options, Writable, stated, write
+from ._forms import of_euler, poses, rotation_text
 from ._mending import Indices, Mending, scaled
 from ._methods import ends_text, method_text
 
@@ -249,6 +249,37 @@ class Keys(Writable):
         """The curve of a method through these keys: `Curve(keys, method=method, **options)`. Without a method that of
         the file which the keys are from, if it names one, else `auto`."""
         return self._curve_class(self, method=method, **options)
+
+    def in_axes(self, world: str | None = None, body: str | None = None, *, world_rotation: Any = None, body_rotation: Any = None) -> Keys:
+        """These keys with other axes for the world, for the body, or for both, with all that they carry.
+
+        Parameters
+        ----------
+        world, body : str, optional
+            The axes that they have and those wanted, such as `"NED:ENU"`. Three letters say where +x, +y and +z point: North, South,
+            East, West, Up, Down in a world with a compass; Right, Left, Front, Back, Up, Down in one without, and of bodies. No digit
+            of a vector changes. Handedness changes on both sides or on none.
+        world_rotation, body_rotation : quaternion, matrix, SciPy Rotation, str or path, optional
+            What takes coordinates along these axes into those wanted: any rotation, also by names (`"roll_deg=0,pitch_deg=0,yaw_deg=90"`)
+            or in a file of one row.
+
+        Raises
+        ------
+        ArgumentError
+            Letters that are no axes, handedness that changes on one side only, what is no rotation.
+
+        Examples
+        --------
+        >>> import orispline as ori
+        >>> keys = ori.Keys([0], [[0.36, 0.48, 0, 0.8]], positions=[[1, 2, 3]], angular_velocities=[[0.1, 0.2, 0.3]])
+        >>> ros = keys.in_axes("NED:ENU", "FRD:FLU")
+        >>> ros.rotations.round(6).tolist(), ros.positions.tolist(), ros.angular_velocities.tolist()
+        ([[0.59397, -0.084853, 0.565685, 0.565685]], [[2.0, 1.0, -3.0]], [[0.1, -0.2, -0.3]])
+        """
+        rotations = {f"{side}_rotation": rotation_text(f"{side}_rotation", given, scalar_first=self._scalar_first)
+                     for side, given in (("world", world_rotation), ("body", body_rotation))}
+        core = _core.keys_in_axes(self._core, stated({"world_axes": world, "body_axes": body, **rotations}))
+        return Keys._of(core, self._clock, scalar_first=self._scalar_first)
 
     def write(self, path: Any, **options: Any) -> None:
         """Writes them into a file, complete or not at all: `orispline.write(keys, path, **options)`.

@@ -12,6 +12,7 @@ from ._checks import flag
 from ._clock import Clock
 from ._errors import ArgumentError, tell
 from ._files import Path, explained, flags, path_text, stated
+from ._forms import rotation_text
 from ._keys import Keys
 from ._mending import one_spelling
 from ._npy import read_npy
@@ -26,7 +27,8 @@ def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, s
          input_orientation: str | None = None, euler: str | None = None, angle_unit: str | None = None,
          time_scale: Number | None = None, fps: Number | None = None,
          epoch: str | datetime.date | np.datetime64 | None = None, clip: str | None = None, joint: str | None = None,
-         space: str | None = None, conjugate: bool = False, signs: str | None = None,
+         space: str | None = None, conjugate: bool = False, inverse_poses: bool = False, world_axes: str | None = None,
+         body_axes: str | None = None, world_rotation: Any = None, body_rotation: Any = None, signs: str | None = None,
          ignore_recipe: bool = False, normalise: bool = False, normalize: bool = False, drop_duplicates: bool = False, drop_invalid: bool = False,
          sort: bool = False, scalar_first: bool = False) -> Keys:
     """The keyframes of a file: CSV, TUM or EuRoC, told by its name and its content; of a glTF or BVH file one joint.
@@ -37,7 +39,7 @@ def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, s
     names the method that its keys are for, `Keys.curve()` is the curve of that.
 
     The options are those of the command; `columns` is a mapping, such as `{"t": "sclk_ticks", "qw": "q0_w"}`, and `normalize` another
-    spelling of `normalise`. A NumPy file (.npy) is read as it is written; its columns have no names: 5 are time and quaternion, 17 the
+    spelling of `normalise`; a rotation may also be a quaternion x, y, z, w, a matrix or a SciPy Rotation. A NumPy file (.npy) is read as it is written; its columns have no names: 5 are time and quaternion, 17 the
     position and all rates too, 8 are taken for those with the position, which is warned of, and `columns` names all in their order.
 
     Parameters
@@ -77,9 +79,11 @@ def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, s
     name, scalar_first = path_text(path), flag("scalar_first", scalar_first)
     normalise = one_spelling(normalize, normalise)
     named = {"input_format": input_format, "order": order, "input_orientation": input_orientation, "euler": euler,
-             "angle_unit": angle_unit, "time_scale": time_scale, "fps": fps, "epoch": epoch, "clip": clip, "joint": joint, "space": space, "signs": signs}
+             "angle_unit": angle_unit, "time_scale": time_scale, "fps": fps, "epoch": epoch, "clip": clip, "joint": joint, "space": space,
+             "world_axes": world_axes, "body_axes": body_axes, "world_rotation": rotation_text("world_rotation", world_rotation),
+             "body_rotation": rotation_text("body_rotation", body_rotation), "signs": signs}
     mending = {"normalise": normalise, "drop_duplicates": drop_duplicates, "drop_invalid": drop_invalid, "sort": sort}
-    set_or_not = {"conjugate": conjugate, "ignore_recipe": ignore_recipe}
+    set_or_not = {"conjugate": conjugate, "inverse_poses": inverse_poses, "ignore_recipe": ignore_recipe}
     if name.lower().endswith(".npy") and input_format in (None, "npy"):
         _check_none({**named, "input_format": None, "signs": None}, set_or_not)
         return read_npy(name, columns, signs="shortest" if signs is None else signs, scalar_first=scalar_first, **mending)

@@ -25,7 +25,7 @@ constexpr int highest_order = 3;  // of rates that keys may have
 Expected<io::TrackFile> open_source(InputRequest request, const io::OrientationForm& form) {
   request.read.keep_exact_times = true;
   request.read.keep_as_read = form.representation == io::Representation::quaternion;
-  auto input = io::KeyInput::open(request.path, request.read.recipe);
+  auto input = io::KeyInput::open(request.path, request.read);
   if (!input) return tl::unexpected(std::move(input.error()));
   Recipe recipe = input->recipe();
   const auto method = method_of(recipe, request.path);

@@ -56,7 +56,7 @@ Expected<Request> request_in(const PlotArguments& options) {
 }
 
 Expected<jobs::PlotOutcome> drawn(Request request) {
-  auto input = io::KeyInput::open(request.input.path, request.input.read.recipe);
+  auto input = io::KeyInput::open(request.input.path, request.input.read);
   if (!input) return tl::unexpected(std::move(input.error()));
   if (request.methods.size() < 2) {
     const auto named = request.methods.empty() ? std::nullopt : std::optional(request.methods.front());

@@ -58,7 +58,7 @@ Expected<void> retime_one(const RetimeArguments& options) {
   auto page = ReportFile::open(options.report);
   if (!page) return tl::unexpected(std::move(page.error()));
   if (auto writable = check_output(options.output.path); !writable) return writable;
-  auto input = io::KeyInput::open(request->input.path, request->input.read.recipe);
+  auto input = io::KeyInput::open(request->input.path, request->input.read);
   if (!input) return tl::unexpected(std::move(input.error()));
   auto chosen = chosen_method(request->named, options.shape, *input, jobs::usual_retimed);
   if (!chosen) return tl::unexpected(std::move(chosen.error()));

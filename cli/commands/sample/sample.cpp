@@ -109,7 +109,7 @@ Expected<void> sample_one(const SampleArguments& options) {
   if (asks_for_stored(options)) return options.inputs.folder ? sample_joints(options) : sample_stored(options);
   auto request = sample_request(options);
   if (!request) return tl::unexpected(std::move(request.error()));
-  auto input = io::KeyInput::open(request->input.path, request->input.read.recipe);
+  auto input = io::KeyInput::open(request->input.path, request->input.read);
   if (!input) return tl::unexpected(std::move(input.error()));
   const auto warnings = settle_method(*request, *input);
   if (!warnings) return tl::unexpected(warnings.error());

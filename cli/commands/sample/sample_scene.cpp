@@ -60,7 +60,8 @@ Expected<scenes::Scene> opened(const InputRequest& input) {
 Expected<JointSamples> joint_samples(const SampleRequest& request, const scenes::Scene& scene, const Clip& clip,
                                      std::size_t joint) {
   const bool in_world = request.input.read.scene.space == io::SceneTrack::Space::world;
-  auto curve = joint_curve(scene.skeleton, clip, joint, in_world ? JointSpace::world : JointSpace::local);
+  auto curve = joint_curve(scene.skeleton, clip, joint, in_world ? JointSpace::world : JointSpace::local,
+                           request.input.read.frames);
   if (!curve) return tl::unexpected(located(std::move(curve.error()), request.input.path));
   const Domain domain = curve->orientation.domain();
   const TimeRequest wanted = anchored(request.times, Decimal());

@@ -90,7 +90,7 @@ Track written_track(const jobs::TuneOutcome& outcome) {
 Expected<void> tune(const TuneArguments& options) {
   auto request = request_in(options);
   if (!request) return tl::unexpected(std::move(request.error()));
-  auto input = io::KeyInput::open(request->input.path, request->input.read.recipe);
+  auto input = io::KeyInput::open(request->input.path, request->input.read);
   if (!input) return tl::unexpected(std::move(input.error()));
   auto chosen = chosen_method(request->named, options.shape, *input, jobs::usual_tuned);
   if (!chosen) return tl::unexpected(std::move(chosen.error()));

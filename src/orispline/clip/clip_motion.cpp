@@ -140,6 +140,7 @@ struct Link {
 struct Chain {
   Knots knots;
   std::vector<Link> links;
+  NewFrames frames;  // that the motion is stated in
 
   /// A channel's value where the chain is at `t` in one of its segments: in the middle of that the channel is in the
   /// same one of its own.
@@ -161,7 +162,7 @@ struct Chain {
   [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t segment) const noexcept {
     Quaternion<T> orientation = constant<T>(Eigen::Quaterniond::Identity());
     for (const Link& link : links) orientation = orientation * value<Eigen::Quaterniond>(link.rotation, t, segment);
-    return orientation;
+    return frames.orientation<T>(orientation);
   }
 
   /// Scales above are even: the x of each is that of all axes.
@@ -176,7 +177,7 @@ struct Chain {
       orientation = orientation * value<Eigen::Quaterniond>(link.rotation, t, segment);
       scale = scale * value<Eigen::Vector3d>(link.scale, t, segment).x();
     }
-    return position;
+    return frames.in_world<T>(position);
   }
 };
 
@@ -218,7 +219,8 @@ std::vector<std::size_t> joints_of(const Skeleton& skeleton, std::size_t joint, 
 /// Collects the chain's channels and their key times.
 class ChainBuilder {
  public:
-  ChainBuilder(const Skeleton& skeleton, const Clip& clip) : skeleton_(skeleton), clip_(clip) {}
+  ChainBuilder(const Skeleton& skeleton, const Clip& clip, const NewFrames& frames)
+      : skeleton_(skeleton), clip_(clip), frames_(frames) {}
 
   Expected<Chain> built(std::size_t joint, JointSpace space) {
     std::vector<Link> links;
@@ -234,7 +236,7 @@ class ChainBuilder {
     if (times_.empty()) times_.push_back(clip_.domain().start);
     std::ranges::sort(times_);
     times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
-    return Chain{Knots(std::move(times_)), std::move(links)};
+    return Chain{Knots(std::move(times_)), std::move(links), frames_};
   }
 
  private:
@@ -260,6 +262,7 @@ class ChainBuilder {
 
   const Skeleton& skeleton_;
   const Clip& clip_;
+  const NewFrames& frames_;
   std::vector<double> times_;
 };
 
@@ -338,8 +341,11 @@ std::vector<Eigen::Affine3d> world_poses(const Skeleton& skeleton, const Clip& c
   return poses;
 }
 
-Expected<PoseCurve> joint_curve(const Skeleton& skeleton, const Clip& clip, std::size_t joint, JointSpace space) {
-  return ChainBuilder(skeleton, clip).built(joint, space).map([](Chain chain) {
+Expected<PoseCurve> joint_curve(const Skeleton& skeleton, const Clip& clip, std::size_t joint, JointSpace space,
+                                const FrameChange& change) {
+  if (auto checked = check(change); !checked) return tl::unexpected(std::move(checked.error()));
+  const NewFrames frames(change);
+  return ChainBuilder(skeleton, clip, frames).built(joint, space).map([](Chain chain) {
     const auto shared = std::make_shared<const Chain>(std::move(chain));
     return PoseCurve{.orientation = AnyCurve(ChainOrientation(shared)), .position = AnyPath(ChainPath(shared))};
   });

@@ -6,6 +6,7 @@
 
 #include <orispline/clip/clip.hpp>
 #include <orispline/curve/curve_through.hpp>
+#include <orispline/curve/frame_change.hpp>
 #include <orispline/curve/knots.hpp>
 #include <orispline/curve/path.hpp>
 
@@ -82,10 +83,12 @@ enum class JointSpace {
 };
 
 /// The motion of one joint as its clip says it, with exact rates: its knots are the keys of the channels that move it.
+/// What it is seen from is the world whose frame may change, the joint is the body.
 ///
-/// Errors (bad_data): in the world, a scale above the joint that is negative or not the same along all axes, below
-/// which there is no orientation.
+/// Errors: bad_data for a scale above the joint, in the world, that is negative or not the same along all axes, below
+/// which there is no orientation; those of check(change).
 [[nodiscard]] ORISPLINE_EXPORT Expected<PoseCurve> joint_curve(const Skeleton& skeleton, const Clip& clip,
-                                                               std::size_t joint, JointSpace space);
+                                                               std::size_t joint, JointSpace space,
+                                                               const FrameChange& change = {});
 
 }}  // namespace orispline

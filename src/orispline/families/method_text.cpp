@@ -8,6 +8,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/number_text.hpp>
 #include <orispline/base/pieces.hpp>
+#include <orispline/curve/end_rate_names.hpp>
 #include <orispline/families/blending/blending_family.hpp>
 #include <orispline/families/registry.hpp>
 
@@ -15,8 +16,7 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-constexpr std::string_view ends = "ends", start_rate = "start_rate", end_rate = "end_rate", closed_option = "closed",
-                           period = "period";
+constexpr std::string_view ends = "ends", closed_option = "closed", period = "period";
 
 Expected<std::vector<double>> numbers_of(std::string_view option, std::string_view text) {
   std::vector<double> numbers;
@@ -50,8 +50,8 @@ Expected<Method> with_piece(Method method, std::string_view piece) {
     return bad_option("settings", formatted("found '{}', wanted NAME=VALUE", piece));
   const std::string_view name = piece.substr(0, equals), value = piece.substr(equals + 1);
   if (name == ends) return with_ends(std::move(method), value);
-  if (name == start_rate) return with_rate_text(std::move(method), CurveEnd::start, name, value);
-  if (name == end_rate) return with_rate_text(std::move(method), CurveEnd::end, name, value);
+  if (name == start_rate_name) return with_rate_text(std::move(method), CurveEnd::start, name, value);
+  if (name == end_rate_name) return with_rate_text(std::move(method), CurveEnd::end, name, value);
   if (name == period) return with_period_text(std::move(method), value);
   return with_setting(std::move(method), name, value);
 }
@@ -152,7 +152,7 @@ Expected<Method> with_ends(Method method, std::string_view rules) {
 }
 
 Expected<Method> with_end_rate(Method method, CurveEnd end, const Eigen::Vector3d& rate) {
-  const std::string_view option = end == CurveEnd::start ? start_rate : end_rate;
+  const std::string_view option = end == CurveEnd::start ? start_rate_name : end_rate_name;
   const auto family = family_of_method(method);
   if (!family) return tl::unexpected(family.error());
   End& changed = end == CurveEnd::start ? method.options.start : method.options.end;
@@ -192,7 +192,7 @@ std::string text_of(const Method& method) {
   std::string text = method.name;
   for (const auto& [name, values] : options.parameters) text += formatted(":{}={}", name, joined(values, ","));
   for (const auto& [name, word] : options.choices) text += formatted(":{}={}", name, word);
-  text += ends_text(options) + rate_text(start_rate, options.start) + rate_text(end_rate, options.end);
+  text += ends_text(options) + rate_text(start_rate_name, options.start) + rate_text(end_rate_name, options.end);
   if (options.loop && options.loop->period) text += formatted(":{}={}", period, *options.loop->period);
   else if (options.loop) text += formatted(":{}", closed_option);
   return text;
@@ -204,8 +204,8 @@ Method without(Method method, std::span<const std::string> names) {
     stated.parameters.erase(name);
     stated.choices.erase(name);
     if (name == "ends") stated.start.rule = stated.end.rule = EndRule::none;
-    if (name == "start_rate") stated.start = {};
-    if (name == "end_rate") stated.end = {};
+    if (name == start_rate_name) stated.start = {};
+    if (name == end_rate_name) stated.end = {};
     if (name == "closed" || name == "period") stated.loop.reset();
   }
   return method;

@@ -31,6 +31,14 @@ Expected<void> check_time_scale(const ReadOptions& options) {
                     formatted("the time scale is {}, wanted a number greater than 0", options.time_scale->to_string()));
 }
 
+/// Both say that the orientations are those of the world in the body.
+Expected<void> check_frames(const ReadOptions& options) {
+  if (options.conjugate && options.inverse_poses)
+    return bad_option("inverse_poses",
+                      "found `conjugate` as well, which turns the orientations back, wanted one of them");
+  return check(options.frames);
+}
+
 tl::unexpected<Error> not_read(const FormatInfo& format, const std::string& path) {
   return failure(ErrorCode::bad_argument,
                  formatted("keys are not read from {} files, wanted {}", format.title, any_of(formats_read())),
@@ -107,6 +115,7 @@ const FormatInfo* likest(std::span<const FormatInfo* const> formats, const TextT
 
 Expected<Source> open_keys(KeyInput input, const ReadOptions& options) {
   if (auto checked = check_time_scale(options); !checked) return tl::unexpected(std::move(checked.error()));
+  if (auto checked = check_frames(options); !checked) return tl::unexpected(std::move(checked.error()));
   const Candidates candidates = candidates_for(input.path(), options);
   if (!candidates.front()->is_read()) return not_read(*candidates.front(), input.path());
   if (auto checked = check_scene(*candidates.front(), options); !checked)

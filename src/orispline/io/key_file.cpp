@@ -27,7 +27,7 @@ Expected<std::vector<KeyFile>> keys_in(TracksSource source, const ReadOptions& o
 }  // namespace
 
 Expected<std::vector<KeyFile>> read_all_keys(const std::string& path, const ReadOptions& options) {
-  return KeyInput::open(path, options.recipe).and_then([&](KeyInput input) {
+  return KeyInput::open(path, options).and_then([&](KeyInput input) {
     return read_all_keys(std::move(input), options);
   });
 }

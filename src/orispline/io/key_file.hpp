@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <orispline/base/warning.hpp>
+#include <orispline/curve/frame_change.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/track.hpp>
 #include <orispline/io/clock.hpp>
@@ -87,6 +88,11 @@ struct ReadOptions {
   /// or the reverse of both): orientations are conjugated. Positions and rates are not touched: whichever way
   /// the orientation is written, the body turns as it does, and `wx` is its rate in its own frame.
   bool conjugate = false;
+  /// The poses of the file take the world into the body, x_body = R x_world + p (COLMAP): orientations are conjugated,
+  /// and positions become those of the body, -Rᵀp. Rates are not touched, as with `conjugate`, which it is instead of.
+  bool inverse_poses = false;
+  /// Applied last, to all that the rows state, and to what their recipe does.
+  FrameChange frames{};
   /// Rates that are read where they are there, up to this order: 0 none, 1 `wx,wy,wz`, 2 and `ax,ay,az`, 3 and
   /// `jx,jy,jz`. A fault in the columns of others is no fault of the file.
   int rate_orders = 1;

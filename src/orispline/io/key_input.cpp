@@ -38,14 +38,15 @@ Expected<Recipe> recipe_above_rows(LineReader& lines) {
 
 }  // namespace
 
-Expected<KeyInput> KeyInput::open(const std::string& path, RecipeUse use) {
-  return LineReader::open(path).and_then([use](LineReader lines) -> Expected<KeyInput> {
-    if (use == RecipeUse::ignored) return KeyInput(std::move(lines), {});
+Expected<KeyInput> KeyInput::open(const std::string& path, const ReadOptions& options) {
+  if (auto checked = check(options.frames); !checked) return tl::unexpected(std::move(checked.error()));
+  return LineReader::open(path).and_then([&](LineReader lines) -> Expected<KeyInput> {
+    if (options.recipe == RecipeUse::ignored) return KeyInput(std::move(lines), {});
     lines.keep();
     auto recipe = recipe_above_rows(lines);
     if (!recipe) return tl::unexpected(std::move(recipe.error()));
     lines.rewind();
-    return KeyInput(std::move(lines), std::move(*recipe));
+    return KeyInput(std::move(lines), in_frames(std::move(*recipe), NewFrames(options.frames)));
   });
 }
 

@@ -15,9 +15,10 @@ class LineReader;
 /// before it decides how they are read.
 class ORISPLINE_EXPORT KeyInput {
  public:
-  /// Opens a file; `-` is standard input. Comments are looked at in its first MiB. Errors: bad_access; bad_data for a
-  /// recipe that cannot be understood.
-  [[nodiscard]] static Expected<KeyInput> open(const std::string& path, RecipeUse use = RecipeUse::honoured);
+  /// Opens a file; `-` is standard input. Comments are looked at in its first MiB, and what they say is stated in the
+  /// frames of the options. Errors: bad_access; bad_data for a recipe that cannot be understood; bad_argument for
+  /// frames that contradict each other.
+  [[nodiscard]] static Expected<KeyInput> open(const std::string& path, const ReadOptions& options = {});
 
   KeyInput(KeyInput&&) noexcept;
   KeyInput& operator=(KeyInput&&) noexcept;

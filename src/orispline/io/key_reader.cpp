@@ -26,7 +26,7 @@ Expected<KeyFile> only_track(TracksSource source, const std::string& path, const
 }  // namespace
 
 Expected<KeyReader> KeyReader::open(const std::string& path, const ReadOptions& options) {
-  return KeyInput::open(path, options.recipe).and_then([&](KeyInput input) { return open(std::move(input), options); });
+  return KeyInput::open(path, options).and_then([&](KeyInput input) { return open(std::move(input), options); });
 }
 
 Expected<KeyReader> KeyReader::open(KeyInput input, const ReadOptions& options) {

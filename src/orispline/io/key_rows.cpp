@@ -55,6 +55,11 @@ std::array<Eigen::Vector3d, 3> body_rates(const KeyRow& key, const RateColumns& 
   return rates;
 }
 
+/// Where the body is that has the world's origin there, in its own frame. `orientation`: of the body, of any norm.
+Eigen::Vector3d place_of_body(const Eigen::Quaterniond& orientation, const Eigen::Vector3d& origin) {
+  return Eigen::Vector3d::Zero() - to_world<double>(orientation.normalized(), origin);
+}
+
 /// A jerk in the frame of the world is turned into the body's by the rates of lower orders, which must not be free.
 Expected<void> check_turned_jerk(const KeyRow& key, const RateColumns& columns, const TextTable& table) {
   if (!columns[2] || columns[2]->frame != Frame::world || is_free(key.rates[2])) return {};
@@ -84,7 +89,7 @@ Error norm_refused(double norm, Where where) {
 }
 
 KeyRows::KeyRows(std::string path, const FormatInfo& format, KeyColumns columns, const ReadOptions& options)
-    : columns_(std::move(columns)), options_(options) {
+    : columns_(std::move(columns)), options_(options), frames_(options.frames) {
   file_.path = std::move(path);
   file_.format = &format;
   file_.ignored_columns = columns_.ignored;
@@ -107,7 +112,6 @@ Expected<void> KeyRows::add(const TextTable& table) {
   if (auto settled = settle_clock(table); !settled) return refused(std::move(settled.error()));
   const auto unit = normalised(key.orientation, table.here());
   if (!unit) return refused(unit.error());
-  const Eigen::Quaterniond orientation = options_.conjugate ? unit->conjugate() : *unit;
   if (auto turned = check_turned_jerk(key, columns_.rates, table); !turned) return refused(std::move(turned.error()));
   if (options_.sort) {
     times_.push_back(key.time);
@@ -121,16 +125,25 @@ Expected<void> KeyRows::add(const TextTable& table) {
     const auto cells = table.cells().first(columns_.width);
     file_.table.rows.emplace_back(cells.begin(), cells.end());
   }
-  if (key.angles) turns_.add(*key.angles, orientation);
-  file_.data.orientations.push_back(orientation);
-  if (columns_.position) file_.data.positions.push_back(key.position);
-  const auto rates = body_rates(key, columns_.rates, orientation);
-  for (std::size_t k = 0; k < rates.size(); ++k)
-    if (columns_.rates[k]) (file_.data.*rates_of_keys[k]).push_back(rates[k]);
-  if (std::ranges::any_of(rates, is_free)) ++file_.repairs.rates_left_free;
+  append_motion(key, *unit);
   for (std::size_t i = 0; i < key.parameters.size(); ++i)
     file_.parameters[columns_.parameters[i].name].push_back(key.parameters[i]);
   return {};
+}
+
+/// Appends the orientation of the row, near enough to norm 1, with its position and rates.
+void KeyRows::append_motion(const KeyRow& key, const Eigen::Quaterniond& stated) {
+  const bool is_inverse = options_.conjugate || options_.inverse_poses;
+  const Eigen::Quaterniond orientation = is_inverse ? stated.conjugate() : stated;
+  if (key.angles) turns_.add(*key.angles, orientation);
+  file_.data.orientations.push_back(frames_.orientation(orientation));
+  if (columns_.position)
+    file_.data.positions.push_back(
+        frames_.in_world<double>(options_.inverse_poses ? place_of_body(orientation, key.position) : key.position));
+  const auto rates = body_rates(key, columns_.rates, orientation);
+  for (std::size_t k = 0; k < rates.size(); ++k)
+    if (columns_.rates[k]) (file_.data.*rates_of_keys[k]).push_back(frames_.body_rate(rates[k]));
+  if (std::ranges::any_of(rates, is_free)) ++file_.repairs.rates_left_free;
 }
 
 /// A quaternion that is near enough to norm 1 for keys.

@@ -10,6 +10,8 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
+struct KeyRow;
+
 /// Of a quaternion that is too far from a unit one to be read without being asked.
 [[nodiscard]] Error norm_refused(double norm, Where where);
 
@@ -35,11 +37,13 @@ class KeyRows {
   [[nodiscard]] Expected<Eigen::Quaterniond> normalised(Eigen::Quaterniond q, Where where);
   [[nodiscard]] Expected<void> settle_clock(const TextTable& table);
   void settle_time_unit(const Decimal& first);
+  void append_motion(const KeyRow& key, const Eigen::Quaterniond& stated);
   [[nodiscard]] Expected<bool> append_time(const Decimal& time, std::string_view text, std::size_t line);
   [[nodiscard]] Expected<void> sort();
 
   KeyColumns columns_;
   ReadOptions options_;
+  NewFrames frames_;
   KeyFile file_;
   std::optional<bool> has_iso_times_{};  // unknown before the first row
   std::size_t taken_ = 0;                // keys that are no longer in the file

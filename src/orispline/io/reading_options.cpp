@@ -8,6 +8,7 @@
 #include <orispline/base/pieces.hpp>
 #include <orispline/io/clock.hpp>
 #include <orispline/io/file_option_words.hpp>
+#include <orispline/io/rotation_value.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
@@ -37,6 +38,20 @@ Expected<void> take_epoch(Reading& reading, std::string_view text) {
   reading.options.clock.zero = *instant;
   return {};
 }
+
+template <AxesOf Whose>
+Expected<void> take_axes(Reading& reading, std::string_view text) {
+  FrameChange& frames = reading.options.frames;
+  return axis_change_of(text, Whose).map(into(Whose == AxesOf::world ? frames.world.axes : frames.body.axes));
+}
+
+template <CoordinateChange FrameChange::*Side>
+Expected<void> take_rotation(std::string_view option, Reading& reading, std::string_view text) {
+  return rotation_value(option, text).map(into((reading.options.frames.*Side).rotation));
+}
+
+std::string axes_argument() { return "FROM:TO"; }
+std::string rotation_argument() { return "ROTATION"; }
 
 template <bool ReadOptions::*Member>
 Expected<void> set(Reading& reading, std::string_view) {
@@ -146,8 +161,43 @@ const std::array reading_list{
             },
         .member = "space"},
     ReadingOption{.name = "conjugate",
-                  .sentence = "Read orientations that turn world into body, as C-kernels of SPICE hold them",
+                  .sentence = "Read orientations that turn world into body, as C-kernels of SPICE hold them; positions "
+                              "are kept as they are",
                   .take = set<&ReadOptions::conjugate>},
+    ReadingOption{.name = "inverse_poses",
+                  .sentence = "Read poses that take the world into the body, as COLMAP's take it into the camera: "
+                              "orientations are turned back, and positions become those of the body",
+                  .take = set<&ReadOptions::inverse_poses>,
+                  .member = "inverse_poses"},
+    ReadingOption{.name = "world_axes",
+                  .sentence =
+                      "Axes of the world in the file and those wanted, such as NED:ENU or RUB:RFU: where +x, +y "
+                      "and +z point (North, South, East, West, or Right, Left, Front, Back; Up, Down)",
+                  .argument = axes_argument,
+                  .take = take_axes<AxesOf::world>,
+                  .member = "world_axes",
+                  .use = "changes it there too"},
+    ReadingOption{.name = "body_axes",
+                  .sentence = "Axes of the body in the file and those wanted, such as FRD:FLU or RDF:RUB",
+                  .argument = axes_argument,
+                  .take = take_axes<AxesOf::body>,
+                  .member = "body_axes",
+                  .use = "changes it there too"},
+    ReadingOption{
+        .name = "world_rotation",
+        .sentence = "Rotation that takes coordinates in the world into those wanted, after its axes: "
+                    "qw=0.8,qx=0,qy=0,qz=0.6 or roll_deg=0,pitch_deg=0,yaw_deg=90 or a file of one row",
+        .argument = rotation_argument,
+        .take = [](Reading& r,
+                   std::string_view text) { return take_rotation<&FrameChange::world>("world_rotation", r, text); },
+        .member = "world_rotation"},
+    ReadingOption{
+        .name = "body_rotation",
+        .sentence = "Rotation that takes coordinates in the body into those wanted, after its axes, likewise",
+        .argument = rotation_argument,
+        .take = [](Reading& r,
+                   std::string_view text) { return take_rotation<&FrameChange::body>("body_rotation", r, text); },
+        .member = "body_rotation"},
     ReadingOption{.name = "signs",
                   .sentence = "Turn the shortest way between keys, or the way that the signs of the quaternions say",
                   .argument = list_of<sign_words>,

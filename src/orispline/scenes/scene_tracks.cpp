@@ -95,6 +95,7 @@ Expected<std::vector<io::KeyFile>> tracks_in(io::LineReader lines, const io::Rea
         return error;
       })
       .map([&](io::KeyFile file) {
+        file.data = in_frames(std::move(file.data), NewFrames(options.frames));
         file.path = lines.path();
         file.format = options.format ? options.format : io::format_of_extension(file.path);
         if (options.keep_exact_times)

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/track.hpp>
+#include <orispline/math/axis_change.hpp>
+
+// Other axes for the world, for the body, or for both: docs/frames.md.
+
+namespace orispline { inline namespace ORISPLINE_ABI {
+
+/// How coordinates in one frame become those in another: along other axes first, then turned.
+struct CoordinateChange {
+  AxisChange axes{};
+  std::optional<Eigen::Quaterniond> rotation{};  ///< new coordinates are R(rotation) times the old ones
+
+  [[nodiscard]] bool is_none() const noexcept { return axes.is_none() && !rotation; }
+};
+
+/// What a system of axes belongs to.
+enum class AxesOf { world, body };
+
+/// The change between two systems of axes, `NED:ENU`. Three letters say where +x, +y and +z point: N or S, E or W, U or
+/// D in a world with a compass; R or L, F or B, U or D (right, left, front, back, up, down) in one without, and of
+/// bodies.
+///
+/// Error (bad_argument): no two such systems of one kind.
+[[nodiscard]] ORISPLINE_EXPORT Expected<AxisChange> axis_change_of(std::string_view text, AxesOf whose);
+
+/// Other frames on either side of an orientation: with W and B what becomes of coordinates of the world and of the
+/// body, R becomes W R Bᵀ, and positions W p.
+struct FrameChange {
+  CoordinateChange world{}, body{};
+
+  [[nodiscard]] bool is_none() const noexcept { return world.is_none() && body.is_none(); }
+};
+
+/// Error (bad_argument, of `world_axes`, `body_axes`, `world_rotation` or `body_rotation`): handedness that changes on
+/// one side only; a rotation whose norm is not 1.
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> check(const FrameChange& change);
+
+/// What is stated in the old frames, as it is stated in the new ones.
+///
+/// Axes move and negate vectors, and change no digit of them. What they make of a quaternion is rounded once where it
+/// has sums at all: the factors of both sides are multiplied out in whole numbers first.
+class ORISPLINE_EXPORT NewFrames {
+ public:
+  /// Precondition: check(change).
+  explicit NewFrames(const FrameChange& change = {});
+
+  [[nodiscard]] bool change_nothing() const noexcept { return change_.is_none(); }
+
+  /// An orientation, of any norm; linear in it, so that signs stay what they are to each other.
+  template <Number T>
+  [[nodiscard]] Quaternion<T> orientation(const Quaternion<T>& q) const noexcept {
+    if (change_nothing()) return q;
+    Quaternion<T> turned = q;
+    if (!keeps_axes_) {
+      const std::array old{q.w(), q.x(), q.y(), q.z()};
+      const auto component = [&](std::size_t row) {
+        T sum(0.0);
+        for (std::size_t k = 0; k < old.size(); ++k)
+          if (product_[row][k] != 0.0) sum = sum + old[k] * product_[row][k];
+        return sum / scale_;
+      };
+      turned = Quaternion<T>(component(0), component(1), component(2), component(3));
+    }
+    if (change_.world.rotation) turned = constant<T>(*change_.world.rotation) * turned;
+    if (change_.body.rotation) turned = turned * constant<T>(change_.body.rotation->conjugate());
+    return turned;
+  }
+
+  /// A position, or a rate of it, in the frame of the world.
+  template <Number T>
+  [[nodiscard]] Vector3<T> in_world(const Vector3<T>& v) const noexcept {
+    return turned<T>(change_.world, v);
+  }
+
+  /// An angular velocity, acceleration or jerk, in the frame of the body: det(B) B ω.
+  [[nodiscard]] Eigen::Vector3d body_rate(const Eigen::Vector3d& rate) const noexcept {
+    return turned<double>({change_.body.axes.of_turns(), change_.body.rotation}, rate);
+  }
+
+ private:
+  template <Number T>
+  [[nodiscard]] static Vector3<T> turned(const CoordinateChange& change, const Vector3<T>& v) noexcept {
+    const Vector3<T> along = change.axes(v);
+    return change.rotation ? to_world<T>(constant<T>(*change.rotation), along) : along;
+  }
+
+  FrameChange change_;
+  bool keeps_axes_ = true;
+  std::array<std::array<double, 4>, 4> product_{};  // of the axes, on w, x, y, z; whole numbers
+  double scale_ = 1.0;                              // that the product is too long by
+};
+
+/// Keys in other frames, with all that they carry. Precondition: check(change).
+[[nodiscard]] ORISPLINE_EXPORT KeyframeData in_frames(KeyframeData data, const NewFrames& frames);
+/// A track in other frames, with its recipe: rates of clamped ends turn as the keys do. What its file looked like is
+/// forgotten. Errors: of check(); of Keyframes::make().
+[[nodiscard]] ORISPLINE_EXPORT Expected<Track> in_frames(const Track& track, const FrameChange& change);
+/// What keys in the old frames are for, of keys in the new ones.
+[[nodiscard]] ORISPLINE_EXPORT Recipe in_frames(Recipe recipe, const NewFrames& frames);
+
+}}  // namespace orispline
