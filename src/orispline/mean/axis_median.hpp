@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+
+#include <orispline/mean/weighted.hpp>
+
+// Points on one axis: their median is that of numbers, and may be a range.
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace mean_of {
+
+/// The middle of all medians, and how far the others go on both sides of it.
+template <CurvePoint P>
+struct AxisMedian {
+  P point;
+  double half_range = 0.0;
+};
+
+/// The axis on which all points lie beside one of them or between them; nothing where they do not.
+template <CurvePoint P>
+[[nodiscard]] std::optional<Eigen::Vector3d> common_axis(const Weighted<P>& given, const P& beside) {
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    const Eigen::Vector3d way = shortest_way(beside, given.points[k]);
+    moments += given.weights[k] * way * way.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments);
+  const Eigen::Vector3d squares = axes.eigenvalues();
+  const bool is_one = squares[2] > 0.0 && squares[1] <= 1e-20 * squares[2];
+  return is_one ? std::optional(Eigen::Vector3d(axes.eigenvectors().col(2))) : std::nullopt;
+}
+
+/// The median of points on an axis through a point beside them.
+template <CurvePoint P>
+[[nodiscard]] AxisMedian<P> median_on_axis(const Weighted<P>& given, const P& beside, const Eigen::Vector3d& axis) {
+  std::vector<std::size_t> order(given.size());
+  std::vector<double> places(given.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t k = 0; k < given.size(); ++k) places[k] = axis.dot(shortest_way(beside, given.points[k]));
+  std::ranges::sort(order, {}, [&](std::size_t k) { return places[k]; });
+  double below = 0.0;
+  std::size_t i = 0;
+  while (i + 1 < order.size() && below + given.weights[order[i]] < 0.5 - 1e-12) below += given.weights[order[i++]];
+  const P& lower = given.points[order[i]];
+  const bool is_range = i + 1 < order.size() && below + given.weights[order[i]] <= 0.5 + 1e-12;
+  if (!is_range) return {lower};
+  const Eigen::Vector3d half = 0.5 * shortest_way(lower, given.points[order[i + 1]]);
+  return {moved(lower, half), norm_of<double>(half)};
+}
+
+}}}  // namespace orispline::mean_of

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <Eigen/Cholesky>
+
+#include <orispline/mean/mean.hpp>
+#include <orispline/mean/weighted.hpp>
+
+// The point that makes a sum over weighted points least: ½ Σ w d² for the mean, Σ w d for the median. Written once for
+// orientations and for positions. Proofs: docs/mean.md.
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace mean_of {
+
+/// What the sum does beside a point.
+struct Pull {
+  double sum = 0.0;
+  Eigen::Vector3d towards = Eigen::Vector3d::Zero();  ///< less the gradient, without the points that are here
+  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();  ///< likewise
+  double bound = 0.0;        ///< of the curvature in every direction: a step `towards`/bound lowers the sum
+  double weight_here = 0.0;  ///< of points that are here, of the median: there its sum has a corner
+  std::size_t nearest = 0;
+  double nearest_distance = std::numeric_limits<double>::infinity();
+
+  /// Length of the gradient: 0 too in the corner of the points here, where their weight holds against all others.
+  [[nodiscard]] double slope() const { return std::max(0.0, towards.norm() - weight_here); }
+  /// Length of the safe step [rad] or [m]; of the mean that of the gradient.
+  [[nodiscard]] double residual() const { return bound > 0.0 ? slope() / bound : 0.0; }
+  /// By how much that step lowers the sum, at least.
+  [[nodiscard]] double promised() const { return 0.5 * slope() * residual(); }
+};
+
+/// The Hessian of ½ d² at the end of the way to a point: (θ/2) cot(θ/2) across it, 1 along it, of positions 1.
+template <CurvePoint P>
+[[nodiscard]] Eigen::Matrix3d hessian_of_half_square(const Eigen::Vector3d& way) {
+  if constexpr (std::same_as<P, Eigen::Vector3d>) return Eigen::Matrix3d::Identity();
+  else return jacobian::rodrigues<double>(way, 0.0, series::cotangent_defect_ratio(way.squaredNorm()));
+}
+
+/// Points nearer than this are the same.
+[[nodiscard]] inline double rounding_of(const Eigen::Quaterniond&) { return 1e-15; }
+[[nodiscard]] inline double rounding_of(const Eigen::Vector3d& point) { return 4e-16 * norm_of<double>(point); }
+
+template <CurvePoint P>
+[[nodiscard]] Pull pull_at(MeanKind kind, const Weighted<P>& given, const P& point) {
+  Pull pull;
+  VectorSum towards;
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    const Eigen::Vector3d way = shortest_way(point, given.points[k]);
+    const double distance = norm_of<double>(way), weight = given.weights[k];
+    if (distance < pull.nearest_distance) pull.nearest = k, pull.nearest_distance = distance;
+    if (kind == MeanKind::mean) {
+      pull.sum += 0.5 * weight * distance * distance;
+      pull.bound += weight;
+      pull.hessian += weight * hessian_of_half_square<P>(way);
+      towards.add(weight * way);
+    } else if (distance <= rounding_of(point)) {
+      pull.weight_here += weight;
+    } else {
+      const Eigen::Vector3d direction = way / distance;
+      pull.sum += weight * distance;
+      pull.bound += weight / distance;
+      pull.hessian += weight / distance * (hessian_of_half_square<P>(way) - direction * direction.transpose());
+      towards.add(weight * direction);
+    }
+  }
+  pull.towards = towards.value();
+  return pull;
+}
+
+/// A point, and what the sum does there.
+template <CurvePoint P>
+struct Place {
+  P point;
+  Pull pull;
+};
+
+template <CurvePoint P>
+struct Found {
+  Place<P> place;
+  std::size_t iterations = 0;
+};
+
+/// Goes down from a point until rounding stops it.
+template <CurvePoint P>
+class Descent {
+ public:
+  Descent(MeanKind kind, const Weighted<P>& given) : kind_(kind), given_(given) {}
+
+  [[nodiscard]] Found<P> from(const P& start) const {
+    constexpr std::size_t enough = 1000;  // steps; a handful reach rounding, but where a median is all but a sample
+    Found<P> found{at(start)};
+    for (; found.iterations < enough && found.place.pull.slope() > 0.0; ++found.iterations) {
+      if (const auto sample = nearest_if_least(found.place.pull, 1.0 + 1e-12)) return {*sample, found.iterations};
+      const auto next = stepped(found.place);
+      if (!next) break;
+      found.place = *next;
+    }
+    if (const auto sample = nearest_if_least(found.place.pull, 1.0 - 1e-9);
+        sample && sample->pull.residual() < found.place.pull.residual())
+      found.place = *sample;
+    return found;
+  }
+
+ private:
+  [[nodiscard]] Place<P> at(const P& point) const { return {point, pull_at(kind_, given_, point)}; }
+
+  /// The nearest point of those given if it is the median, since its weight there holds against all others.
+  [[nodiscard]] std::optional<Place<P>> nearest_if_least(const Pull& pull, double share) const {
+    if (kind_ == MeanKind::mean) return std::nullopt;
+    const Place<P> sample = at(given_.points[pull.nearest]);
+    const bool is_least = share * sample.pull.towards.norm() <= sample.pull.weight_here;
+    return is_least ? std::optional(sample) : std::nullopt;
+  }
+
+  /// By Newton's step, else by the one that is sure to lower the sum; nothing where rounding hides that.
+  [[nodiscard]] std::optional<Place<P>> stepped(const Place<P>& here) const {
+    const Pull& pull = here.pull;
+    if (pull.weight_here == 0.0) {
+      const Eigen::Vector3d newton = pull.hessian.ldlt().solve(pull.towards);
+      if (newton.allFinite())
+        if (const Place<P> there = at(moved(here.point, newton)); is_lower(here.pull, there.pull)) return there;
+    }
+    const Place<P> there = at(moved(here.point, pull.residual() / pull.towards.norm() * pull.towards));
+    return is_lower(pull, there.pull) ? std::optional(there) : std::nullopt;
+  }
+
+  /// By half of what is promised at least. Near the end sums differ by their rounding alone: there the gradient
+  /// decides.
+  [[nodiscard]] static bool is_lower(const Pull& here, const Pull& there) {
+    if (here.promised() > 1e-12 * here.sum) return there.sum <= here.sum - 0.5 * here.promised();
+    return there.residual() < here.residual();
+  }
+
+  MeanKind kind_;
+  const Weighted<P>& given_;
+};
+
+}}}  // namespace orispline::mean_of

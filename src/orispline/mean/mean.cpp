@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/mean/mean.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/math/degrees.hpp>
+#include <orispline/mean/axis_median.hpp>
+#include <orispline/mean/descent.hpp>
+#include <orispline/mean/smallest_ball.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI {
+
+namespace {
+
+using mean_of::AxisMedian;
+using mean_of::Ball;
+using mean_of::Descent;
+using mean_of::Found;
+using mean_of::Weighted;
+
+constexpr double half_pi = 0.5 * std::numbers::pi;
+constexpr double at_rest = 1e-12;  // residual
+
+Expected<void> check(const OrientationSet& given) {
+  const std::size_t count = given.orientations.size();
+  if (count == 0) return failure(ErrorCode::bad_data, "found no orientations, wanted one at least");
+  for (const auto& [what, size] :
+       {std::pair("positions", given.positions.size()), std::pair("weights", given.weights.size())})
+    if (size != 0 && size != count)
+      return failure(ErrorCode::bad_data,
+                     formatted("found {} {} of {} orientations, wanted one of each", size, what, count));
+  for (std::size_t k = 0; k < count; ++k) {
+    if (const double norm = given.orientations[k].norm(); !(std::abs(norm - 1.0) <= norm_error_limit))
+      return failure(ErrorCode::bad_data, formatted("the quaternion has norm {:.6g}, wanted 1 within 0.001", norm),
+                     {.key = k});
+    if (!given.positions.empty() &&
+        !(given.positions[k].allFinite() && given.positions[k].cwiseAbs().maxCoeff() <= largest_component))
+      return failure(ErrorCode::bad_data, "found a position that is not finite or above 1e18, wanted numbers",
+                     {.key = k});
+    if (!given.weights.empty() && !(given.weights[k] >= 0.0 && std::isfinite(given.weights[k])))
+      return failure(ErrorCode::bad_data,
+                     formatted("found the weight {}, wanted 0 or a number above it", given.weights[k]), {.key = k});
+  }
+  return {};
+}
+
+/// The entries with a weight, and where they are in the lists that were given.
+struct Counted {
+  std::vector<std::size_t> indices{};
+  std::vector<double> weights{};  ///< their sum is 1
+  double sum = 0.0;               ///< of the weights as they were given
+};
+
+Expected<Counted> counted_in(const OrientationSet& given) {
+  Counted counted;
+  const bool alike = given.weights.empty();
+  for (std::size_t k = 0; k < given.orientations.size(); ++k) {
+    const double weight = alike ? 1.0 : given.weights[k];
+    counted.sum += weight;
+    if (weight > 0.0) counted.indices.push_back(k), counted.weights.push_back(weight);
+  }
+  if (counted.indices.empty())
+    return failure(ErrorCode::bad_data, "found the weight 0 at every orientation, wanted one above 0 at least");
+  if (!std::isfinite(counted.sum))
+    return failure(ErrorCode::bad_data, "found weights whose sum is not finite, wanted smaller ones");
+  for (double& weight : counted.weights) weight /= counted.sum;
+  return counted;
+}
+
+template <CurvePoint P>
+Weighted<P> weighted(std::span<const P> all, const Counted& counted) {
+  Weighted<P> given{.weights = counted.weights};
+  for (const std::size_t k : counted.indices) {
+    if constexpr (std::same_as<P, Eigen::Quaterniond>) given.points.push_back(all[k].normalized());
+    else given.points.push_back(all[k]);
+  }
+  return given;
+}
+
+/// Where a search begins: for orientations the unit quaternion of the largest Σ w (q·p)², which is the mean of squared
+/// chords; nothing where several are equally good. Source: Markley, Cheng, Crassidis, Oshman 2007.
+std::optional<Eigen::Quaterniond> start_of(const Weighted<Eigen::Quaterniond>& given) {
+  Eigen::Matrix4d moments = Eigen::Matrix4d::Zero();
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    const Eigen::Vector4d q = given.points[k].coeffs();
+    moments += given.weights[k] * q * q.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> axes(moments);
+  if (axes.eigenvalues()[3] - axes.eigenvalues()[2] <= 1e-9) return std::nullopt;
+  return Eigen::Quaterniond(Eigen::Vector4d(axes.eigenvectors().col(3).normalized()));
+}
+std::optional<Eigen::Vector3d> start_of(const Weighted<Eigen::Vector3d>& given) {
+  mean_of::VectorSum sum;
+  for (std::size_t k = 0; k < given.size(); ++k) sum.add(given.weights[k] * given.points[k]);
+  return sum.value();
+}
+
+/// The best place to begin a descent to the median: bad points may be half of all, and draw the mean far away. Some
+/// points themselves are tried beside it.
+template <CurvePoint P>
+P start_of_median(const Weighted<P>& given, const P& middle) {
+  constexpr std::size_t most_ways = 1000000, fewest_tried = 20;
+  const std::size_t tried = std::min(given.size(), std::max(fewest_tried, most_ways / given.size()));
+  P best = middle;
+  double least = mean_of::pull_at(MeanKind::median, given, middle).sum * (1.0 - 1e-12);
+  for (std::size_t i = 0; i < tried; ++i) {
+    const P& point = given.points[i * given.size() / tried];
+    const double sum = mean_of::pull_at(MeanKind::median, given, point).sum;
+    if (sum < least) least = sum, best = point;
+  }
+  return best;
+}
+
+/// The mean or the median, and how far others go that are as good, where all lie on an axis.
+template <CurvePoint P>
+struct Middle {
+  Found<P> found;
+  double half_range = 0.0;
+};
+
+template <CurvePoint P>
+Middle<P> middle_of(MeanKind kind, const Weighted<P>& given, const P& start) {
+  const Descent<P> descent(kind, given);
+  if (kind == MeanKind::mean) return {descent.from(start)};
+  if (const auto axis = mean_of::common_axis(given, start)) {
+    const AxisMedian<P> median = mean_of::median_on_axis(given, start, *axis);
+    return {{{median.point, mean_of::pull_at(kind, given, median.point)}}, median.half_range};
+  }
+  return {descent.from(start_of_median(given, start))};
+}
+
+/// How many equal weights say as much.
+double effective_count(const std::vector<double>& weights) {
+  return 1.0 / std::inner_product(weights.begin(), weights.end(), weights.begin(), 0.0);
+}
+
+/// How far points are from their middle.
+struct Distances {
+  double rms = 0.0, largest = 0.0;
+  std::size_t farthest = 0;
+  std::optional<Eigen::Matrix3d> spread{}, covariance{};
+};
+
+template <CurvePoint P>
+Distances distances_from(MeanKind kind, const Weighted<P>& given, const Middle<P>& middle) {
+  Distances found;
+  const P& point = middle.found.place.point;
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero(), scores = Eigen::Matrix3d::Zero();
+  double squares = 0.0;
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    const Eigen::Vector3d way = mean_of::shortest_way(point, given.points[k]);
+    const double distance = norm_of<double>(way), weight = given.weights[k];
+    if (distance > found.largest) found.largest = distance, found.farthest = k;
+    squares += weight * distance * distance;
+    moments += weight * way * way.transpose();
+    if (distance > mean_of::rounding_of(point)) scores += weight / (distance * distance) * way * way.transpose();
+  }
+  found.rms = std::sqrt(squares);
+  const double count = effective_count(given.weights);
+  if (!(count > 1.0 + 1e-9)) return found;
+  found.spread = count / (count - 1.0) * moments;
+  const bool is_mean = kind == MeanKind::mean;
+  const Eigen::Matrix3d& hessian = middle.found.place.pull.hessian;
+  const Eigen::Vector3d curvatures = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(hessian).eigenvalues();
+  const bool is_flat = middle.half_range > 0.0 || !(curvatures[0] > 1e-10 * curvatures[2]);
+  if (found.largest == 0.0) found.covariance = Eigen::Matrix3d::Zero();
+  else if (!is_flat) {
+    const Eigen::Matrix3d inverse = hessian.inverse();
+    const Eigen::Matrix3d covariance = inverse * (is_mean ? moments : scores) * inverse / (count - 1.0);
+    found.covariance = 0.5 * (covariance + covariance.transpose());
+  }
+  return found;
+}
+
+/// No median is farther from this place [rad]: beyond, the share of the weight that is near it outweighs all else.
+/// Nothing where there is no such share. Proof: docs/mean.md.
+std::optional<double> others_within(const Weighted<Eigen::Quaterniond>& given, const Eigen::Quaterniond& median) {
+  std::vector<std::pair<double, double>> distances;
+  for (std::size_t k = 0; k < given.size(); ++k)
+    distances.emplace_back(angular_distance(median, given.points[k]), given.weights[k]);
+  std::ranges::sort(distances);
+  std::optional<double> least;
+  double weight = 0.0, moment = 0.0;
+  for (const auto& [distance, its_weight] : distances) {
+    weight += its_weight;
+    moment += its_weight * distance;
+    if (weight <= 0.5 + 1e-9) continue;
+    const double bound = 2.0 * moment / (2.0 * weight - 1.0);
+    if (!least || bound < *least) least = bound;
+  }
+  return least && *least < std::numbers::pi ? least : std::nullopt;
+}
+
+/// What is proved of the orientation that was found: docs/mean.md.
+void certify(Mean& found, MeanKind kind, const Weighted<Eigen::Quaterniond>& given,
+             const Middle<Eigen::Quaterniond>& middle, const Ball& ball) {
+  const Eigen::Quaterniond& q = found.orientation;
+  const bool is_at_rest = found.residual <= at_rest;
+  const bool is_in_ball = ball.radius < half_pi && angular_distance(ball.centre, q) <= ball.radius + at_rest;
+  if (is_at_rest && is_in_ball) found.others_within = middle.half_range;
+  else if (is_at_rest && kind == MeanKind::median && middle.half_range == 0.0) {
+    found.others_within = others_within(given, q);
+    // The sum is convex as far as that: the median that was found is the only one.
+    const double reach = found.others_within.value_or(std::numbers::pi);
+    if (reach < half_pi && reach + found.largest_distance < std::numbers::pi) found.others_within = 0.0;
+  }
+  found.certified = found.others_within == 0.0;
+}
+
+Warning not_certified(const Mean& found, MeanKind kind) {
+  std::string message = formatted(
+      "found orientations that no ball of less than 90° holds, up to {:.4g}° from their {}: there may be another that "
+      "is "
+      "as good or better",
+      found.largest_distance * degrees, word_of(kind));
+  if (found.others_within) message += formatted(", within {:.4g}° of it", *found.others_within * degrees);
+  return {.code = "mean_not_certified",
+          .message = std::move(message),
+          .numbers = {{"largest_distance_deg", found.largest_distance * degrees}}};
+}
+
+Warning of_a_range(double half_range) {
+  return {.code = "median_of_a_range",
+          .message = formatted("found orientations about one axis of which half are on either side: every one within "
+                               "{:.4g}° along it is a median as well, and the middle of them is given",
+                               half_range * degrees),
+          .numbers = {{"half_range_deg", half_range * degrees}}};
+}
+
+Error cancelling(MeanKind kind) {
+  return {ErrorCode::bad_data,
+          formatted("found orientations that cancel, such as two that are 180° apart: several are their {} alike, "
+                    "wanted some that agree, or weights that prefer some",
+                    word_of(kind))};
+}
+
+void add_positions(Mean& found, MeanKind kind, const OrientationSet& given, const Counted& counted) {
+  const auto positions = weighted(given.positions, counted);
+  const auto middle = middle_of(kind, positions, *start_of(positions));
+  const Distances distances = distances_from(kind, positions, middle);
+  found.position = middle.found.place.point;
+  found.position_rms_distance = distances.rms;
+  found.position_largest_distance = distances.largest;
+  found.farthest_position = counted.indices[distances.farthest];
+  found.position_spread = distances.spread;
+  found.position_covariance = distances.covariance;
+}
+
+std::optional<Eigen::Vector3d> deviations(const std::optional<Eigen::Matrix3d>& covariance) {
+  if (!covariance) return std::nullopt;
+  return Eigen::Vector3d(covariance->diagonal().cwiseMax(0.0).cwiseSqrt());
+}
+
+}  // namespace
+
+std::optional<Eigen::Vector3d> sigma(const Mean& mean) { return deviations(mean.covariance); }
+std::optional<Eigen::Vector3d> position_sigma(const Mean& mean) { return deviations(mean.position_covariance); }
+
+Expected<Mean> mean(const OrientationSet& given, const MeanOptions& options) {
+  if (auto checked = check(given); !checked) return tl::unexpected(std::move(checked.error()));
+  const auto counted = counted_in(given);
+  if (!counted) return tl::unexpected(counted.error());
+  const auto orientations = weighted(given.orientations, *counted);
+  const auto start = start_of(orientations);
+  if (!start) return tl::unexpected(cancelling(options.kind));
+  const Ball ball = mean_of::smallest_ball(orientations.points);
+  const bool begins_outside = ball.radius < half_pi && angular_distance(ball.centre, *start) > ball.radius;
+  const auto middle = middle_of(options.kind, orientations, begins_outside ? ball.centre : *start);
+  const Distances distances = distances_from(options.kind, orientations, middle);
+  Mean found{.orientation = middle.found.place.point,
+             .count = orientations.size(),
+             .weight = counted->sum,
+             .ball_radius = std::min(ball.radius, distances.largest),
+             .residual = middle.found.place.pull.residual(),
+             .iterations = middle.found.iterations,
+             .rms_distance = distances.rms,
+             .largest_distance = distances.largest,
+             .farthest = counted->indices[distances.farthest],
+             .spread = distances.spread,
+             .covariance = distances.covariance};
+  if (found.orientation.w() < 0.0) found.orientation.coeffs() *= -1.0;
+  certify(found, options.kind, orientations, middle, ball);
+  if (middle.half_range > 0.0) found.warnings.push_back(of_a_range(middle.half_range));
+  else if (!found.certified) found.warnings.push_back(not_certified(found, options.kind));
+  if (!given.positions.empty()) add_positions(found, options.kind, given, *counted);
+  return found;
+}
+
+}}  // namespace orispline
