@@ -25,6 +25,8 @@ std::vector<TaskInfo> tasks_info() {
       {"reduce", "The fewest keys that reproduce a recording within a tolerance", fields<ReduceOptions>(),
        fields<Reduction>()},
       {"retime", "The least slowing that keeps a motion within limits", fields<RetimeOptions>(), fields<Retiming>()},
+      {"align", "What brings one recording onto another one of the same motion", fields<AlignOptions>(),
+       fields<Alignment>()},
       {"compare", "How near the curves of methods come to a recording", fields<Decimation, MeasureOptions>(), {}}};
 }
 

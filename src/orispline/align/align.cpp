@@ -58,7 +58,7 @@ Expected<SmoothMotion> smooth_motion(const Track& recording, const Progress& pro
 /// Source: Horn 1987, of the largest eigenvector, here weighted anew by the distances that are left.
 Eigen::Quaterniond rotation_between(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to) {
   constexpr int rounds = 15;
-  constexpr double pull = 1e-6;  // towards no rotation
+  constexpr double pull = 1e-3;  // towards no rotation, where all vectors have one axis
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   double sizes = 0.0;
   for (const Eigen::Vector3d& v : to) sizes += v.norm();
@@ -300,7 +300,14 @@ Expected<Track> aligned(const Track& moved, const Alignment& alignment) {
   track->epoch = moved.epoch - alignment.offset;
   for (Decimal& time : track->exact_times) time = time - alignment.offset;
   if (!alignment.translation) return track;
-  KeyframeData data = track->keys.data();
+  const Keyframes& turned = track->keys;
+  const auto copied = [](auto values) { return std::vector(values.begin(), values.end()); };
+  KeyframeData data{.times = copied(turned.times()),
+                    .orientations = copied(turned.orientations()),
+                    .positions = copied(turned.positions()),
+                    .angular_velocities = copied(turned.angular_velocities()),
+                    .angular_accelerations = copied(turned.angular_accelerations()),
+                    .angular_jerks = copied(turned.angular_jerks())};
   for (Eigen::Vector3d& p : data.positions) p = *alignment.scale * p + *alignment.translation;
   return Keyframes::make(std::move(data), Signs::as_given).map([&](const Keyframes& keys) {
     return track->with_keys(keys);

@@ -212,8 +212,8 @@ Eigen::Vector3d middle_of(const PoseCurve& curve, const AlignmentData& data) {
   return middle / static_cast<double>(times.size());
 }
 
-/// A turn of 1 rad, and the time, the scale and the length that move the body as far.
-Scales scales_of(const Sum& sum, const Transform& at, const Eigen::Vector3d& middle) {
+/// A turn of 1 rad, and the time, the scale and the length that move the body as far; no time is longer than the motion.
+Scales scales_of(const Sum& sum, const Transform& at, const Eigen::Vector3d& middle, double duration) {
   double rates = 0.0, spread = 0.0;
   for (const Pair& pair : sum.pairs()) {
     rates += pair.moved.angular_velocity.squaredNorm();
@@ -221,7 +221,7 @@ Scales scales_of(const Sum& sum, const Transform& at, const Eigen::Vector3d& mid
   }
   const auto count = static_cast<double>(sum.pairs().size());
   Scales scales;
-  if (rates > 0.0) scales.units[offset_at] = 1.0 / std::sqrt(rates / count);
+  scales.units[offset_at] = rates > 0.0 ? std::min(duration, 1.0 / std::sqrt(rates / count)) : duration;
   if (spread > 0.0) scales.spread = at.scale * std::sqrt(spread / count);
   scales.units.segment<3>(translation_at).setConstant(scales.spread);
   return scales;
@@ -263,6 +263,7 @@ double AlignmentFit::cost() const {
 Expected<AlignmentFit> fit_alignment(const AlignmentData& data, const Transform& guess) {
   const auto free = free_unknowns(data);
   const Eigen::Vector3d middle = middle_of(data.moved, data);
+  const Domain domain = data.moved.orientation.domain();
   AlignmentFit fit{.transform = guess};
   for (int step = 0;; ++step) {
     const Sum sum(data, fit.transform, middle);
@@ -270,7 +271,7 @@ Expected<AlignmentFit> fit_alignment(const AlignmentData& data, const Transform&
     if (pairs < least_aligned)
       return failure(ErrorCode::bad_data, formatted("{} samples lie within the other recording, wanted {} at least",
                                                     pairs, least_aligned));
-    const Scales scales = scales_of(sum, fit.transform, middle);
+    const Scales scales = scales_of(sum, fit.transform, middle, domain.end - domain.start);
     const Noise noise = noise_of(sum, data.has_positions, scales.spread);
     const Equations equations = equations_of(sum, noise, data.has_positions);
     const Inverse inverse = inverse_of(equations.matrix, scales.units, free, pairs);

@@ -122,8 +122,6 @@ class ORISPLINE_EXPORT Keyframes {
                                                std::vector<Eigen::Vector3d> angular_accelerations = {},
                                                std::vector<Eigen::Vector3d> angular_jerks = {}) const;
 
-  /// All that they hold, as it was checked: what make() takes for the same keys, with Signs::as_given.
-  [[nodiscard]] const KeyframeData& data() const noexcept { return *data_; }
   [[nodiscard]] std::size_t size() const noexcept { return data_->times.size(); }
   [[nodiscard]] std::span<const double> times() const noexcept { return data_->times; }
   [[nodiscard]] std::span<const Eigen::Quaterniond> orientations() const noexcept { return data_->orientations; }
