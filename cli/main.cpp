@@ -157,9 +157,10 @@ class CommandLine {
     add_compare_options(command("compare", "Compare the methods on a recording: errors, smoothness, cost",
                                 [this] { return compare(compare_); }),
                         compare_);
-    add_align_options(command("align", "Bring a recording onto another one of the same motion: axes, clock, scale, place",
-                              [this] { return align(align_); }),
-                      align_);
+    add_align_options(
+        command("align", "Bring a recording onto another one of the same motion: axes, clock, scale, place",
+                [this] { return align(align_); }),
+        align_);
     add_plot_options(command("plot", "Draw the motion by one or more methods as SVG", [this] { return plot(plot_); }),
                      plot_);
     add_smooth_options(

@@ -130,7 +130,8 @@ TEST_F(Align, RefusesWhatCannotBeAligned) {
   ASSERT_FALSE(align(moved.at(few), fixed));
   EXPECT_EQ(align(moved.at(few), fixed).error().code, ErrorCode::bad_data);
   const auto other = testing_support::track_of(
-      {}, 0.0, [](double t) { return exp<double>(Eigen::Vector3d(3.0 * std::sin(0.37 * t), 2.0 * t, std::cos(5.0 * t))); },
+      {}, 0.0,
+      [](double t) { return exp<double>(Eigen::Vector3d(3.0 * std::sin(0.37 * t), 2.0 * t, std::cos(5.0 * t))); },
       TrueMotion::position, random);
   const auto strangers = align(other, fixed);
   ASSERT_FALSE(strangers);

@@ -38,10 +38,10 @@ Deviations deviations_of(const Taken& taken, std::size_t pairs) {
     EXPECT_TRUE(found) << describe(found.error());
     if (!found) continue;
     deviations.offset.push_back((found->offset.to_double() - truth.offset) / found->sigmas.offset);
-    const Eigen::Vector3d turn = log<double>(Eigen::Quaterniond(
-        (found->world * truth.world.conjugate()).w() < 0.0
-            ? Eigen::Quaterniond(-(found->world * truth.world.conjugate()).coeffs())
-            : Eigen::Quaterniond(found->world * truth.world.conjugate())));
+    const Eigen::Vector3d turn =
+        log<double>(Eigen::Quaterniond((found->world * truth.world.conjugate()).w() < 0.0
+                                           ? Eigen::Quaterniond(-(found->world * truth.world.conjugate()).coeffs())
+                                           : Eigen::Quaterniond(found->world * truth.world.conjugate())));
     for (Eigen::Index k = 0; k < 3; ++k) deviations.angle.push_back(turn[k] / found->sigmas.world[k]);
   }
   return deviations;

@@ -16,7 +16,8 @@ inline constexpr double degree = 0.017453292519943295;
 /// A body that turns about changing axes and goes round a room: a true motion, whose two recordings are made from it.
 struct TrueMotion {
   static Eigen::Quaterniond orientation(double t) {
-    return exp<double>(Eigen::Vector3d(0.9 * std::sin(1.1 * t), 0.7 * std::sin(1.7 * t + 0.4), 1.2 * std::sin(0.6 * t))) *
+    return exp<double>(
+               Eigen::Vector3d(0.9 * std::sin(1.1 * t), 0.7 * std::sin(1.7 * t + 0.4), 1.2 * std::sin(0.6 * t))) *
            exp<double>(Eigen::Vector3d(0.5 * std::cos(2.3 * t), 0.0, 0.3 * std::sin(3.1 * t)));
   }
   static Eigen::Vector3d position(double t) {

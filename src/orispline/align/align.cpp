@@ -74,7 +74,8 @@ Eigen::Quaterniond rotation_between(std::span<const Eigen::Vector3d> from, std::
       form(0, 0) = dot;
       form.block<3, 1>(1, 0) = cross;
       form.block<1, 3>(0, 1) = cross.transpose();
-      form.block<3, 3>(1, 1) = from[i] * to[i].transpose() + to[i] * from[i].transpose() - dot * Eigen::Matrix3d::Identity();
+      form.block<3, 3>(1, 1) =
+          from[i] * to[i].transpose() + to[i] * from[i].transpose() - dot * Eigen::Matrix3d::Identity();
       sum += weights[i] * form;
       weight += weights[i] * (from[i].norm() * to[i].norm());
     }

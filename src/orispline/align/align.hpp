@@ -47,18 +47,18 @@ struct AlignmentSigmas {
 struct Alignment {
   Eigen::Quaterniond world = Eigen::Quaterniond::Identity();  ///< W
   Eigen::Quaterniond body = Eigen::Quaterniond::Identity();   ///< B
-  Decimal offset{};                               ///< [s], so much the stamps of the moved recording are late
-  std::optional<double> scale{};                  ///< s; absent unless both recordings have positions
-  std::optional<Eigen::Vector3d> translation{};   ///< d [m]; likewise
+  Decimal offset{};                              ///< [s], so much the stamps of the moved recording are late
+  std::optional<double> scale{};                 ///< s; absent unless both recordings have positions
+  std::optional<Eigen::Vector3d> translation{};  ///< d [m]; likewise
   AlignmentSigmas sigmas{};
-  std::vector<OpenDirection> open{};              ///< of length 1 in these units; what is here has no part in the sigmas
-  std::vector<std::size_t> compared{};            ///< samples of the fixed recording
-  std::vector<std::size_t> rejected{};            ///< of these, those that are too far to count
-  DistanceStatistics distance{};                  ///< of the orientations, rejected ones too [rad]; indices of `compared`
+  std::vector<OpenDirection> open{};    ///< of length 1 in these units; what is here has no part in the sigmas
+  std::vector<std::size_t> compared{};  ///< samples of the fixed recording
+  std::vector<std::size_t> rejected{};  ///< of these, those that are too far to count
+  DistanceStatistics distance{};        ///< of the orientations, rejected ones too [rad]; indices of `compared`
   std::optional<DistanceStatistics> position_distance{};  ///< [m]
-  double noise = 0.0;                             ///< robust σ of the residuals of the orientations per axis [rad]
-  std::optional<double> position_noise{};         ///< [m]
-  std::vector<Warning> warnings{};                ///< `poor_alignment`, `open_alignment`
+  double noise = 0.0;                      ///< robust σ of the residuals of the orientations per axis [rad]
+  std::optional<double> position_noise{};  ///< [m]
+  std::vector<Warning> warnings{};         ///< `poor_alignment`, `open_alignment`
 };
 
 /// The fewest samples of each recording.

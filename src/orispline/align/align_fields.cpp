@@ -33,14 +33,12 @@ std::optional<double> of_positions(const Alignment& alignment) {
 template <>
 std::span<const FieldInfo> fields_of<AlignOptions>() noexcept {
   static constexpr std::array fields{
-      field<&AlignOptions::world_rotation>(
-          {.name = "world_rotation",
-           .sentence = "Look for the rotation between the axes of the two worlds",
-           .without = "Take the axes of the two worlds to be the same"}),
-      field<&AlignOptions::body_rotation>(
-          {.name = "body_rotation",
-           .sentence = "Look for the rotation between the axes of the two bodies",
-           .without = "Take the axes of the two bodies to be the same"}),
+      field<&AlignOptions::world_rotation>({.name = "world_rotation",
+                                            .sentence = "Look for the rotation between the axes of the two worlds",
+                                            .without = "Take the axes of the two worlds to be the same"}),
+      field<&AlignOptions::body_rotation>({.name = "body_rotation",
+                                           .sentence = "Look for the rotation between the axes of the two bodies",
+                                           .without = "Take the axes of the two bodies to be the same"}),
       field<&AlignOptions::offset>({.name = "offset",
                                     .sentence = "How late the stamps of the moved recording are; negative: early",
                                     .quantity = &quantities::duration,
@@ -62,9 +60,8 @@ std::span<const FieldInfo> fields_of<Alignment>() noexcept {
       field<&offset_of>({.name = "offset",
                          .sentence = "How late the stamps of the moved recording are",
                          .quantity = &quantities::time}),
-      field<&offset_sigma>({.name = "offset_sigma",
-                            .sentence = "One standard deviation of the offset",
-                            .quantity = &quantities::time}),
+      field<&offset_sigma>(
+          {.name = "offset_sigma", .sentence = "One standard deviation of the offset", .quantity = &quantities::time}),
       field<&world_sigma>({.name = "world_sigma",
                            .sentence = "One standard deviation of turns of the world about its axes x, y, z",
                            .quantity = &quantities::angle}),
@@ -97,9 +94,10 @@ std::span<const FieldInfo> fields_of<Alignment>() noexcept {
       field<&largest_distance>({.name = "distance_max",
                                 .sentence = "Largest distance of the orientations",
                                 .quantity = &quantities::angle_in_degrees}),
-      field<&Alignment::noise>({.name = "noise",
-                                .sentence = "Robust standard deviation of what is left between the orientations, per axis",
-                                .quantity = &quantities::angle_in_degrees}),
+      field<&Alignment::noise>(
+          {.name = "noise",
+           .sentence = "Robust standard deviation of what is left between the orientations, per axis",
+           .quantity = &quantities::angle_in_degrees}),
       field<&of_positions<&DistanceStatistics::rms>>(
           {.name = "position_rms",
            .sentence = "Root mean square distance of the positions, rejected ones too",

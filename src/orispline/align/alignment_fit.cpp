@@ -137,7 +137,8 @@ void add(const Linear& linear, double sigma, Equations& sum, Unknowns& of_block)
 Equations equations_of(const Sum& sum, const Noise& noise, bool has_positions) {
   constexpr std::size_t most_blocks = 50, least_in_block = 10;
   const std::size_t pairs = sum.pairs().size();
-  const std::size_t in_block = pairs < most_blocks * least_in_block / 5 ? 1 : std::max(pairs / most_blocks, least_in_block);
+  const std::size_t in_block =
+      pairs < most_blocks * least_in_block / 5 ? 1 : std::max(pairs / most_blocks, least_in_block);
   Equations equations;
   Unknowns of_block = Unknowns::Zero();
   for (std::size_t i = 0; i < pairs; ++i) {
@@ -166,8 +167,8 @@ std::vector<Eigen::Index> free_unknowns(const AlignmentData& data) {
 /// The inverse of the normal matrix where it says something, in units; directions without an answer are open: a step of
 /// one unit, 1 rad, would move the samples by less than their noise.
 struct Inverse {
-  Eigen::MatrixXd matrix;                  // unknowns × unknowns, in their own units
-  std::vector<Unknowns> open{};            // of length 1 in the units
+  Eigen::MatrixXd matrix;        // unknowns × unknowns, in their own units
+  std::vector<Unknowns> open{};  // of length 1 in the units
 };
 
 Inverse inverse_of(const Normal& normal, const Unknowns& units, const std::vector<Eigen::Index>& free,
@@ -183,7 +184,8 @@ Inverse inverse_of(const Normal& normal, const Unknowns& units, const std::vecto
   for (Eigen::Index e = 0; e < count; ++e) {
     Unknowns direction = Unknowns::Zero();
     for (Eigen::Index i = 0; i < count; ++i)
-      direction[free[static_cast<std::size_t>(i)]] = eigen.eigenvectors()(i, e) * units[free[static_cast<std::size_t>(i)]];
+      direction[free[static_cast<std::size_t>(i)]] =
+          eigen.eigenvectors()(i, e) * units[free[static_cast<std::size_t>(i)]];
     if (const double value = eigen.eigenvalues()[e]; value > static_cast<double>(pairs))
       inverse.matrix += direction * direction.transpose() / value;
     else inverse.open.push_back(direction);
@@ -198,8 +200,8 @@ Transform moved_by(const Transform& from, const Unknowns& step, const Eigen::Vec
   to.body = (turn(step, body_at) * from.body).normalized();
   to.offset += step[offset_at];
   to.scale *= elementary::exponential(std::clamp(step[scale_at], -1.0, 1.0));
-  const Eigen::Vector3d origin = from.scale * to_world<double>(from.world, middle) + from.translation +
-                                 step.segment<3>(translation_at);
+  const Eigen::Vector3d origin =
+      from.scale * to_world<double>(from.world, middle) + from.translation + step.segment<3>(translation_at);
   to.translation = origin - to.scale * to_world<double>(to.world, middle);
   return to;
 }
@@ -212,7 +214,8 @@ Eigen::Vector3d middle_of(const PoseCurve& curve, const AlignmentData& data) {
   return middle / static_cast<double>(times.size());
 }
 
-/// A turn of 1 rad, and the time, the scale and the length that move the body as far; no time is longer than the motion.
+/// A turn of 1 rad, and the time, the scale and the length that move the body as far; no time is longer than the
+/// motion.
 Scales scales_of(const Sum& sum, const Transform& at, const Eigen::Vector3d& middle, double duration) {
   double rates = 0.0, spread = 0.0;
   for (const Pair& pair : sum.pairs()) {
@@ -269,8 +272,8 @@ Expected<AlignmentFit> fit_alignment(const AlignmentData& data, const Transform&
     const Sum sum(data, fit.transform, middle);
     const std::size_t pairs = sum.pairs().size();
     if (pairs < least_aligned)
-      return failure(ErrorCode::bad_data, formatted("{} samples lie within the other recording, wanted {} at least",
-                                                    pairs, least_aligned));
+      return failure(ErrorCode::bad_data,
+                     formatted("{} samples lie within the other recording, wanted {} at least", pairs, least_aligned));
     const Scales scales = scales_of(sum, fit.transform, middle, domain.end - domain.start);
     const Noise noise = noise_of(sum, data.has_positions, scales.spread);
     const Equations equations = equations_of(sum, noise, data.has_positions);

@@ -91,8 +91,7 @@ std::vector<Candidate> candidates(std::span<const double> moved, std::span<const
 
 }  // namespace
 
-std::vector<Eigen::Vector3d> turns_in_intervals(const AnyCurve& curve, double start, double length,
-                                                std::size_t count) {
+std::vector<Eigen::Vector3d> turns_in_intervals(const AnyCurve& curve, double start, double length, std::size_t count) {
   std::vector<Eigen::Vector3d> turns;
   turns.reserve(count);
   Eigen::Quaterniond before = curve(start);

@@ -7,8 +7,8 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
-/// Offsets of the clocks [s] at which two motions may be the same but for their axes: the moved time is the fixed one and
-/// the offset. The likeliest comes first.
+/// Offsets of the clocks [s] at which two motions may be the same but for their axes: the moved time is the fixed one
+/// and the offset. The likeliest comes first.
 ///
 /// Both are cut into equal intervals, and what the body turns in each is compared, which no choice of axes changes. The
 /// motions overlap by half of the shorter one at least.

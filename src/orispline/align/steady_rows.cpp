@@ -12,8 +12,8 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-constexpr std::size_t reach = 3;          // places before and behind
-constexpr std::size_t seen_beside = 5;    // distances on each side that tell what is usual
+constexpr std::size_t reach = 3;        // places before and behind
+constexpr std::size_t seen_beside = 5;  // distances on each side that tell what is usual
 constexpr double farther_than_usual = 6.0;
 
 /// How far a sample is from the middle one of the geodesics past it [rad]; 0 where there are none.

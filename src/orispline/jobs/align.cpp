@@ -41,9 +41,7 @@ std::string position_lines(const Alignment& a) {
                    left.median, left.largest);
 }
 
-Json rotation_json(const Eigen::Quaterniond& q) {
-  return {{"qw", q.w()}, {"qx", q.x()}, {"qy", q.y()}, {"qz", q.z()}};
-}
+Json rotation_json(const Eigen::Quaterniond& q) { return {{"qw", q.w()}, {"qx", q.x()}, {"qy", q.y()}, {"qz", q.z()}}; }
 
 Json vector_json(const Eigen::Vector3d& v) {
   Json list = Json::array();
