@@ -63,8 +63,9 @@ TEST_F(Align, CountsTheOffsetFromTheEpochs) {
   const auto found = align(moved, fixed);
   ASSERT_TRUE(found) << describe(found.error());
   EXPECT_NEAR((found->offset - (moved.epoch - fixed.epoch)).to_double(), truth.offset, 1e-5);
-  const Track there = aligned(moved, *found).value();
-  EXPECT_NEAR((there.time_of(0) - fixed.epoch).to_double(), 0.0, 1e-5);
+  const Track there = aligned(moved, fixed, *found).value();
+  EXPECT_EQ(there.epoch, fixed.epoch);
+  EXPECT_NEAR(there.keys.times()[0], 0.0, 1e-5);
 }
 
 TEST_F(Align, BringsOneRecordingOntoTheOther) {
@@ -73,9 +74,10 @@ TEST_F(Align, BringsOneRecordingOntoTheOther) {
   Track moved = moved_recording(with_positions, truth, random);
   const Eigen::Vector3d rate(0.3, -0.2, 0.5);
   moved.keys = moved.keys.with_rates(std::vector<Eigen::Vector3d>(moved.keys.size(), rate)).value();
-  const auto found = align(moved, fixed_recording(with_positions, random));
+  const Track fixed = fixed_recording(with_positions, random);
+  const auto found = align(moved, fixed);
   ASSERT_TRUE(found) << describe(found.error());
-  const Track there = aligned(moved, *found).value();
+  const Track there = aligned(moved, fixed, *found).value();
   for (std::size_t i = 0; i < there.keys.size(); i += 100) {
     const double t = there.time_of(i).to_double();
     EXPECT_LE(angular_distance(there.keys.orientations()[i], TrueMotion::orientation(t)), 1e-4);
@@ -106,6 +108,18 @@ TEST_F(Align, LooksOnlyForWhatItIsAskedFor) {
   EXPECT_EQ(wrong->warnings[0].code, "poor_alignment");
 }
 
+TEST_F(Align, KeepsTheOriginThatItIsNotAskedFor) {
+  const Difference truth{.translation = Eigen::Vector3d::Zero()};
+  const Taken with_positions{.to = 10.0, .has_positions = true};
+  const auto found = align(moved_recording(with_positions, truth, random), fixed_recording(with_positions, random),
+                           {.translation = false});
+  ASSERT_TRUE(found) << describe(found.error());
+  expect_near(*found, truth, 1e-5, 1e-5);
+  EXPECT_NEAR(found->scale.value(), truth.scale, 1e-4);
+  EXPECT_EQ(found->translation.value(), Eigen::Vector3d::Zero());
+  EXPECT_EQ(found->sigmas.translation, Eigen::Vector3d::Zero());
+}
+
 TEST_F(Align, IsTurnedRoundWithTheRecordings) {
   const Difference truth;
   const Taken taken{.noise = 0.3 * degree};
@@ -125,10 +139,12 @@ TEST_F(Align, RefusesWhatCannotBeAligned) {
   const auto apart = align(moved, fixed, {.offset = 100.0});
   ASSERT_FALSE(apart);
   EXPECT_EQ(apart.error().option, "offset");
-  EXPECT_NE(apart.error().message.find("overlap"), std::string::npos) << apart.error().message;
+  EXPECT_EQ(apart.error().code, ErrorCode::bad_argument);
+  EXPECT_NE(apart.error().message.find("side by side"), std::string::npos) << apart.error().message;
   const std::vector<std::size_t> few{0, 1, 2, 3, 4, 5, 6};
-  ASSERT_FALSE(align(moved.at(few), fixed));
-  EXPECT_EQ(align(moved.at(few), fixed).error().code, ErrorCode::bad_data);
+  const auto of_few = align(moved.at(few), fixed);
+  ASSERT_FALSE(of_few);
+  EXPECT_EQ(of_few.error().code, ErrorCode::bad_data);
   const auto other = testing_support::track_of(
       {}, 0.0,
       [](double t) { return exp<double>(Eigen::Vector3d(3.0 * std::sin(0.37 * t), 2.0 * t, std::cos(5.0 * t))); },

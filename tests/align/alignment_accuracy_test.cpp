@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <orispline/math/median.hpp>
+#include <orispline/smooth/smoothing_element.hpp>
 
 #include "two_recordings.hpp"
 
@@ -38,10 +39,7 @@ Deviations deviations_of(const Taken& taken, std::size_t pairs) {
     EXPECT_TRUE(found) << describe(found.error());
     if (!found) continue;
     deviations.offset.push_back((found->offset.to_double() - truth.offset) / found->sigmas.offset);
-    const Eigen::Vector3d turn =
-        log<double>(Eigen::Quaterniond((found->world * truth.world.conjugate()).w() < 0.0
-                                           ? Eigen::Quaterniond(-(found->world * truth.world.conjugate()).coeffs())
-                                           : Eigen::Quaterniond(found->world * truth.world.conjugate())));
+    const Eigen::Vector3d turn = shortest_increment(found->world.conjugate(), truth.world.conjugate());
     for (Eigen::Index k = 0; k < 3; ++k) deviations.angle.push_back(turn[k] / found->sigmas.world[k]);
   }
   return deviations;
@@ -49,7 +47,7 @@ Deviations deviations_of(const Taken& taken, std::size_t pairs) {
 
 /// The standard deviations that are stated are those of the errors, within a third.
 TEST(AlignmentAccuracy, IsWhatItIsStatedToBe) {
-  const Deviations d = deviations_of({.noise = 0.5 * degree}, 12);
+  const Deviations d = deviations_of({.to = 12.0, .noise = 0.5 * degree}, 12);
   EXPECT_LE(d.rms(d.offset), 1.6);
   EXPECT_LE(d.rms(d.angle), 1.6);
   EXPECT_GE(d.rms(d.angle), 0.5);
@@ -59,7 +57,7 @@ TEST(AlignmentAccuracy, IsNotHarmedByATenthOfWildSamplesInBothRecordings) {
   for (std::size_t seed = 0; seed < 4; ++seed) {
     std::mt19937_64 random(seed);
     const Difference truth;
-    const Taken taken{.noise = 0.5 * degree, .position_noise = 0.02, .wild = 0.1, .has_positions = true};
+    const Taken taken{.to = 12.0, .noise = 0.5 * degree, .position_noise = 0.02, .wild = 0.1, .has_positions = true};
     const auto found = align(moved_recording(taken, truth, random), fixed_recording(taken, random));
     ASSERT_TRUE(found) << describe(found.error());
     EXPECT_LE(angular_distance(found->world, truth.world), 0.3 * degree);
@@ -76,7 +74,7 @@ TEST(AlignmentAccuracy, DoesNotDependOnWhereSamplesLie) {
   for (const double offset : {0.0, 0.0025, 0.005, 0.0075, 0.01, 0.013}) {
     std::mt19937_64 random(11);
     const Difference truth{.offset = offset};
-    const Taken taken{.rate = 100.0, .noise = 0.5 * degree};
+    const Taken taken{.rate = 100.0, .to = 12.0, .noise = 0.5 * degree};
     const auto found = align(moved_recording(taken, truth, random), fixed_recording(taken, random));
     ASSERT_TRUE(found) << describe(found.error());
     errors.push_back(std::abs(found->offset.to_double() - offset));

@@ -48,13 +48,14 @@ class Calls:
             "reduce": (ori.reduce, {"keys": recording, "tolerance": "1deg"}),
             "reduce_tracks": (ori.reduce_tracks, {"tracks": [recording], "tolerance": "1deg"}),
             "retime": (ori.retime, {"keys": keys, "max_rate": 1}), "tune": (ori.tune, {"keys": keys, "method": "quintic"}),
-            "compare": (ori.compare, {"keys": recording, "methods": ["slerp"]}), "plot_sphere": (ori.plot_sphere, {"curves": curve}),
+            "align": (ori.align, {"a": recording, "b": recording}), "compare": (ori.compare, {"keys": recording, "methods": ["slerp"]}), "plot_sphere": (ori.plot_sphere, {"curves": curve}),
             "plot_comparison": (ori.plot_comparison, {"curves": curve})}
         self.objects = {
             "Keys": keys, "Curve": curve, "Blending": own, "CurveStack": stack, "OnlineCurve": online, "BakedCurve": curve.bake(1e-6),
             "RotationSpline": ori.RotationSpline(T, rotations), "Slerp": ori.Slerp(T, rotations), "Samples": stack.sample(rate=2),
             "Scene": scene, "Smoothing": ori.smooth(recording, smoothing_time=0.1), "Reduction": ori.reduce(recording, "1deg"),
-            "Retiming": ori.retime(keys, max_rate=1), "Tuning": ori.tune(keys, "quintic"), "Comparison": ori.compare(recording, ["slerp"])}
+            "Retiming": ori.retime(keys, max_rate=1), "Tuning": ori.tune(keys, "quintic"), "Comparison": ori.compare(recording, ["slerp"]),
+            "Alignment": ori.align(recording, recording)}
         self.clock = 0.0
 
     def __iter__(self):

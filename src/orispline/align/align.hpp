@@ -56,8 +56,8 @@ struct Alignment {
   std::vector<std::size_t> rejected{};  ///< of these, those that are too far to count
   DistanceStatistics distance{};        ///< of the orientations, rejected ones too [rad]; indices of `compared`
   std::optional<DistanceStatistics> position_distance{};  ///< [m]
-  double noise = 0.0;                      ///< robust σ of the residuals of the orientations per axis [rad]
-  std::optional<double> position_noise{};  ///< [m]
+  double noise = 0.0;                      ///< robust σ of these distances per axis [rad], 1e-6 at least
+  std::optional<double> position_noise{};  ///< likewise [m], at least 1e-6 of how far the positions spread
   std::vector<Warning> warnings{};         ///< `poor_alignment`, `open_alignment`
 };
 
@@ -73,17 +73,19 @@ inline constexpr std::size_t least_aligned = 8;
 /// the identity as it can. Positions take part where both recordings have them, each kind by its own noise. Our
 /// derivation; docs/align.md.
 ///
-/// Errors: bad_argument for an offset that is not finite; bad_data for fewer than `least_aligned` samples, recordings
-/// that overlap at no offset, or not at the stated one, and recordings that no alignment brings nearer than 30° to each
-/// other (median); those of smooth(); cancelled.
+/// Errors: bad_argument for an offset that is not finite, or with which fewer than `least_aligned` samples lie side by
+/// side; bad_data for recordings that have fewer samples, or fewer side by side at any offset, and for those that no
+/// alignment brings nearer than 30° to each other (median); those of smooth(); cancelled.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Alignment> align(const Track& moved, const Track& fixed,
                                                          const AlignOptions& options = {},
                                                          const Progress& progress = {});
 
-/// The moved recording in the axes, the unit of length and the clock of the fixed one: its body rates turned by B too.
-/// Settings, the recipe and lines are kept, the table of the file is forgotten. Errors: of Keyframes::make(), for
-/// positions that grow too large.
-[[nodiscard]] ORISPLINE_EXPORT Expected<Track> aligned(const Track& moved, const Alignment& alignment);
+/// The moved recording in the axes, in the unit of length and on the clock of the fixed one, from whose epoch its times
+/// count; its body rates are turned by B too. Settings, the recipe and lines are kept, the table of the file is
+/// forgotten. Any other recording of the moved clock and axes may stand in its place. Errors: of Keyframes::make(), for
+/// positions that grow too large and times that fall together in a double.
+[[nodiscard]] ORISPLINE_EXPORT Expected<Track> aligned(const Track& moved, const Track& fixed,
+                                                       const Alignment& alignment);
 
 template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<AlignOptions>() noexcept;

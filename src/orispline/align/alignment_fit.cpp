@@ -9,7 +9,6 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
-#include <orispline/base/formatted.hpp>
 #include <orispline/math/median.hpp>
 #include <orispline/math/number.hpp>
 #include <orispline/math/so3.hpp>
@@ -158,7 +157,7 @@ std::vector<Eigen::Index> free_unknowns(const AlignmentData& data) {
   };
   add_some(data.options.world_rotation, world_at, 3);
   add_some(data.options.body_rotation, body_at, 3);
-  add_some(data.is_offset_free, offset_at, 1);
+  add_some(!data.options.offset, offset_at, 1);
   add_some(data.has_positions && data.options.scale, scale_at, 1);
   add_some(data.has_positions && data.options.translation, translation_at, 3);
   return free;
@@ -206,11 +205,12 @@ Transform moved_by(const Transform& from, const Unknowns& step, const Eigen::Vec
   return to;
 }
 
-Eigen::Vector3d middle_of(const PoseCurve& curve, const AlignmentData& data) {
+/// What turns and scale leave alone: the middle of the moved positions where the translation is looked for as well.
+Eigen::Vector3d middle_of(const AlignmentData& data) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  if (!data.has_positions) return middle;
-  const auto times = curve.position->knots().times();
-  for (const double t : times) middle += curve.position->linear_motion(t).position;
+  if (!data.has_positions || !data.options.translation) return middle;
+  const auto times = data.moved.position->knots().times();
+  for (const double t : times) middle += data.moved.position->linear_motion(t).position;
   return middle / static_cast<double>(times.size());
 }
 
@@ -263,17 +263,15 @@ double AlignmentFit::cost() const {
   return 6.0 * static_cast<double>(angles.size()) * elementary::natural_logarithm(noise / std::numbers::pi);
 }
 
-Expected<AlignmentFit> fit_alignment(const AlignmentData& data, const Transform& guess) {
+std::optional<AlignmentFit> fit_alignment(const AlignmentData& data, const Transform& guess) {
   const auto free = free_unknowns(data);
-  const Eigen::Vector3d middle = middle_of(data.moved, data);
+  const Eigen::Vector3d middle = middle_of(data);
   const Domain domain = data.moved.orientation.domain();
   AlignmentFit fit{.transform = guess};
   for (int step = 0;; ++step) {
     const Sum sum(data, fit.transform, middle);
     const std::size_t pairs = sum.pairs().size();
-    if (pairs < least_aligned)
-      return failure(ErrorCode::bad_data,
-                     formatted("{} samples lie within the other recording, wanted {} at least", pairs, least_aligned));
+    if (pairs < least_aligned) return std::nullopt;
     const Scales scales = scales_of(sum, fit.transform, middle, domain.end - domain.start);
     const Noise noise = noise_of(sum, data.has_positions, scales.spread);
     const Equations equations = equations_of(sum, noise, data.has_positions);

@@ -23,7 +23,6 @@ struct AlignmentData {
   Keyframes fixed;
   bool has_positions = false;  ///< of both
   AlignOptions options{};      ///< what is not looked for stays as it is in the guess
-  bool is_offset_free = true;
 };
 
 /// A Transform of least robust squares, and what is known of it.
@@ -40,7 +39,7 @@ struct AlignmentFit {
   [[nodiscard]] double cost() const;
 };
 
-/// The least robust squares near to the guess. Error (bad_data): fewer than `least_aligned` samples overlap.
-[[nodiscard]] Expected<AlignmentFit> fit_alignment(const AlignmentData& data, const Transform& guess);
+/// The least robust squares near to the guess. None where fewer than `least_aligned` samples overlap.
+[[nodiscard]] std::optional<AlignmentFit> fit_alignment(const AlignmentData& data, const Transform& guess);
 
 }}  // namespace orispline

@@ -65,10 +65,10 @@ Json open_json(const std::vector<OpenDirection>& directions) {
 Expected<AlignOutcome> align(AlignRequest request, const Progress& progress) {
   auto alignment = orispline::align(*request.moved, *request.fixed, request.options, progress);
   if (!alignment) return tl::unexpected(std::move(alignment.error()));
-  auto moved = aligned(*request.moved, *alignment);
-  if (!moved) return tl::unexpected(request.moved->located(std::move(moved.error())));
+  auto there = aligned(*request.moved, *request.fixed, *alignment);
+  if (!there) return tl::unexpected(request.moved->located(std::move(there.error())));
   std::vector<Warning> warnings = std::exchange(alignment->warnings, {});
-  return AlignOutcome{std::move(request), std::move(*alignment), std::move(*moved), std::move(warnings)};
+  return AlignOutcome{std::move(request), std::move(*alignment), std::move(*there), std::move(warnings)};
 }
 
 Json document_of(const AlignOutcome& outcome) {
