@@ -48,7 +48,8 @@ def rotation_text(name: str, rotation: Any, *, scalar_first: bool = False) -> st
     if rotation is None or isinstance(rotation, str):
         return rotation
     if isinstance(rotation, os.PathLike):
-        return os.fspath(rotation)
+        path: str = os.fspath(rotation)
+        return path
     if hasattr(rotation, "as_quat"):
         rotation, scalar_first = rotation.as_quat(), False
     array = array_of(name, rotation)

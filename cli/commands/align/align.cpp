@@ -46,6 +46,7 @@ Expected<Request> request_in(const AlignArguments& options) {
   Request request{.input = checked(input_request(options.input)),
                   .columns = checked(columns_in(options)),
                   .alignment = checked(options_in<orispline::AlignOptions>(options.alignment))};
+  request.input.read.keep_exact_times = true;
   return std::move(checked).or_else(std::move(request));
 }
 
@@ -77,8 +78,7 @@ Expected<void> align(const AlignArguments& options) {
   if (!outcome) return tl::unexpected(std::move(outcome.error()));
   warn(outcome->warnings);
   if (!writes_file(options)) return print(options, *outcome);
-  const Track aligned = outcome->aligned;
-  return write_keys(options.output.path, aligned, columns).and_then([&] {
+  return write_keys(options.output.path, outcome->aligned, columns).and_then([&] {
     return summarise(options.summary, Written{options.input.path, options.output.path, "keys", std::move(*outcome)});
   });
 }

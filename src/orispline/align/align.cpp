@@ -11,7 +11,7 @@
 #include <orispline/align/alignment_fit.hpp>
 #include <orispline/align/alignment_guess.hpp>
 #include <orispline/align/clock_search.hpp>
-#include <orispline/align/steady_rows.hpp>
+#include <orispline/align/steady_samples.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/curve/frame_change.hpp>
@@ -71,9 +71,9 @@ std::string parts_text(const OpenDirection& open) {
   constexpr double told_from = 0.05;
   std::vector<std::string> parts;
   const auto turn = [&](const Eigen::Vector3d& v, std::string_view whose) {
-    if (const double size = v.norm(); size > told_from)
-      parts.push_back(formatted("a turn of the {} about ({:.3g}, {:.3g}, {:.3g})", whose, v.x() / size, v.y() / size,
-                                v.z() / size));
+    if (v.norm() <= told_from) return;
+    const Eigen::Vector3d axis = (1e3 * v.normalized()).array().round() / 1e3 + 0.0;  // and no negative zero
+    parts.push_back(formatted("a turn of the {} about ({}, {}, {})", whose, axis.x(), axis.y(), axis.z()));
   };
   turn(open.world, "world");
   turn(open.body, "body");
@@ -197,6 +197,7 @@ Expected<Track> aligned(const Track& moved, const Track& fixed, const Alignment&
   if (alignment.translation)
     for (Eigen::Vector3d& p : data.positions) p = *alignment.scale * p + *alignment.translation;
   for (Decimal& time : turned->exact_times) time = time - alignment.offset;
+  turned->as_read.clear();
   turned->epoch = fixed.epoch;
   turned->is_dated = fixed.is_dated;
   return Keyframes::make(std::move(data), Signs::as_given).map([&](const Keyframes& there) {

@@ -2,7 +2,6 @@
 #include <orispline/align/alignment_fit.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -118,34 +117,36 @@ struct Equations {
   Normal matrix = Normal::Zero();
   Unknowns gradient = Unknowns::Zero();
   Normal scatter = Normal::Zero();
+  Unknowns of_block = Unknowns::Zero();    // the gradient of the block that is not ended
   double weights = 0.0, curvatures = 0.0;  // sums of ρ′ and of the mean second derivative
+
+  void add(const Linear& linear, double sigma) {
+    const double square = linear.value.squaredNorm() / (sigma * sigma);
+    const double weight = loss_at(LossFunction::tukey, square, rejected_from).weight;
+    const double bound = rejected_from * rejected_from, rest = std::max(0.0, 1.0 - square / bound);
+    const Unknowns slope = weight / (sigma * sigma) * (linear.slopes.transpose() * linear.value);
+    matrix += weight / (sigma * sigma) * (linear.slopes.transpose() * linear.slopes);
+    gradient += slope;
+    of_block += slope;
+    weights += weight;
+    curvatures += weight - 4.0 / 3.0 * rest * square / bound;
+  }
+
+  void end_block() {
+    scatter += of_block * of_block.transpose();
+    of_block.setZero();
+  }
 };
 
-void add(const Linear& linear, double sigma, Equations& sum, Unknowns& of_block) {
-  const double square = linear.value.squaredNorm() / (sigma * sigma);
-  const double weight = loss_at(LossFunction::tukey, square, rejected_from).weight;
-  const double bound = rejected_from * rejected_from, rest = std::max(0.0, 1.0 - square / bound);
-  const Unknowns gradient = weight / (sigma * sigma) * (linear.slopes.transpose() * linear.value);
-  sum.matrix += weight / (sigma * sigma) * (linear.slopes.transpose() * linear.slopes);
-  sum.gradient += gradient;
-  of_block += gradient;
-  sum.weights += weight;
-  sum.curvatures += weight - 4.0 / 3.0 * rest * square / bound;
-}
-
 Equations equations_of(const Sum& sum, const Noise& noise, bool has_positions) {
-  constexpr std::size_t most_blocks = 50, least_in_block = 10;
+  constexpr std::size_t most_blocks = 50, least_in_block = 10, enough_for_blocks = 100;
   const std::size_t pairs = sum.pairs().size();
-  const std::size_t in_block =
-      pairs < most_blocks * least_in_block / 5 ? 1 : std::max(pairs / most_blocks, least_in_block);
+  const std::size_t in_block = pairs < enough_for_blocks ? 1 : std::max(pairs / most_blocks, least_in_block);
   Equations equations;
-  Unknowns of_block = Unknowns::Zero();
   for (std::size_t i = 0; i < pairs; ++i) {
-    add(sum.orientation(sum.pairs()[i]), noise.angle, equations, of_block);
-    if (has_positions) add(sum.position(sum.pairs()[i]), noise.length, equations, of_block);
-    if ((i + 1) % in_block != 0 && i + 1 < pairs) continue;
-    equations.scatter += of_block * of_block.transpose();
-    of_block.setZero();
+    equations.add(sum.orientation(sum.pairs()[i]), noise.angle);
+    if (has_positions) equations.add(sum.position(sum.pairs()[i]), noise.length);
+    if ((i + 1) % in_block == 0 || i + 1 == pairs) equations.end_block();
   }
   return equations;
 }

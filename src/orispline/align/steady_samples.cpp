@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/align/steady_rows.hpp>
+#include <orispline/align/steady_samples.hpp>
 
 #include <algorithm>
 #include <cmath>
