@@ -166,6 +166,21 @@ def test_methods_are_compared_where_the_keys_belong():
         ori.compare(a, "auto", align=True)
 
 
+@pytest.mark.parametrize("side", ["moved", "fixed"])
+@pytest.mark.parametrize("count", [5, 40])
+def test_a_run_of_bad_samples_does_no_harm(side, count):
+    """Up to a tenth of them, all turned alike, as where markers are swapped."""
+    dice = np.random.default_rng(count)
+    swapped = Rotation.from_rotvec(np.where((np.arange(400) - 150) // count == 0, 1.0, 0.0)[:, None] * [1.0, 2.0, 0.3])
+    q, p = true_motion(T)
+    here, there = (rotations * Rotation.from_rotvec(dice.normal(size=(400, 3)) * np.radians(0.5)) for rotations in (q, moved(q, p)[0]))
+    a, b = (there * swapped, here) if side == "moved" else (there, here * swapped)
+    alignment = ori.align(ori.Keys(T + LATE, a), ori.Keys(T, b))
+    assert alignment.offset == pytest.approx(LATE, abs=1e-3)
+    assert angle(alignment.world, WORLD) < np.radians(0.25) and angle(alignment.body, BODY) < np.radians(0.25)
+    assert len(set(alignment.rejected) & set(range(150, 150 + count))) >= count - 3
+
+
 def test_turns_about_one_axis_leave_a_direction_open():
     q = Rotation.from_rotvec(np.outer(1.5 * np.sin(T), [0, 0, 1]))
     with pytest.warns(ori.ShapeWarning, match="do not tell apart: a turn of the world") as caught:
