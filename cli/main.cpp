@@ -11,6 +11,7 @@
 #include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/scenes/scene_tracks.hpp>
 
+#include "commands/align/align_options.hpp"
 #include "commands/compare/compare_options.hpp"
 #include "commands/completion/completion.hpp"
 #include "commands/convert/convert_options.hpp"
@@ -157,6 +158,10 @@ class CommandLine {
     add_compare_options(command("compare", "Compare the methods on a recording: errors, smoothness, cost",
                                 [this] { return compare(compare_); }),
                         compare_);
+    add_align_options(
+        command("align", "Bring a recording onto another one of the same motion: axes, clock, scale, place",
+                [this] { return align(align_); }),
+        align_);
     add_plot_options(command("plot", "Draw the motion by one or more methods as SVG", [this] { return plot(plot_); }),
                      plot_);
     add_smooth_options(
@@ -260,6 +265,7 @@ class CommandLine {
   ConvertArguments convert_;
   InspectArguments inspect_;
   DifferenceArguments difference_;
+  AlignArguments align_;
   CompareArguments compare_;
   PlotArguments plot_;
   SmoothArguments smooth_;

@@ -9,11 +9,12 @@ import statistics
 import sys
 
 GROUND = {"base", "math", "fields", "curve"}
-TASKS = {"smooth", "reduce", "tune", "retime", "mean"}
+TASKS = {"smooth", "reduce", "tune", "retime", "mean", "align"}
 FLOORS = {  # folder of src/orispline -> what it may include besides itself
     "base": set(), "math": {"base"}, "fields": {"base", "math"}, "curve": GROUND, "families": GROUND, "io": GROUND, "report": GROUND, "clip": GROUND, "scenes": GROUND | {"clip", "io"},
     "batch/kernel": {"base"}, "batch": GROUND | {"families", "batch/kernel"}, "online": GROUND | {"families", "batch"},
     "analysis": GROUND | {"families", "batch"}, "smooth": GROUND | {"families", "analysis", "clip"}, "tune": GROUND | {"families", "analysis"}, "mean": GROUND,
+    "align": GROUND | {"families", "analysis", "smooth", "mean"},
     "reduce": GROUND | {"families", "batch", "analysis", "clip"}, "retime": GROUND | {"families", "batch", "analysis"},
     "pages": GROUND | TASKS | {"families", "batch", "analysis", "report", "clip"},
     "jobs": GROUND | TASKS | {"families", "batch", "online", "analysis", "report", "clip", "pages"}}

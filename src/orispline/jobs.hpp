@@ -4,6 +4,7 @@
 // The tasks as every face runs them: a request goes in, an outcome comes out with what there is to say of it
 // (ORISPLINE_OPTIMISE).
 
+#include <orispline/jobs/align.hpp>
 #include <orispline/jobs/compare.hpp>
 #include <orispline/jobs/curve_clip.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>

@@ -6,6 +6,8 @@ import pytest
 
 KEYS = ori.Keys([0, 1, 3, 4], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0.6, 0.8, 0], [0, 1, 0, 0]])
 ONE = KEYS[:1]
+MANY = ori.Keys(np.arange(20) / 20, [[0, 0, np.sin(x / 20), np.cos(x / 20)] for x in range(20)])
+OTHER = ori.Keys(np.arange(20) / 20, [[np.sin(x * x / 20), 0, 0, np.cos(x * x / 20)] for x in range(20)])
 ARGUMENTS = [
     (lambda: ori.smooth(KEYS, nois=1), "unknown option 'nois'; did you mean 'noise'?"),
     (lambda: ori.smooth(KEYS, speed=1), "unknown option 'speed', wanted one of penalty, noise"),
@@ -61,6 +63,12 @@ ARGUMENTS = [
     (lambda: ori.compare(KEYS, "auto", sort="torque", keep_every=2), "sort: found 'torque', wanted `inertia` as well"),
     (lambda: ori.compare(KEYS, "auto", sort="rate", keep_every=2), "sort: found 'rate', wanted angular velocities"),
     (lambda: ori.compare(KEYS, "auto", reference=KEYS, jitter=True), "found reference and jitter or random"),
+    (lambda: ori.align(MANY, MANY, ofset=1), "unknown option 'ofset'; did you mean 'offset'?"),
+    (lambda: ori.align(MANY, MANY, offset="soon"), "offset: found 'soon', wanted a number"),
+    (lambda: ori.align(MANY, MANY, offset=np.nan), "offset: found nan"),
+    (lambda: ori.align(MANY, MANY, offset=100), "offset: found recordings from 0 to 0.95 s and from 0 to 0.95 s, of which fewer than 8 samples"),
+    (lambda: ori.align(MANY, MANY, scale=1), "scale: found 1, wanted true or false"),
+    (lambda: ori.compare(MANY, "auto", align=True, keep_every=2), "align: found no recording to align the keys with"),
     (lambda: ori.compare(KEYS, "auto", inertia=[-1, 1, 1], keep_every=2), "inertia"),
 ]
 DATA = [
@@ -70,6 +78,9 @@ DATA = [
     (lambda: ori.reduce(KEYS, 0.1, position_tolerance="1mm"), "position_tolerance: found no positions, wanted some"),
     (lambda: ori.retime(ONE, max_rate=1), "key"),
     (lambda: ori.tune(KEYS[:2], "quintic"), "3"),
+    (lambda: ori.align(KEYS, MANY), "found 4 orientations, wanted 8 at least"),
+    (lambda: ori.align(MANY, KEYS), "found 4 orientations, wanted 8 at least"),
+    (lambda: ori.align(MANY, OTHER), "wanted two recordings of one motion"),
     (lambda: ori.compare(KEYS, "auto"), "`keep_every` 8 leaves 1 of the 4 samples"),
     (lambda: ori.compare(ONE, "auto"), "found 1 key, wanted 2 at least to compare curves"),
     (lambda: ori.compare(KEYS, "auto", reference=ori.Keys(KEYS.times + 50, KEYS.rotations)),
@@ -81,6 +92,9 @@ TYPES = [
     (lambda: ori.reduce_tracks([KEYS, 1], 0.1), "tracks[1]: found int, wanted Keys"),
     (lambda: ori.retime(KEYS, max_rate=1, method=3), "method: found int, wanted a name"),
     (lambda: ori.tune(KEYS, "quintic", reference=[1]), "reference: found list, wanted Keys"),
+    (lambda: ori.align(3, KEYS), "a: found int, wanted Keys"),
+    (lambda: ori.align(MANY, [KEYS]), "b: found list, wanted Keys"),
+    (lambda: ori.compare(MANY, "auto", reference=MANY, align=1), "align: found 1 of type int, wanted True or False"),
     (lambda: ori.compare(KEYS, [1]), "method: found int"),
     (lambda: ori.compare(KEYS, "auto", sort=1), "sort: found int, wanted a word"),
 ]

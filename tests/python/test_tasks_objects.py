@@ -26,7 +26,7 @@ def results():
 
 
 @pytest.mark.parametrize("task, result", [("smooth", ori.Smoothing), ("reduce", ori.Reduction), ("retime", ori.Retiming),
-                                          ("tune", ori.Tuning)])
+                                          ("tune", ori.Tuning), ("align", ori.Alignment)])
 def test_fields_are_those_of_the_library(task, result):
     told, = (entry for entry in json.loads(run("tasks", "--json")[0]) if entry["task"] == task)
     units = "(_(rad|s|hz|deg|m|rad_s))?$"

@@ -48,13 +48,15 @@ class Calls:
             "reduce": (ori.reduce, {"keys": recording, "tolerance": "1deg"}),
             "reduce_tracks": (ori.reduce_tracks, {"tracks": [recording], "tolerance": "1deg"}),
             "retime": (ori.retime, {"keys": keys, "max_rate": 1}), "tune": (ori.tune, {"keys": keys, "method": "quintic"}),
+            "align": (ori.align, {"a": recording, "b": recording}),
             "compare": (ori.compare, {"keys": recording, "methods": ["slerp"]}), "mean": (ori.mean, {"rotations": Q}), "plot_sphere": (ori.plot_sphere, {"curves": curve}),
             "plot_comparison": (ori.plot_comparison, {"curves": curve})}
         self.objects = {
             "Keys": keys, "Curve": curve, "Blending": own, "CurveStack": stack, "OnlineCurve": online, "BakedCurve": curve.bake(1e-6),
             "RotationSpline": ori.RotationSpline(T, rotations), "Slerp": ori.Slerp(T, rotations), "Samples": stack.sample(rate=2),
             "Scene": scene, "Smoothing": ori.smooth(recording, smoothing_time=0.1), "Reduction": ori.reduce(recording, "1deg"),
-            "Retiming": ori.retime(keys, max_rate=1), "Tuning": ori.tune(keys, "quintic"), "Mean": ori.mean(Q[:2]), "Comparison": ori.compare(recording, ["slerp"])}
+            "Retiming": ori.retime(keys, max_rate=1), "Tuning": ori.tune(keys, "quintic"), "Mean": ori.mean(Q[:2]), "Comparison": ori.compare(recording, ["slerp"]),
+            "Alignment": ori.align(recording, recording, body_rotation=False)}
         self.clock = 0.0
 
     def __iter__(self):
@@ -124,7 +126,7 @@ def test_all_public_calls_are_walked(calls):
     walked = {name for name, _, _ in calls} | NOT_CALLED
     values = {name for name in ori.__all__ if inspect.isclass(getattr(ori, name))} - {name.split(".")[0] for name in walked}
     assert values <= {"AccessError", "ArgumentError", "BlendingFinding", "Certificate", "Channel", "Clip", "ConvergenceError", "DataError", "DistanceStatistics",
-                      "Energies", "Error", "HandleTurn", "KeyStatistics", "Motion", "Peak", "Peaks", "SceneReduction", "ShapeWarning",
+                      "Energies", "Error", "HandleTurn", "KeyStatistics", "Motion", "OpenDirection", "Peak", "Peaks", "SceneReduction", "ShapeWarning",
                       "Skeleton", "Spread", "Worst"}  # which hold values that were found
     assert {name for name in ori.__all__ if not inspect.isclass(getattr(ori, name))} <= walked
 

@@ -24,5 +24,6 @@ NB_MODULE(_core, module) {
   orispline::python::add_tune(module);
   orispline::python::add_mean(module);
   orispline::python::add_compare(module);
+  orispline::python::add_align(module);
   orispline::python::add_scenes(module);
 }

@@ -40,9 +40,9 @@ std::vector<std::string> words_of(const std::vector<MethodText>& texts) {
   return words;
 }
 
-CompareOutcome compared(const Keys& keys, const std::optional<Keys>& reference, const Decimations& decimations,
-                        const std::optional<std::vector<MethodText>>& texts, bool tune, const std::string& sort,
-                        const nb::dict& measured, unsigned threads) {
+CompareOutcome compared(const Keys& keys, const std::optional<Keys>& reference, bool align,
+                        const Decimations& decimations, const std::optional<std::vector<MethodText>>& texts, bool tune,
+                        const std::string& sort, const nb::dict& measured, unsigned threads) {
   jobs::CompareRequest request{
       .keys = keys.track,
       .reference = reference_in(reference),
@@ -50,6 +50,7 @@ CompareOutcome compared(const Keys& keys, const std::optional<Keys>& reference, 
       .methods = texts ? methods_in(*texts) : jobs::all_methods(),
       .named = texts ? words_of(*texts) : std::vector<std::string>(),
       .tune = tune,
+      .align = align,
       .measured = options_in<MeasureOptions>(measured),
       .has_inertia = measured.contains("inertia") && !nb::object(measured["inertia"]).is_none(),
       .sort = sort,
@@ -89,7 +90,7 @@ void add_compare(nb::module_& module) {
       });
   add_words<nb::list>(outcome_class);
   add_report(outcome_class);
-  module.def("compare", &compared, "keys"_a, "reference"_a.none(), "decimations"_a,
+  module.def("compare", &compared, "keys"_a, "reference"_a.none(), "align"_a, "decimations"_a,
              "methods"_a.none(), "tune"_a, "sort"_a, "measured"_a, "threads"_a);
 }
 

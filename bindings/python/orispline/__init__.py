@@ -29,15 +29,15 @@ if TYPE_CHECKING:
     from ._comparison import Comparison, compare
     from ._mean import Mean, mean
     from ._measures import DistanceStatistics, Energies, HandleTurn, KeyStatistics, Peak, Peaks, Spread
-    from ._results import Certificate, Reduction, Retiming, Smoothing, Tuning
+    from ._results import Alignment, Certificate, OpenDirection, Reduction, Retiming, Smoothing, Tuning
     from ._scene import Channel, Clip, Scene, SceneReduction, Skeleton, Worst
     from ._scenes import read_scene, reduce_scene, shell_distance
-    from ._tasks import reduce, reduce_tracks, retime, smooth, tune
+    from ._tasks import align, reduce, reduce_tracks, retime, smooth, tune
 
-__all__ = ["AccessError", "ArgumentError", "BakedCurve", "Blending", "BlendingFinding", "Certificate", "Channel", "Clip", "Comparison", "ConvergenceError", "Curve",
-           "CurveStack", "DataError", "DistanceStatistics", "Energies", "Error", "HandleTurn", "KeyStatistics", "Keys", "Mean", "Motion", "OnlineCurve",
+__all__ = ["AccessError", "Alignment", "ArgumentError", "BakedCurve", "Blending", "BlendingFinding", "Certificate", "Channel", "Clip", "Comparison", "ConvergenceError", "Curve",
+           "CurveStack", "DataError", "DistanceStatistics", "Energies", "Error", "HandleTurn", "KeyStatistics", "Keys", "Mean", "Motion", "OnlineCurve", "OpenDirection",
            "Peak", "Peaks", "Reduction", "Retiming", "RotationSpline", "Samples", "Scene", "SceneReduction", "ShapeWarning",
-           "Skeleton", "Slerp", "Smoothing", "Spread", "Tuning", "Worst", "blending", "compare", "mean", "methods", "plot_comparison", "plot_sphere",
+           "Skeleton", "Slerp", "Smoothing", "Spread", "Tuning", "Worst", "align", "blending", "compare", "mean", "methods", "plot_comparison", "plot_sphere",
            "read", "read_blending", "read_scene", "reduce", "reduce_scene", "reduce_tracks", "retime", "shell_distance", "smooth", "tune", "write"]
 __version__: str = _core.version
 
@@ -45,10 +45,10 @@ __version__: str = _core.version
 _ROOMS = {"_comparison": ("Comparison", "compare"),
           "_mean": ("Mean", "mean"),
           "_measures": ("DistanceStatistics", "Energies", "HandleTurn", "KeyStatistics", "Peak", "Peaks", "Spread"),
-          "_results": ("Certificate", "Reduction", "Retiming", "Smoothing", "Tuning"),
+          "_results": ("Alignment", "Certificate", "OpenDirection", "Reduction", "Retiming", "Smoothing", "Tuning"),
           "_scene": ("Channel", "Clip", "Scene", "SceneReduction", "Skeleton", "Worst"),
           "_scenes": ("read_scene", "reduce_scene", "shell_distance"),
-          "_tasks": ("reduce", "reduce_tracks", "retime", "smooth", "tune")}
+          "_tasks": ("align", "reduce", "reduce_tracks", "retime", "smooth", "tune")}
 
 
 def __getattr__(name: str) -> Any:

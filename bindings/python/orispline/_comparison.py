@@ -36,6 +36,7 @@ class Comparison:
     _given: Keys
     _arguments: tuple[Any, ...]
     _reference: Keys | None
+    _is_aligned: bool
     _rows: list[dict[str, Any]]
     _summary: str
     _core: Any
@@ -52,8 +53,8 @@ class Comparison:
         return importlib.import_module("pandas").DataFrame(self.table())
 
     def keys(self, row: int = 0) -> Keys:
-        """The keys that the method of a row was given."""
-        return new_keys(self._task().keys_of(self._row(row)), self._given)
+        """The keys that the method of a row was given; with `align=True` as they lie beside the reference."""
+        return new_keys(self._task().keys_of(self._row(row)), self._given, self._reference if self._is_aligned else None)
 
     def curve(self, row: int = 0) -> Curve:
         """The curve of a row."""
@@ -72,7 +73,7 @@ class Comparison:
 
     def _task(self) -> Any:
         if self._core is None:  # after pickling
-            object.__setattr__(self, "_core", _work(self._given, self._reference, *self._arguments))
+            object.__setattr__(self, "_core", _work(self._given, self._reference, self._is_aligned, *self._arguments))
         return self._core
 
     def __len__(self) -> int:
@@ -96,8 +97,9 @@ class Comparison:
         return f"Comparison({len(self)} row{'' if len(self) == 1 else 's'}{best})"
 
 
-def _work(keys: Keys, reference: Keys | None, *arguments: Any) -> Any:
-    return _core.compare(keys._core, reference_of(keys, reference), *arguments)
+def _work(keys: Keys, reference: Keys | None, align: bool, *arguments: Any) -> Any:
+    beside = reference._core if reference is not None and align else reference_of(keys, reference)
+    return _core.compare(keys._core, beside, align, *arguments)
 
 
 def _decimations(keep_every: Any, jitter: bool, random: int | None, reference: Keys | None) -> list[dict[str, Any]]:
@@ -127,8 +129,8 @@ def _texts(methods: Sequence[Method] | Method | None) -> list[str] | None:
 
 
 def compare(keys: Keys, methods: Sequence[Method] | Method | None = None, *, reference: Keys | None = None,
-            keep_every: int | Sequence[int] = 8, jitter: bool = False, random: int | None = None, inertia: Any = None,
-            leave_out: bool = False, least_energy: bool = True, tune: bool = False, sort: str = "rms",
+            align: bool = False, keep_every: int | Sequence[int] = 8, jitter: bool = False, random: int | None = None,
+            inertia: Any = None, leave_out: bool = False, least_energy: bool = True, tune: bool = False, sort: str = "rms",
             threads: int = 0) -> Comparison:
     """How near the curves of methods come to a recording, how smooth they are, and what they cost.
 
@@ -140,6 +142,8 @@ def compare(keys: Keys, methods: Sequence[Method] | Method | None = None, *, ref
         Methods in their text form, such as `"quintic:tension=0.6"`, and of one's own. Without it all.
     reference : Keys, optional
         Dense recording that curves through all of `keys` are compared with; `keep_every` then plays no part.
+    align : bool
+        Bring the keys onto the reference first: axes, clock, and scale and place of positions, as `orispline.align` does with a choice.
     keep_every : int or list of int
         Keep every N-th sample as a key; several make several sets of keys.
     jitter, random : bool, and int, optional
@@ -162,7 +166,7 @@ def compare(keys: Keys, methods: Sequence[Method] | Method | None = None, *, ref
     ArgumentError
         A method, a measure or an option that there is not.
     DataError
-        Fewer than two keys, or a reference without a time between them.
+        Fewer than two keys, a reference without a time between them, or one that no alignment brings near.
 
     Warns
     -----
@@ -183,8 +187,9 @@ def compare(keys: Keys, methods: Sequence[Method] | Method | None = None, *, ref
         checked_keys(reference, "reference")
     if not isinstance(sort, str):
         raise TypeError(f"sort: found {type(sort).__name__}, wanted a word")
+    is_aligned = flag("align", align)
     arguments = (_decimations(keep_every, jitter, random, reference), _texts(methods), flag("tune", tune), sort,
                  plain({"inertia": inertia, "leave_out": leave_out, "least_energy": least_energy}), checked_threads(threads))
-    core = _work(keys, reference, *arguments)
+    core = _work(keys, reference, is_aligned, *arguments)
     tell(core.warnings)
-    return Comparison(tuple(core.measures()), keys, arguments, reference, core.members(), core.summary(), core)
+    return Comparison(tuple(core.measures()), keys, arguments, reference, is_aligned, core.members(), core.summary(), core)

@@ -70,11 +70,9 @@ def reference_of(keys: Keys, reference: Keys | None) -> Any:
     return reference._core
 
 
-def new_keys(core: Any, like: Keys) -> Keys:
-    """Keys of the library, with times and quaternions as those others have them."""
-    keys = Keys.__new__(Keys)
-    keys._core, keys._clock, keys._scalar_first = core, like._clock, like._scalar_first
-    return keys
+def new_keys(core: Any, like: Keys, clock_of: Keys | None = None) -> Keys:
+    """Keys of the library, with times and quaternions as those others have them, or with the times of yet others."""
+    return Keys._of(core, (like if clock_of is None else clock_of)._clock, scalar_first=like._scalar_first)
 
 
 def _unit(field: dict[str, Any]) -> str:

@@ -16,7 +16,7 @@ from . import _core
 from ._files import Path, path_text
 from ._html import table
 from ._keys import Keys
-from ._options import FIELDS, new_keys, states
+from ._options import FIELDS, checked_keys, new_keys, states
 
 if TYPE_CHECKING:
     from ._curve import Curve
@@ -35,18 +35,12 @@ class Result:
     """What results of tasks have alike."""
 
     keys: Keys
-    method: str
     _given: Keys
     _arguments: tuple[Any, ...]
     _members: dict[str, Any]
     _summary: str
     _core: Any
     _table: ClassVar[str]
-
-    @functools.cached_property
-    def curve(self) -> Curve:
-        """The curve of `method` through `keys`, for which the result holds."""
-        return self.keys.curve(self.method)
 
     def as_dict(self) -> dict[str, Any]:
         """By name with unit, as the JSON of the command has it. Samples have the lines of their file, None without one."""
@@ -67,8 +61,13 @@ class Result:
         kinds = {field["name"]: field["type"] for field in FIELDS[cls._table]} | {"samples": "samples"}
         values = {name + "_" * keyword.iskeyword(name): _as_python(kinds.get(name, ""), value, given)
                   for name, value in core.attributes().items() if name != "keys"}
-        return cls(keys=new_keys(core.keys, given), method=core.method, _given=given, _arguments=arguments,
-                   _members=core.members(), _summary=core.summary(), _core=core, **values)
+        return cls(_given=given, _arguments=arguments, _members=core.members(), _summary=core.summary(), _core=core,
+                   **cls._made(core, given, arguments), **values)
+
+    @classmethod
+    def _made(cls, core: Any, given: Keys, arguments: tuple[Any, ...]) -> dict[str, Any]:
+        """What the task made of the keys."""
+        return {"keys": new_keys(core.keys, given)}
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: None if name == "_core" else value for name, value in self.__dict__.items() if name != "curve"}
@@ -78,15 +77,20 @@ class Result:
 
     def _repr_html_(self) -> str:
         """The table that a notebook shows: what was found, by name with unit, and what it means."""
-        rows = [(field["member"], value, field["sentence"]) for field in FIELDS[self._table]
+        return table(f"{type(self).__name__} of {len(self._given)} keys: {self._title()}", ("", "", "meaning"), self._rows())
+
+    def _rows(self) -> list[tuple[str, Any, str]]:
+        return [(field["member"], value, field["sentence"]) for field in FIELDS[self._table]
                 if isinstance(value := self._members.get(field["member"]), (bool, int, float, str))]
-        return table(f"{type(self).__name__} of {len(self._given)} keys: {self.keys!r}, {self.method}", ("", "", "meaning"), rows)
+
+    def _title(self) -> str:
+        return repr(self.keys)
 
     def __repr__(self) -> str:
         shown = ", ".join(f"{f.name}={getattr(self, f.name)!r}" for f in dataclasses.fields(self)
                           if not f.name.startswith("_") and f.name not in ("keys", "method")
                           and isinstance(getattr(self, f.name), (int, float, str)))
-        return f"{type(self).__name__}({self.keys!r}, {self.method!r}, {shown})"
+        return f"{type(self).__name__}({self._title()}, {shown})"
 
 
 def _as_python(kind: str, value: Any, given: Keys) -> Any:
@@ -102,7 +106,26 @@ def _as_python(kind: str, value: Any, given: Keys) -> Any:
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Reported(Result):
+class CurveResult(Result):
+    """One whose keys are for a curve."""
+
+    method: str
+
+    @functools.cached_property
+    def curve(self) -> Curve:
+        """The curve of `method` through `keys`, for which the result holds."""
+        return self.keys.curve(self.method)
+
+    @classmethod
+    def _made(cls, core: Any, given: Keys, arguments: tuple[Any, ...]) -> dict[str, Any]:
+        return {**super()._made(core, given, arguments), "method": core.method}
+
+    def _title(self) -> str:
+        return f"{self.keys!r}, {self.method!r}"
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Reported(CurveResult):
     """One that has a page to look at."""
 
     def report(self, path: Path) -> None:
@@ -283,7 +306,7 @@ class Retiming(Reported):
 
 @states("Tuning")
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Tuning(Result):
+class Tuning(CurveResult):
     """The best tensions, of `tune`.
 
     Attributes
@@ -307,3 +330,93 @@ class Tuning(Result):
     iterations: int
     stationarity: float
     _table: ClassVar[str] = "Tuning"
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class OpenDirection:
+    """What two recordings cannot tell of their alignment: so much of these together changes nothing that was measured.
+
+    `world`, `body`: turns about these axes [rad]. `offset` [s], `scale` of 1, `translation` [m].
+    """
+
+    world: NDArray[np.float64]
+    body: NDArray[np.float64]
+    offset: float
+    scale: float
+    translation: NDArray[np.float64]
+
+    @classmethod
+    def _of(cls, row: tuple[Any, ...]) -> OpenDirection:
+        world, body, offset, scale, translation = row
+        return cls(np.array(world), np.array(body), offset, scale, np.array(translation))
+
+
+@states("Alignment")
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Alignment(Result):
+    """What brings a recording `a` onto a recording `b`, of `align`: R' = W R Bᵀ, p' = s W p + d, t' = t - offset.
+
+    Angles are in rad, times in s and lengths in m.
+
+    Attributes
+    ----------
+    keys
+        `a` as it lies beside `b`, with times on the clock of `b`.
+    world, body
+        The rotations W and B as (4,) quaternions in the order of those of `a`.
+    open
+        What the recordings cannot tell: an `OpenDirection` for each, none as a rule.
+    {fields}
+    """
+
+    world: NDArray[np.float64]
+    body: NDArray[np.float64]
+    offset: float
+    offset_sigma: float
+    world_sigma: NDArray[np.float64]
+    body_sigma: NDArray[np.float64]
+    scale: float | None
+    scale_sigma: float | None
+    translation: NDArray[np.float64] | None
+    translation_sigma: NDArray[np.float64] | None
+    open: tuple[OpenDirection, ...]
+    compared: int
+    rejected: Indices
+    distance_rms: float
+    distance_median: float
+    distance_max: float
+    noise: float
+    position_rms: float | None
+    position_median: float | None
+    position_max: float | None
+    position_noise: float | None
+    _table: ClassVar[str] = "Alignment"
+
+    def __post_init__(self) -> None:
+        order = [3, 0, 1, 2] if self._given._scalar_first else [0, 1, 2, 3]
+        for side in ("world", "body"):
+            object.__setattr__(self, side, np.array(getattr(self, side))[order])
+        object.__setattr__(self, "open", tuple(OpenDirection._of(row) for row in self.open))  # type: ignore[arg-type]
+
+    def apply(self, keys: Keys) -> Keys:
+        """Other keys of the clock and the axes of `a` as they lie beside `b`, with all that they carry.
+
+        Raises ArgumentError for keys that have dates where those of `a` have none, and the other way round.
+        """
+        checked_keys(keys)
+        self._given._clock.seconds("keys", keys.times[:1])
+        return new_keys(self._task().apply(keys._core), keys, clock_of=self._arguments[0])
+
+    @classmethod
+    def _work(cls, given: Keys, *arguments: Any) -> Any:
+        fixed, stated = arguments
+        return _core.align(given._core, fixed._core, stated)
+
+    @classmethod
+    def _made(cls, core: Any, given: Keys, arguments: tuple[Any, ...]) -> dict[str, Any]:
+        return {"keys": new_keys(core.keys, given, clock_of=arguments[0])}
+
+    def _rows(self) -> list[tuple[str, Any, str]]:
+        rotations = [(side, " ".join(f"{value:.6g}" for value in self._members[side].values()),
+                      f"Rotation of the {side} of a, as qw qx qy qz") for side in ("world", "body")]
+        return rotations + super()._rows()

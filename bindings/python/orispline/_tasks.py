@@ -12,7 +12,7 @@ from ._errors import ArgumentError, tell
 from ._keys import Keys
 from ._methods import method_words
 from ._options import checked_keys, checked_threads, plain, reference_of, takes
-from ._results import Reduction, Retiming, Smoothing, Tuning
+from ._results import Alignment, Reduction, Retiming, Smoothing, Tuning
 
 SMOOTHNESS = ("noise", "smoothing_time", "position_noise")  # options of smoothing that reducing takes too
 
@@ -294,3 +294,53 @@ def tune(keys: Keys, method: Any, *, reference: Keys | None = None, **options: A
     core = _core.tune(keys._core, *arguments)
     tell(core.warnings)
     return Tuning._of(core, keys, ())
+
+
+@takes("AlignOptions")
+def align(a: Keys, b: Keys, **options: Any) -> Alignment:
+    """What brings a recording onto another one of the same motion: the constant rotations of the axes of world and body, the
+    offset of the clocks, and where both have positions their scale and the place of the origin.
+
+    R' = W R Bᵀ, p' = s W p + d, t' = t - offset. What is left out by an option is taken to be none. Up to a tenth of bad
+    samples in either recording does no harm.
+
+    Parameters
+    ----------
+    a : Keys
+        The recording that is moved.
+    b : Keys
+        The one that stays as it is. Either may have dates where the other has seconds.
+    {options}
+
+    Returns
+    -------
+    Alignment
+        `.world`, `.body`, `.offset`, `.scale`, `.translation` with their standard deviations, `.keys` are those of `a` beside `b`.
+
+    Raises
+    ------
+    ArgumentError
+        An option that there is not, or an offset with which the recordings do not overlap.
+    DataError
+        Fewer than eight samples, recordings that do not overlap or that no alignment brings near.
+
+    Warns
+    -----
+    ShapeWarning
+        What the recordings cannot tell, as where all turns have one axis, and more between them than an alignment explains.
+
+    Examples
+    --------
+    >>> import numpy as np, orispline as ori
+    >>> t = np.linspace(0, 10, 501)
+    >>> turns = np.column_stack([np.sin(t), np.cos(1.3 * t), 0.5 * np.sin(0.7 * t)])
+    >>> half = np.linalg.norm(turns, axis=1, keepdims=True) / 2
+    >>> q = np.hstack([turns / 2 * np.sinc(half / np.pi), np.cos(half)])
+    >>> alignment = ori.align(ori.Keys(t + 0.25, q), ori.Keys(t, q))
+    >>> abs(alignment.offset - 0.25) < 1e-6, alignment.distance_max < 1e-4
+    (True, True)
+    """
+    arguments = (checked_keys(b, "b"), plain(options))
+    core = _core.align(checked_keys(a, "a")._core, b._core, arguments[1])
+    tell(core.warnings)
+    return Alignment._of(core, a, arguments)

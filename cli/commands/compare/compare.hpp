@@ -20,7 +20,7 @@ struct CompareArguments {
   std::vector<std::string> methods;     ///< each time one method, or a list with commas; none: all
   std::optional<std::string> random, reference, sort;
   TypedFields measured;  ///< of MeasureOptions
-  bool jitter = false, tune = false, json = false, csv = false;
+  bool jitter = false, tune = false, align = false, json = false, csv = false;
   SummaryOptions summary;  ///< how much is said besides
   ReportOptions report;
 };

@@ -49,6 +49,10 @@ void add_compare_options(Command& app, CompareArguments& o) {
   app.add_option("--reference", o.reference, "Dense recording that curves through all keys of INPUT are compared with")
       ->type_name(file_type)
       ->group(group);
+  app.add_flag("--align", o.align,
+               "Bring the keys onto the reference first: axes, clock, and scale and place of positions; 'orispline "
+               "align' does so alone, with a choice")
+      ->group(group);
   const std::string measures = "Methods and measures";
   app.add_option("--methods", o.methods,
                  "Methods, also NAME:SETTING=VALUE:ends=RULE; repeatable, each time one or a list [all]")

@@ -111,6 +111,7 @@ Expected<CompareRequest> compare_request(const CompareArguments& options) {
                                  .methods = checked(methods_in(named, own)),
                                  .named = named,
                                  .tune = options.tune,
+                                 .align = options.align,
                                  .measured = checked(measures_in(options)),
                                  .has_inertia = is_given(options.measured, "inertia")}};
   if (options.sort) request.job.sort = checked(measure_of_word(*options.sort)).word;

@@ -65,6 +65,21 @@ Expected<Source> open_source(const SampleRequest& request, io::KeyReader keys) {
   return source;
 }
 
+/// How far the curve is from the file of --truth.
+Expected<jobs::TruthDistance> truth_distance(const SampleRequest& request, const io::TrackFile& keys,
+                                             const PoseCurve& curve) {
+  auto truth = io::read_track_beside(keys, *request.truth, request.input.read);
+  if (!truth) return tl::unexpected(std::move(truth.error()));
+  warn(truth->warnings);
+  if (!request.align) return jobs::distance_to_truth(curve, keys.track, truth->track);
+  return jobs::distance_to_aligned_truth(curve, std::make_shared<const Track>(keys.track),
+                                         std::make_shared<const Track>(std::move(truth->track)))
+      .map([](jobs::TruthDistance distance) {
+        warn(distance.alignment->warnings);
+        return distance;
+      });
+}
+
 /// Samples the curve through all keys, which are in memory.
 Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader keys) {
   const auto source = open_source(request, std::move(keys));
@@ -81,10 +96,9 @@ Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader 
   report.outcome.extrapolation = request.extrapolation;
   report.outcome.band = request.band;
   if (request.truth) {
-    const auto truth = io::read_track_beside(file, *request.truth, request.input.read);
-    if (!truth) return tl::unexpected(truth.error());
-    warn(truth->warnings);
-    report.outcome.truth = jobs::distance_to_truth(shaped.curve, file.track, truth->track);
+    auto distance = truth_distance(request, file, shaped.curve);
+    if (!distance) return tl::unexpected(std::move(distance.error()));
+    report.outcome.truth = std::move(*distance);
   }
   const Sampling sampling{shaped.curve,          times,           columns,
                           request.extrapolation, request.threads, band ? &*band : nullptr};

@@ -26,6 +26,7 @@ struct SampleArguments {
   OutputOptions output;
   std::optional<std::string> derivatives, frame, extrapolate, truth, band;
   std::optional<std::string> tolerance, position_tolerance;  ///< of a file of skeletons
+  bool align = false;
   SummaryOptions summary;
 };
 

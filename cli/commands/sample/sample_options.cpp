@@ -108,6 +108,8 @@ void add_sample_options(Command& app, SampleArguments& o) {
   app.add_option("--truth", o.truth, "Key file that the curve is compared with, in the summary")
       ->type_name(file_type)
       ->group(group);
+  app.add_flag("--align", o.align, "Bring the file of --truth onto the keys first: axes and clock; with --truth")
+      ->group(group);
   app.add_flag("--json", o.summary.json, "Print the summary as JSON on standard output; needs -o")->group(group);
   app.add_flag("--quiet", o.summary.quiet, "No summary, no progress bar")->group(group);
   app.footer = sample_footer;

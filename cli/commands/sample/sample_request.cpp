@@ -148,6 +148,7 @@ Expected<SampleRequest> sample_request(const SampleArguments& options) {
       .threads = checked(threads_in(options.inputs.threads)),
       .output = options.output.path,
       .truth = options.truth,
+      .align = options.align,
       .band = checked(if_given("--band", options.band, share_in)),
       .tolerance = checked(tolerance_in(options)),
       .position_tolerance = checked(position_tolerance_in(options)),
@@ -162,6 +163,7 @@ Expected<SampleRequest> sample_request(const SampleArguments& options) {
   if (options.truth) others.push_back({"that of --truth", *options.truth});
   if (auto apart = check_output_apart(options.output.option, options.output.path, others); !apart)
     return tl::unexpected(std::move(apart.error()));
+  if (options.align && !options.truth) return usage_failure("--align: found no --truth, wanted one to align");
   if (reads_standard_input_twice(options))
     return usage_failure("found '-' for several of INPUT, --times and --truth, wanted it for one at most");
   return read;

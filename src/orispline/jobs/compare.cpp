@@ -75,6 +75,15 @@ Expected<ComparedData> data_of(const CompareRequest& request) {
                            : beside_own_samples(*request.keys, request.decimations);
 }
 
+/// The keys where they lie beside the reference.
+Expected<std::optional<AlignOutcome>> alignment_in(const CompareRequest& request, const Progress& progress) {
+  if (!request.align) return std::nullopt;
+  if (!request.reference)
+    return bad_option("align", "found no recording to align the keys with, wanted `reference` as well");
+  return align({.moved = request.keys, .fixed = request.reference}, {.stop = progress.stop})
+      .map([](AlignOutcome outcome) { return std::optional(std::move(outcome)); });
+}
+
 Expected<MeasureInfo> measure_to_sort_by(const CompareOutcome& outcome) {
   const auto measures = outcome.measures();
   const auto measure = std::ranges::find(measures, outcome.request.sort, &MeasureInfo::word);
@@ -112,10 +121,14 @@ std::optional<double> CompareOutcome::value(const MeasureInfo& measure, const Co
 
 Expected<CompareOutcome> compare(CompareRequest request, const Progress& progress) {
   if (auto checked = check(request); !checked) return tl::unexpected(std::move(checked.error()));
+  auto alignment = alignment_in(request, progress);
+  if (!alignment) return tl::unexpected(std::move(alignment.error()));
+  if (*alignment) request.keys = std::make_shared<const Track>((*alignment)->aligned);
   auto data = data_of(request);
   if (!data) return tl::unexpected(std::move(data.error()));
-  CompareOutcome outcome{.request = std::move(request), .data = std::move(*data)};
-  outcome.warnings = std::exchange(outcome.data.warnings, {});
+  CompareOutcome outcome{.request = std::move(request), .alignment = std::move(*alignment), .data = std::move(*data)};
+  if (outcome.alignment) outcome.warnings = outcome.alignment->warnings;
+  std::ranges::move(std::exchange(outcome.data.warnings, {}), std::back_inserter(outcome.warnings));
   const auto sorted_by = measure_to_sort_by(outcome);
   if (!sorted_by) return tl::unexpected(sorted_by.error());
   if (auto fits = check_counts(outcome.request, outcome.data); !fits) return tl::unexpected(std::move(fits.error()));

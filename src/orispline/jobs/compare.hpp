@@ -9,6 +9,7 @@
 #include <orispline/analysis/compared_keys.hpp>
 #include <orispline/base/progress.hpp>
 #include <orispline/fields/json.hpp>
+#include <orispline/jobs/align.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -38,6 +39,7 @@ struct CompareRequest {
   std::vector<LabelledMethod> methods{};
   std::vector<std::string> named{};  ///< labels of those that somebody asked for by name, in that order
   bool tune = false;                 ///< methods with tensions once more, tuned
+  bool align = false;                ///< bring the keys onto the reference first
   MeasureOptions measured{};
   bool has_inertia = false;  ///< whether that of `measured` is the body's: then torques are measured too
   std::string sort{"rms"};   ///< the word of a measure
@@ -53,7 +55,8 @@ struct CompareRequest {
 
 /// The methods with their measures, the best first on each set of keys.
 struct ORISPLINE_EXPORT CompareOutcome {
-  CompareRequest request;
+  CompareRequest request;                   ///< with the keys as they were compared
+  std::optional<AlignOutcome> alignment{};  ///< of the keys, where it was asked for
   ComparedData data{};
   std::vector<ComparedMethod> methods{};  ///< an error has its place in the file
   std::vector<Warning> warnings{};

@@ -89,6 +89,7 @@ std::string note_on_infinite(const MeasureInfo& measure) {
 std::vector<std::string> notes_of(const CompareOutcome& outcome, std::size_t key_set,
                                   const std::vector<MeasureInfo>& measures) {
   std::vector<std::string> notes;
+  if (outcome.alignment) notes.push_back(line_of(*outcome.alignment) + ".");
   if (const auto names = methods_with_rates(outcome, key_set); !names.empty())
     notes.push_back(formatted("{} took the logged rates at the keys too.", joined(names, ", ")));
   if (const auto names = methods_with_inner(outcome, key_set); !names.empty())

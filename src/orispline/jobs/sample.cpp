@@ -49,7 +49,8 @@ std::string truth_line(const TruthDistance& truth) {
   if (d.count == 0) return formatted("distance to {}: none of its times lies between the keys\n", recording);
   return formatted("distance to {}: RMS {:.4g}°, mean {:.4g}°, largest {:.4g}° at {} s; {} compared\n", recording,
                    d.rms * degrees, d.mean * degrees, d.largest * degrees, truth.largest_time.to_string(),
-                   counted(d.count, "orientation"));
+                   counted(d.count, "orientation")) +
+         (truth.alignment ? "  " + line_of(*truth.alignment) + "\n" : "");
 }
 
 std::string outside_text(const SampleOutcome& outcome) {
@@ -64,7 +65,8 @@ Json truth_json(const TruthDistance& truth) {
           {"distance_rms_deg", d.rms * degrees},
           {"distance_mean_deg", d.mean * degrees},
           {"distance_max_deg", d.largest * degrees},
-          {"distance_max_time_s", truth.largest_time.to_string()}};
+          {"distance_max_time_s", truth.largest_time.to_string()},
+          {"alignment", truth.alignment ? document_of(*truth.alignment) : Json(nullptr)}};
 }
 
 }  // namespace
@@ -74,6 +76,15 @@ TruthDistance distance_to_truth(const PoseCurve& curve, const Track& keys, const
   const Domain stretch{keys.keys.times().front(), keys.keys.times().back()};
   const auto distance = distance_to_reference(curve.orientation, {times, truth.keys.orientations()}, stretch);
   return {truth.name, distance, truth.time_of(distance.largest_at)};
+}
+
+Expected<TruthDistance> distance_to_aligned_truth(const PoseCurve& curve, std::shared_ptr<const Track> keys,
+                                                  std::shared_ptr<const Track> truth) {
+  return align({.moved = std::move(truth), .fixed = keys}).map([&](AlignOutcome outcome) {
+    TruthDistance distance = distance_to_truth(curve, *keys, outcome.aligned);
+    distance.alignment = std::move(outcome);
+    return distance;
+  });
 }
 
 bool could_be_measured(const SampleOutcome& outcome) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include <orispline/analysis/distance.hpp>
 #include <orispline/curve/extrapolation.hpp>
 #include <orispline/fields/json.hpp>
+#include <orispline/jobs/align.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
@@ -15,10 +17,15 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 struct TruthDistance {
   std::string recording;
   DistanceStatistics distance;
-  Decimal largest_time;  ///< in the recording's own time [s]
+  Decimal largest_time;                     ///< in the recording's own time [s], where it is not aligned
+  std::optional<AlignOutcome> alignment{};  ///< of the recording with the keys
 };
 [[nodiscard]] ORISPLINE_EXPORT TruthDistance distance_to_truth(const PoseCurve& curve, const Track& keys,
                                                                const Track& truth);
+/// To the recording as align() brings it onto the keys. Errors: of align().
+[[nodiscard]] ORISPLINE_EXPORT Expected<TruthDistance> distance_to_aligned_truth(const PoseCurve& curve,
+                                                                                 std::shared_ptr<const Track> keys,
+                                                                                 std::shared_ptr<const Track> truth);
 
 /// What was sampled, of keys in memory, of keys that came in pieces, or of a joint; the samples are elsewhere.
 struct SampleOutcome {

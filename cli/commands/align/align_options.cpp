@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/align/align_options.hpp"
+
+#include <orispline/fields.hpp>
+
+namespace orispline::cli {
+
+namespace {
+
+constexpr auto align_footer = R"(Examples:
+  orispline align estimate.csv truth.csv
+  orispline align estimate.csv truth.csv -o aligned.csv
+  orispline align headset.csv mocap.csv --offset 0
+  orispline align camera.tum truth.tum --no-body-rotation --no-scale -o aligned.tum
+  orispline align imu.csv robot.csv --json
+
+INPUT and REFERENCE are two recordings of one motion, at least as far as they overlap. What is found turns the world and
+the body of INPUT, shifts its clock, and moves and scales its positions where both have some. A tenth of bad rows in
+either file does no harm. What the motion cannot tell, such as which of two sides turns where all turns have one axis, is
+said. The reading options hold for REFERENCE too as far as they fit. docs/align.md says more.)";
+
+}  // namespace
+
+void add_align_options(Command& app, AlignArguments& o) {
+  add_input_options(app, o.input);
+  app.add_option("REFERENCE", o.reference, "Recording of the same motion, which stays as it is")
+      ->required()
+      ->type_name(file_type);
+  add_fields(app, o.alignment, fields_of<orispline::AlignOptions>(), "Alignment");
+  add_output_options(app, o.output);
+  app.option("-o,--output").sentence =
+      "File to write INPUT into as it is beside REFERENCE; it appears complete or not at all [what was found is "
+      "printed]";
+  add_summary_options(app, o.summary);
+  app.option("--json").sentence = "Print what was found as JSON on standard output";
+  app.footer = align_footer;
+}
+
+}  // namespace orispline::cli
