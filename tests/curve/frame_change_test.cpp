@@ -243,6 +243,24 @@ TEST(FrameChange, TakesAllThatATrackCarriesAlong) {
   EXPECT_FALSE(in_frames(track, changed("RUF:FLU", "")));
 }
 
+TEST(FrameChange, TurnsInnerQuaternionsAsItTurnsTheCurve) {
+  const Eigen::Quaterniond given = Eigen::Quaterniond(0.9, 0.1, 0.3, 0.2).normalized();
+  const Keyframes keys =
+      Keyframes::make({.times = {0.0, 1.0, 2.5},
+                       .orientations = {{1, 0, 0, 0}, {0.8, 0.36, 0.48, 0.0}, {0.5, 0.5, -0.5, 0.5}},
+                       .inner_leaving = {given, free_inner(), free_inner()},
+                       .inner_arriving = {free_inner(), given, free_inner()}})
+          .value();
+  const FrameChange change = changed("NED:ENU", "FRD:FLU");
+  const NewFrames frames(change);
+  const Keyframes turned = in_frames(Track(keys), change).value().keys;
+  EXPECT_TRUE(is_free_inner(turned.inner_leaving()[1]));
+  expect_same(turned.inner_arriving()[1], frames.orientation(given), 1e-15);
+  const auto before = make_curve("squad", keys), after = make_curve("squad", turned);
+  ASSERT_TRUE(before && after);
+  for (const double t : {0.3, 1.0, 2.2}) expect_same((*after)(t), frames.orientation((*before)(t)), 1e-14);
+}
+
 TEST(FrameChange, CommutesWithTheCurve) {
   Track track(
       Keyframes::make({.times = {0.0, 1.0, 2.5, 3.0},

@@ -184,16 +184,9 @@ Expected<Alignment> align(const Track& moved, const Track& fixed, const AlignOpt
 Expected<Track> aligned(const Track& moved, const Track& fixed, const Alignment& alignment) {
   auto turned = in_frames(moved, {.world = {.rotation = alignment.world}, .body = {.rotation = alignment.body}});
   if (!turned) return turned;
-  const Keyframes& keys = turned->keys;
-  const auto copied = [](auto values) { return std::vector(values.begin(), values.end()); };
-  KeyframeData data{.times = {},
-                    .orientations = copied(keys.orientations()),
-                    .positions = copied(keys.positions()),
-                    .angular_velocities = copied(keys.angular_velocities()),
-                    .angular_accelerations = copied(keys.angular_accelerations()),
-                    .angular_jerks = copied(keys.angular_jerks())};
-  for (std::size_t i = 0; i < keys.size(); ++i)
-    data.times.push_back((moved.time_of(i) - alignment.offset - fixed.epoch).to_double());
+  KeyframeData data = turned->keys.data();
+  for (std::size_t i = 0; i < data.times.size(); ++i)
+    data.times[i] = (moved.time_of(i) - alignment.offset - fixed.epoch).to_double();
   if (alignment.translation)
     for (Eigen::Vector3d& p : data.positions) p = *alignment.scale * p + *alignment.translation;
   for (Decimal& time : turned->exact_times) time = time - alignment.offset;
