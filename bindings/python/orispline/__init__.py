@@ -28,6 +28,7 @@ from ._stack import CurveStack
 if TYPE_CHECKING:
     from ._comparison import Comparison, compare
     from ._measures import DistanceStatistics, Energies, HandleTurn, KeyStatistics, Peak, Peaks, Spread
+    from ._rates import Rates
     from ._results import Certificate, Reduction, Retiming, Smoothing, Tuning
     from ._scene import Channel, Clip, Scene, SceneReduction, Skeleton, Worst
     from ._scenes import read_scene, reduce_scene, shell_distance
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
 
 __all__ = ["AccessError", "ArgumentError", "BakedCurve", "Blending", "BlendingFinding", "Certificate", "Channel", "Clip", "Comparison", "ConvergenceError", "Curve",
            "CurveStack", "DataError", "DistanceStatistics", "Energies", "Error", "HandleTurn", "KeyStatistics", "Keys", "Motion", "OnlineCurve",
-           "Peak", "Peaks", "Reduction", "Retiming", "RotationSpline", "Samples", "Scene", "SceneReduction", "ShapeWarning",
+           "Peak", "Peaks", "Rates", "Reduction", "Retiming", "RotationSpline", "Samples", "Scene", "SceneReduction", "ShapeWarning",
            "Skeleton", "Slerp", "Smoothing", "Spread", "Tuning", "Worst", "blending", "compare", "methods", "plot_comparison", "plot_sphere",
            "read", "read_blending", "read_scene", "reduce", "reduce_scene", "reduce_tracks", "retime", "shell_distance", "smooth", "tune", "write"]
 __version__: str = _core.version
@@ -43,6 +44,7 @@ __version__: str = _core.version
 # Tasks and measures are imported when they are first asked for, so that a curve does not wait for them.
 _ROOMS = {"_comparison": ("Comparison", "compare"),
           "_measures": ("DistanceStatistics", "Energies", "HandleTurn", "KeyStatistics", "Peak", "Peaks", "Spread"),
+          "_rates": ("Rates",),
           "_results": ("Certificate", "Reduction", "Retiming", "Smoothing", "Tuning"),
           "_scene": ("Channel", "Clip", "Scene", "SceneReduction", "Skeleton", "Worst"),
           "_scenes": ("read_scene", "reduce_scene", "shell_distance"),

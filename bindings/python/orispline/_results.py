@@ -136,8 +136,13 @@ class Smoothing(Reported):
     degrees_of_freedom: float | None
     rms_sigma: float | None
     rms_sigma_of_rates: float | None
+    gyro_used: bool | None
     gyro_noise: float | None
     gyro_correction: NDArray[np.float64] | None
+    gyro_offset: float | None
+    gyro_offset_sigma: float | None
+    gyro_expected_error: float | None
+    expected_error_without_gyro: float | None
     rms_distance: float
     largest_distance: float
     accepted_rms_distance: float

@@ -96,7 +96,7 @@ Expected<void> KeyRows::add(const TextTable& table) {
     return tl::unexpected(std::move(error));
   };
   if (auto checked = check_width(table, columns_.width); !checked) return refused(std::move(checked.error()));
-  RowReader row(table, options_.clock, options_.free_rates);
+  RowReader row(table, options_);
   const KeyRow key = row.key(columns_);
   if (row.refused()) return refused(*row.refused());
   if (auto error = row.not_finite()) {
@@ -105,6 +105,10 @@ Expected<void> KeyRows::add(const TextTable& table) {
     return {};
   }
   if (auto settled = settle_clock(table); !settled) return refused(std::move(settled.error()));
+  if (!key.is_posed) {
+    if (auto added = add_unposed(key, table); !added) return refused(std::move(added.error()));
+    return {};
+  }
   const auto unit = normalised(key.orientation, table.here());
   if (!unit) return refused(unit.error());
   const Eigen::Quaterniond orientation = options_.conjugate ? unit->conjugate() : *unit;
@@ -130,6 +134,28 @@ Expected<void> KeyRows::add(const TextTable& table) {
   if (std::ranges::any_of(rates, is_free)) ++file_.repairs.rates_left_free;
   for (std::size_t i = 0; i < key.parameters.size(); ++i)
     file_.parameters[columns_.parameters[i].name].push_back(key.parameters[i]);
+  return {};
+}
+
+/// Of the rows that are set aside the order is theirs alone.
+Expected<void> KeyRows::add_unposed(const KeyRow& key, const TextTable& table) {
+  if (columns_.rates[0]->frame == Frame::world)
+    return failure(
+        ErrorCode::bad_data,
+        "found a rate in the frame of the world without the orientation that turns it into the body's, wanted "
+        "both, or rates of the body",
+        table.here(columns_.rates[0]->columns[0].index));
+  settle_time_unit(key.time);
+  RateRows& rows = file_.unposed;
+  const Decimal time = columns_.time_unit.time_of(key.time);
+  if (!rows.exact_times.empty() && time <= rows.exact_times.back() && !options_.sort)
+    return mended_by("sort",
+                     formatted("time {} does not come after {}, wanted increasing times", time.to_string(),
+                               rows.exact_times.back().to_string()),
+                     table.here(columns_.time));
+  rows.exact_times.push_back(time);
+  rows.rates.push_back(key.rates[0]);
+  rows.lines.push_back(static_cast<std::uint32_t>(table.line()));
   return {};
 }
 

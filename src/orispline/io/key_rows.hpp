@@ -10,6 +10,8 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
+struct KeyRow;
+
 /// Of a quaternion that is too far from a unit one to be read without being asked.
 [[nodiscard]] Error norm_refused(double norm, Where where);
 
@@ -36,6 +38,7 @@ class KeyRows {
   [[nodiscard]] Expected<void> settle_clock(const TextTable& table);
   void settle_time_unit(const Decimal& first);
   [[nodiscard]] Expected<bool> append_time(const Decimal& time, std::string_view text, std::size_t line);
+  [[nodiscard]] Expected<void> add_unposed(const KeyRow& key, const TextTable& table);
   [[nodiscard]] Expected<void> sort();
 
   KeyColumns columns_;

@@ -14,9 +14,10 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 KeyRow RowReader::key(const KeyColumns& columns) {
   KeyRow key{.time = time(columns)};
   set_orientation(key, columns);
-  if (columns.position) key.position = vector(*columns.position);
+  if (columns.position && key.is_posed) key.position = vector(*columns.position);
   for (std::size_t k = 0; k < columns.rates.size(); ++k)
     if (columns.rates[k]) key.rates[k] = rate(columns.rates[k]->columns);
+  if (!key.is_posed && (!columns.rates[0] || is_free(key.rates[0]))) note_not_finite(columns.orientation.front().index);
   for (const ParameterColumn& column : columns.parameters) key.parameters.push_back(number({column.index}));
   return key;
 }
@@ -65,14 +66,25 @@ Eigen::Vector3d RowReader::rate(const VectorColumns& columns) {
   if (free_rates_ == FreeRates::refused) return vector(columns);
   const auto before = not_finite_;
   const Eigen::Vector3d rate = vector(columns);
-  if (is_free(rate)) not_finite_ = before;
-  else if (!before && rate.hasNaN()) not_finite_in_rate_ = true;
+  if (is_free(rate)) {
+    not_finite_ = before;
+  } else if (free_rates_ == FreeRates::lenient && !rate.allFinite()) {
+    not_finite_ = before;
+    return free_rate();
+  } else if (!before && rate.hasNaN()) {
+    not_finite_in_rate_ = true;
+  }
   return rate;
 }
 
 void RowReader::set_orientation(KeyRow& key, const KeyColumns& columns) {
+  const auto before = not_finite_;
   OrientationNumbers numbers(static_cast<Eigen::Index>(columns.orientation.size()));
   std::ranges::transform(columns.orientation, numbers.begin(), [this](const auto& column) { return number(column); });
+  if (unposed_rows_ == UnposedRows::set_aside && !numbers.array().isFinite().any()) {
+    key.is_posed = false;
+    not_finite_ = before;
+  }
   if (!numbers.allFinite()) return;
   const auto orientation = orientation_from(numbers, columns.form);
   if (!orientation) return refuse(std::nullopt, orientation.error());

@@ -7,6 +7,7 @@
 
 #include <orispline/io/clock.hpp>
 #include <orispline/io/key_columns.hpp>
+#include <orispline/io/key_file.hpp>
 #include <orispline/math/eigen.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
@@ -15,6 +16,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 struct KeyRow {
   Decimal time;  ///< in the unit of the column; of ISO 8601 since the clock's zero [s]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  bool is_posed = true;                     ///< else no cell of the orientation has a number
   std::optional<Eigen::Vector3d> angles{};  ///< of Euler [rad], in the order of the turns
   Eigen::Vector3d position{};
   std::array<Eigen::Vector3d, 3> rates{};  ///< in the frames of the columns
@@ -24,8 +26,8 @@ struct KeyRow {
 /// Reads the cells of one row; remembers the first that is no number and the first that is not finite.
 class RowReader {
  public:
-  RowReader(const TextTable& table, const Clock& clock, FreeRates free_rates)
-      : table_(table), clock_(clock), free_rates_(free_rates) {}
+  RowReader(const TextTable& table, const ReadOptions& options)
+      : table_(table), clock_(options.clock), free_rates_(options.free_rates), unposed_rows_(options.unposed_rows) {}
 
   [[nodiscard]] KeyRow key(const KeyColumns& columns);
 
@@ -47,6 +49,7 @@ class RowReader {
   const TextTable& table_;
   const Clock& clock_;
   FreeRates free_rates_;
+  UnposedRows unposed_rows_;
   std::optional<Error> refused_;
   std::optional<std::size_t> not_finite_;
   bool not_finite_in_rate_ = false;  // which could be free

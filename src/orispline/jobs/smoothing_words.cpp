@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/jobs/words.hpp>
 #include <orispline/smooth/smooth.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
@@ -31,14 +32,18 @@ std::string choice_of_positions(const Smoothing& smoothing) {
 
 }  // namespace
 
-std::string places_text(const std::vector<std::size_t>& samples, const Track& recording) {
-  const std::vector<std::uint32_t>& lines = recording.lines;
+std::string places_text(const std::vector<std::size_t>& samples, const Places& places) {
   std::string text;
   for (std::size_t i = 0; i < std::min(samples.size(), samples_shown); ++i)
-    text += formatted("{}{} ({} s)", i == 0 ? ": " : ", ",
-                      lines.empty() ? formatted("key {}", samples[i]) : formatted("line {}", lines[samples[i]]),
-                      recording.time_of(samples[i]).to_string());
+    text += formatted(
+        "{}{} ({} s)", i == 0 ? ": " : ", ",
+        places.lines.empty() ? formatted("key {}", samples[i]) : formatted("line {}", places.lines[samples[i]]),
+        places.time(samples[i]).to_string());
   return text + (samples.size() > samples_shown ? ", …" : "");
+}
+
+std::string places_text(const std::vector<std::size_t>& samples, const Track& recording) {
+  return places_text(samples, places_of(recording));
 }
 
 std::string choice_line(const Smoothing& smoothing) {

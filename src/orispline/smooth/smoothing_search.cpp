@@ -18,6 +18,12 @@ constexpr double tolerance_to_find_outliers = 1e-2;             // of the iterat
 
 }  // namespace
 
+tl::unexpected<Error> no_end_found() {
+  return failure(ErrorCode::not_converged,
+                 "no smooth motion was found: the iteration did not come to an end, wanted another smoothing time or "
+                 "another noise");
+}
+
 SmoothingSearch::SmoothingSearch(StretchProblems problems, const std::vector<Stretch>& stretches,
                                  const SearchPlan& plan, OpenEndedWork& work)
     : plan_(plan),
@@ -35,23 +41,6 @@ Expected<void> SmoothingSearch::run() {
   if (plan_.loss == Loss::robust)
     if (auto done = fit_without_outliers(); !done) return done;
   adapt();
-  return check();
-}
-
-Expected<void> SmoothingSearch::run_with_gyro(const Keyframes& recording, double orientation_noise, double gyro_noise,
-                                              const std::vector<std::size_t>& faults) {
-  const double ratio = plan_.noise / orientation_noise;
-  for (SmoothingProblem& problem : problems_)
-    for (double& weight : problem.weights) weight *= ratio * ratio;
-  plan_.noise = orientation_noise;
-  add_gyro(problems_, recording, stretches_, gyro_noise);
-  for (const std::size_t sample : faults)
-    for (std::size_t k = 0; k < stretches_.size(); ++k)
-      if (const auto& [first, count] = stretches_[k]; sample >= first && sample < first + count)
-        problems_[k].gyro_weights[sample - first] = 0.0;
-  objective_.bias = SmoothingObjective::Bias::constant;
-  set_lambda(SmoothingCriterion::reml);
-  refit();
   return check();
 }
 
@@ -157,10 +146,7 @@ Expected<void> SmoothingSearch::find_outliers() {
 /// Whether the iteration ended by itself, and whether the loss is one of outliers only.
 Expected<void> SmoothingSearch::check() const {
   if (objective_.stopped()) return cancellation();
-  if (!converged(fits_, plan_.noise))
-    return failure(ErrorCode::not_converged,
-                   "no smooth motion was found: the iteration did not come to an end, wanted another smoothing time or "
-                   "another noise");
+  if (!converged(fits_, plan_.noise)) return no_end_found();
   std::size_t faults = plan_.loss == Loss::robust ? finding_.rejected.size() : 0, all = 0;
   for (const SmoothingFit& fit : fits_.fits) {
     all += fit.residuals.size();

@@ -69,14 +69,6 @@ StretchProblems position_problems_of(const Keyframes& recording, const std::vect
   return problems;
 }
 
-void add_gyro(StretchProblems& problems, const Keyframes& recording, const std::vector<Stretch>& stretches,
-              double noise) {
-  for (std::size_t k = 0; k < stretches.size(); ++k) {
-    problems[k].gyro = in_stretch(recording.angular_velocities(), stretches[k]);
-    problems[k].gyro_weights.assign(stretches[k].count, 1.0 / (noise * noise));
-  }
-}
-
 FarSamples far_samples(const std::vector<std::vector<double>>& lengths, const std::vector<Stretch>& stretches,
                        double limit) {
   FarSamples far;

@@ -27,10 +27,6 @@ struct RecordingScale {
 [[nodiscard]] StretchProblems position_problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches,
                                                    const Eigen::Vector3d& origin, double unit);
 
-/// Adds the angular velocities as those of a gyro with that σ [rad/s].
-void add_gyro(StretchProblems& problems, const Keyframes& recording, const std::vector<Stretch>& stretches,
-              double noise);
-
 /// Samples that are farther away than a limit.
 struct FarSamples {
   std::vector<std::size_t> single{};   ///< indices into the recording

@@ -16,6 +16,7 @@ struct ScalarSmoother {
   Penalty penalty{};
   double lambda = 1.0;
   std::span<const double> relative_lambdas{};  ///< as of SmoothingProblem
+  std::span<const double> rate_weights{};      ///< [s²/rad²], of a gyro without a bias; empty without one
 
   /// Of the nodes about an interval, with the root of its λ.
   template <int P>
