@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from band_figure import band_figure
+from gyro_figure import gyro_figure
 from rotations import DEGREE, conjugate, norm, times, to_world, turn
 from sampled_motion import Motion, sampled
 from skeleton_figure import skeleton_figure
@@ -286,6 +287,7 @@ def main():
     figures["families/auto-distance"] = auto_distance_figure(command)
     figures["skeletons"] = skeleton_figure(command)
     figures["families/measured"] = band_figure(command, Motion(text_of("flight_truth.csv")), table)
+    figures["gyro"] = gyro_figure(command, Motion(text_of("flight_truth.csv")))
     figures["closed"] = closed_figure(command)
     figures["flight"] = flight_figure(command)
     for name, figure in figures.items():

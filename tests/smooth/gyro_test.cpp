@@ -105,4 +105,46 @@ TEST(Gyro, NeverMakesTheMotionWorse) {
   std::printf("worst ratio %.3f\n", worst);
 }
 
+/// A gyro whose bias walks by so much in a second [rad/s].
+Recorded walking(std::uint64_t seed, double drift) {
+  Recorded made = recorded(seed);
+  Dice dice(400 + seed);
+  Eigen::Vector3d bias = Eigen::Vector3d::Zero();
+  for (Eigen::Vector3d& rate : made.noisy.angular_velocities) {
+    bias += 0.1 * drift * normal_vector(dice);
+    rate += bias;
+  }
+  return made;
+}
+
+TEST(GyroBias, IsFollowedWhereItDrifts) {
+  const double drift = 1.0 * degree;
+  for (std::uint64_t seed = 0; seed < 2; ++seed) {
+    const Recorded made = walking(seed, drift);
+    const Smoothing constant = with_gyro(made.noisy), drifting = with_gyro(made.noisy, {.gyro_bias = GyroBias::drifting});
+    EXPECT_TRUE(drifting.gyro->used);
+    EXPECT_LT(rms(drifting, made.clean), 0.75 * rms(constant, made.clean));
+    ASSERT_TRUE(drifting.gyro->drift);
+    EXPECT_LT(*drifting.gyro->drift, 2.5 * drift);
+    EXPECT_GT(*drifting.gyro->drift, 0.4 * drift);
+    EXPECT_EQ(drifting.nodes.gyro_corrections.size(), drifting.nodes.orientations.size());
+    EXPECT_FALSE(constant.gyro->drift);
+  }
+}
+
+TEST(GyroBias, CostsLittleToFollowWhereItIsConstant) {
+  const Recorded made = recorded(3);
+  EXPECT_LT(rms(with_gyro(made.noisy, {.gyro_bias = GyroBias::drifting}), made.clean), 1.1 * rms(with_gyro(made.noisy), made.clean));
+}
+
+TEST(Gyro, IsSaidToContradictAStatedNoise) {
+  const Recorded made = recorded(4);
+  const auto has = [](const Smoothing& smoothing, std::string_view code) {
+    return std::ranges::any_of(smoothing.warnings, [&](const Warning& warning) { return warning.code == code; });
+  };
+  EXPECT_FALSE(has(with_gyro(made.noisy, {.noise = 0.5 * degree}), "noise_contradicted"));
+  EXPECT_TRUE(has(with_gyro(made.noisy, {.noise = 0.35 * degree}), "noise_contradicted"));
+  EXPECT_TRUE(has(with_gyro(made.noisy, {.noise = 0.7 * degree}), "noise_contradicted"));
+}
+
 }}  // namespace orispline::gyro_motion

@@ -141,8 +141,9 @@ class Smoothing(Reported):
     gyro_correction: NDArray[np.float64] | None
     gyro_offset: float | None
     gyro_offset_sigma: float | None
-    gyro_expected_error: float | None
-    expected_error_without_gyro: float | None
+    gyro_drift: float | None
+    error_with_gyro: float | None
+    error_without_gyro: float | None
     rms_distance: float
     largest_distance: float
     accepted_rms_distance: float

@@ -72,6 +72,7 @@ Expected<Request> request_in(const SmoothArguments& options) {
   request.input.read.world_rates = true;
   request.input.read.free_rates = io::FreeRates::lenient;
   request.input.read.unposed_rows = reads_rates ? io::UnposedRows::set_aside : io::UnposedRows::refused;
+  request.input.read.parameters.assign(noise_columns.begin(), noise_columns.end());
   request.input.read.keep_exact_times = true;
   return std::move(checked).or_else(std::move(request));
 }

@@ -93,6 +93,7 @@ std::string gyro_lines(const SmoothOutcome& outcome) {
   text +=
       gyro.used ? formatted(", correction {:.4g}, {:.4g}, {:.4g} °/s\n", bias.x(), bias.y(), bias.z()) : ", left out\n";
   text += formatted("  clock         {}\n", clock_text(gyro, outcome.request.options.gyro_offset.has_value()));
+  if (gyro.drift) text += formatted("  bias          drifts by {:.3g} °/s in 1 s\n", *gyro.drift * degrees);
   if (gyro.risk)
     text += formatted("  error         {:.4g}° expected with the gyro, {:.4g}° without\n", gyro.risk->with * degrees,
                       gyro.risk->without * degrees);
@@ -111,7 +112,8 @@ std::string outlier_lines(const SmoothOutcome& outcome) {
   if (rejects(outcome.request.options.loss))
     text += formatted("rejected        {}\n", counted_places(outcome, smoothing.rejected));
   if (const auto& kept = smoothing.retained_outlier_runs; !kept.empty())
-    text += formatted("far, but kept   {}; the samples beside them are far too, which is rather motion than outliers\n",
+    text += formatted("far, but kept   {}; the samples beside them are far too, which is rather motion than "
+                      "outliers (if they are faults, set the loss huber)\n",
                       counted_places(outcome, kept));
   return text;
 }

@@ -15,7 +15,8 @@ struct SeenPoses {
   std::span<const Eigen::Quaterniond> orientations{};  ///< as recorded
   std::vector<bool> counts{};                          ///< which of them are no outliers
   const SmoothedNodes* fitted = nullptr;               ///< the smooth motion that they have by themselves
-  double noise = 0.0;                                  ///< of them, per axis [rad]
+  double noise = 0.0;                                  ///< of a usual one of them, per axis [rad]
+  std::span<const double> shares{};                    ///< as of SmoothingProblem
 };
 
 /// The rate of the motion that orientations have by themselves [rad/s], the cubic between two of them; nothing beside

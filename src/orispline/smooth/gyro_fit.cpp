@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -20,6 +21,9 @@ constexpr int most_rounds = 3;       // of looking for faults beside an alignmen
 constexpr double sure_offset = 3.0;  // in its standard deviations: a smaller one is none
 constexpr double doubt = 1.5;        // in standard deviations of the difference between two risks
 constexpr std::size_t fewest_rates = 3;
+constexpr double least_drift = 1e-3;       // over the recording, in units of the noise of the gyro
+constexpr double drift_ratio = 2.0, drift_tolerance = 1e-2;
+constexpr int drift_rises_until_sure = 4;
 constexpr double longest_sure_step = 0.5 * std::numbers::pi;  // [rad]
 
 double gyro_noise_of(const GyroPlan& plan) {
@@ -103,6 +107,39 @@ void stiffen(SmoothingProblem& problem, const std::vector<bool>& unled, double l
   for (const bool is_unled : unled) problem.relative_lambdas.push_back(is_unled ? alone / lambda : 1.0);
 }
 
+/// λ by the restricted likelihood; what the fit with it may begin with is returned.
+StretchFits choose_lambda(GyroFit& result, const StretchFits& start, SmoothingObjective& objective) {
+  ChosenLambda chosen = chosen_lambda(result.problems, start, objective, SmoothingCriterion::reml, result.noise,
+                                      result.interval, std::nullopt);
+  objective.lambda = chosen.choice.lambda;
+  StretchFits near = std::exchange(chosen.fits, {});
+  result.chosen = std::move(chosen);
+  return near.fits.empty() ? start : near;
+}
+
+/// How much the bias drifts, likewise: from hardly at all upward, until the likelihood falls for some time.
+StretchFits choose_drift(GyroFit& result, const StretchFits& start, SmoothingObjective& objective, double gyro_noise) {
+  const StretchProblems parts = representative_parts(result.problems, most_times_for_choice);
+  const bool is_all = parts.front().size() == result.problems.front().size();
+  const double span = parts.front().times.back() - parts.front().times.front();
+  objective.bias = SmoothingObjective::Bias::drifting;
+  StretchFits fits = is_all ? start : StretchFits{}, best;
+  double least = std::numeric_limits<double>::infinity(), found = 0.0;
+  objective.drift = least_drift * gyro_noise / std::sqrt(span);
+  for (int rises = 0; rises < drift_rises_until_sure && !objective.stopped(); objective.drift *= drift_ratio) {
+    fits = fit_stretches(parts, objective, {.tolerance = drift_tolerance * result.noise}, fits);
+    const double value = criterion_value(parts, fits, SmoothingCriterion::reml, objective);
+    rises = value < least ? 0 : rises + 1;
+    if (!(value < least)) continue;
+    least = value;
+    found = objective.drift;
+    best = fits;
+  }
+  objective.drift = found;
+  result.finding.drift = found;
+  return is_all ? best : start;
+}
+
 /// λ as stated or by the restricted likelihood, and the fit with it. `alone`: λ of the orientations by themselves.
 Expected<GyroFit> fitted(const GyroPlan& plan, const SeenPoses& poses, const Seen& seen, double gyro_noise,
                          SmoothingObjective objective, std::optional<double> alone) {
@@ -118,15 +155,12 @@ Expected<GyroFit> fitted(const GyroPlan& plan, const SeenPoses& poses, const See
   result.problems.push_back(std::move(rows.problem));
   StretchFits start{{{.nodes = std::move(rows.start)}}};
   objective.bias = SmoothingObjective::Bias::constant;
-  const Penalty penalty = objective.penalty;
-  if (plan.options.smoothing_time) {
-    objective.lambda = lambda_of(*plan.options.smoothing_time, penalty, poses.noise, result.interval);
-  } else {
-    ChosenLambda chosen = chosen_lambda(result.problems, start, objective, SmoothingCriterion::reml, poses.noise,
-                                        result.interval, std::nullopt);
-    objective.lambda = chosen.choice.lambda;
-    if (!chosen.fits.fits.empty()) start = std::exchange(chosen.fits, {});
-    result.chosen = std::move(chosen);
+  if (plan.options.smoothing_time)
+    objective.lambda = lambda_of(*plan.options.smoothing_time, objective.penalty, poses.noise, result.interval);
+  else start = choose_lambda(result, start, objective);
+  if (plan.options.gyro_bias == GyroBias::drifting) {
+    start = choose_drift(result, start, objective, gyro_noise);
+    if (!plan.options.smoothing_time) start = choose_lambda(result, start, objective);
   }
   if (alone && result.chosen) stiffen(result.problems.front(), rows.unled, objective.lambda, *alone);
   result.fits = fit_stretches(result.problems, objective, {}, start);
@@ -147,7 +181,7 @@ struct Risk {
 double squares_of(const SmoothingProblem& problem, const SmoothingFit& fit, double noise) {
   double sum = 0.0;
   for (std::size_t i = 0; i < problem.size(); ++i)
-    if (problem.weights[i] > 0.0) sum += fit.residuals[i].squaredNorm();
+    if (problem.weights[i] > 0.0) sum += problem.share(i) * fit.residuals[i].squaredNorm();
   return sum / (noise * noise);
 }
 
@@ -159,8 +193,9 @@ double trace_with_gyro(const GyroFit& fit) {
                                                         .penalty = fit.objective.penalty,
                                                         .lambda = fit.objective.lambda,
                                                         .relative_lambdas = problem.relative_lambdas,
-                                                        .rate_weights = problem.gyro_weights});
-  double trace = 1.0;  // of the bias
+                                                        .rate_weights = problem.gyro_weights,
+                                                        .drift = fit.objective.drift});
+  double trace = fit.objective.drift > 0.0 ? 0.0 : 1.0;  // a constant bias is no unknown there
   for (std::size_t i = 0; i < weights.size(); ++i) trace += weights[i] * variances[i];
   return trace;
 }
@@ -212,8 +247,10 @@ Expected<GyroFit> fit_with_gyro(const GyroPlan& plan, const SmoothingSearch& wit
   const Seen seen = seen_gyro(plan, poses, gyro_noise);
   if (auto means = check_meaning(poses, plan.gyro, seen.counts, seen.alignment.offset); !means)
     return tl::unexpected(std::move(means.error()));
-  // A sample that counts has the weight that λ of the orientations alone stands beside.
-  const double weight = *std::ranges::max_element(without.problems().front().weights);
+  // A usual sample that counts has the weight that λ of the orientations alone stands beside.
+  const SmoothingProblem& problem = without.problems().front();
+  double weight = 0.0;
+  for (std::size_t i = 0; i < problem.size(); ++i) weight = std::max(weight, problem.weights[i] / problem.share(i));
   const double alone = without.lambda() / (weight * poses.noise * poses.noise);
   auto fit = fitted(plan, poses, seen, gyro_noise, without.objective(), alone);
   if (!fit) return fit;

@@ -212,7 +212,9 @@ GyroRows rows_of(const SeenPoses& poses, const GyroRates& gyro, const CountedRat
     rows.start.orientations.push_back(led.at(nodes.times[i]));
     if (pose) rows.places.push_back(i);
     rows.problem.orientations.push_back(pose ? poses.orientations[*pose] : rows.start.orientations.back());
-    rows.problem.weights.push_back(pose && poses.counts[*pose] ? 1.0 / (poses.noise * poses.noise) : 0.0);
+    const double share = pose && !poses.shares.empty() ? poses.shares[*pose] : 1.0;
+    rows.problem.weights.push_back(pose && poses.counts[*pose] ? share / (poses.noise * poses.noise) : 0.0);
+    if (!poses.shares.empty()) rows.problem.shares.push_back(share);
     const auto rate = nodes.rates[i] ? uncorrected.measured_at(nodes.times[i] + alignment.offset) : std::nullopt;
     rows.problem.gyro.push_back(rate.value_or(Eigen::Vector3d::Zero()));
     rows.problem.gyro_weights.push_back(rate ? 1.0 / (gyro_noise * gyro_noise) : 0.0);

@@ -14,6 +14,7 @@
 #include <orispline/smooth/smoothing_result.hpp>
 #include <orispline/smooth/smoothing_search.hpp>
 #include <orispline/smooth/smoothing_stretches.hpp>
+#include <orispline/smooth/stated_noise.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -141,6 +142,13 @@ Expected<void> near_to_samples(double noise) {
                            noise * degrees));
 }
 
+/// The weights of samples over that of one with the usual noise; empty where they are all alike.
+std::vector<double> shares_of(const std::vector<double>& noises, double usual) {
+  std::vector<double> shares;
+  for (const double noise : noises) shares.push_back(usual * usual / (noise * noise));
+  return shares;
+}
+
 /// The times of all keys, of which some are no samples, and the rate of the gyro that each of them is of, if any. Empty
 /// where every key is a sample.
 struct KeysBetween {
@@ -151,23 +159,24 @@ struct KeysBetween {
 /// The steps from a recording to its smoothed orientations.
 class Smoother {
  public:
-  /// `gyro`: null without one.
+  /// `gyro`: null without one. `noises`: σ of every sample, where they are stated.
   Smoother(const Keyframes& recording, const GyroRates* gyro, const SmoothOptions& options,
-           const std::vector<Stretch>& stretches, OpenEndedWork& work)
+           const std::vector<double>& noises, const std::vector<Stretch>& stretches, OpenEndedWork& work)
       : recording_(recording),
         gyro_(gyro),
         options_(options),
         work_(work),
         scale_(scale_of(recording)),
+        usual_noise_(options.noise.value_or(noises.empty() ? scale_.noise : median(noises))),
         stretches_(stretches),
-        search_(problems_of(recording, stretches, options.noise.value_or(scale_.noise)), stretches, plan(), work) {}
+        search_(problems_of(recording, stretches, usual_noise_, shares_of(noises, usual_noise_)), stretches, plan(),
+                work) {}
 
   [[nodiscard]] Expected<Smoothing> run() {
     result_.interval = scale_.interval;
     result_.local_noise = scale_.noise;
     if (gyro_ && has_to_count_turns(gyro_plan()))
       return fit_with_counted_turns(gyro_plan()).map([this](const GyroFit& fit) {
-        result_.noise = fit.noise;
         return finished(fit);
       });
     if (auto found = search_.run(); !found) return tl::unexpected(std::move(found.error()));
@@ -189,7 +198,7 @@ class Smoother {
             .loss = options_.loss,
             .criterion = options_.noise ? SmoothingCriterion::ubre : SmoothingCriterion::gcv,
             .smoothing_time = options_.smoothing_time,
-            .noise = options_.noise.value_or(scale_.noise),
+            .noise = usual_noise_,
             .interval = scale_.interval,
             .adapt = options_.adapt,
             .unit = "°",
@@ -217,6 +226,7 @@ class Smoother {
       append(result_.nodes.orientations, fit.nodes.orientations);
       append(result_.nodes.angular_velocities, fit.nodes.angular_velocities);
       append(result_.nodes.angular_accelerations, fit.nodes.angular_accelerations);
+      append(result_.nodes.gyro_corrections, fit.nodes.gyro_corrections);
       result_.nodes.gyro_correction = fit.nodes.gyro_correction;
       result_.last_step = std::max(result_.last_step, fit.last_step);
       result_.iterations = std::max(result_.iterations, fit.iterations);
@@ -249,6 +259,7 @@ class Smoother {
     result_.smoothing_time = smoothing_time_of(fit.objective.lambda, options_.penalty, fit.noise, fit.interval);
     if (options_.sigma) result_.sigmas = node_sigmas(fit.problems.front(), fit.objective, fit.fits.fits.front().nodes);
     take_fits(fit.fits);
+    result_.noise = fit.residual_noise;
     result_.gyro = fit.finding;
     if (fit.places.size() < result_.nodes.orientations.size()) {
       result_.places = fit.places;
@@ -262,6 +273,7 @@ class Smoother {
   const SmoothOptions& options_;
   OpenEndedWork& work_;
   RecordingScale scale_;
+  double usual_noise_;  // that the weights stand for [rad]
   const std::vector<Stretch>& stretches_;
   SmoothingSearch search_;
   Smoothing result_;
@@ -306,12 +318,12 @@ struct Smoothed {
 };
 
 /// Orientations, then positions where there are some.
-Expected<Smoothed> smoothed(const Request& request, std::vector<Stretch> stretches) {
+Expected<Smoothed> smoothed(const Request& request, const std::vector<double>& noises, std::vector<Stretch> stretches) {
   const Keyframes& recording = request.recording.keys;
   const bool has_positions = !recording.positions().empty();
   OpenEndedWork work(request.progress,
                      (has_positions ? 1.5 : 1.0) * expected_work(recording.size(), most_times_for_choice));
-  Smoother smoother(recording, request.gyro, request.options, stretches, work);
+  Smoother smoother(recording, request.gyro, request.options, noises, stretches, work);
   auto smoothing = smoother.run();
   if (!smoothing) return tl::unexpected(std::move(smoothing.error()));
   if (has_positions) {
@@ -391,14 +403,19 @@ Expected<Smoothing> smoothed(const Request& request) {
   const Track& recording = request.recording;
   const Keyframes& keys = recording.keys;
   const Progress& progress = request.progress;
+  const auto noises = stated_noise(recording);
+  if (!noises) return tl::unexpected(noises.error());
+  if (!noises->empty() && request.options.noise)
+    return bad_option("noise", "found the noise of every sample in the recording as well, wanted one of them");
   return check_recording(keys, request.options)
       .and_then([&] { return stretches_of(keys, request.options.penalty, request.options.gap); })
-      .and_then([&](std::vector<Stretch> stretches) { return smoothed(request, std::move(stretches)); })
+      .and_then([&](std::vector<Stretch> stretches) { return smoothed(request, *noises, std::move(stretches)); })
       .and_then([&](Smoothed found) -> Expected<Smoothing> {
         auto track = track_of(request, found);
         if (!track) return tl::unexpected(std::move(track.error()));
         Smoothing& smoothing = found.smoothing;
         smoothing.track = std::move(*track);
+        forget_stated_noise(smoothing.track);
         smoothing.track.recipe = recipe_for(smoothing.method, recording);
         if (progress.stopped()) return cancellation();
         smoothing.distances = distances_of(smoothing, keys, CountedSamples::all);

@@ -27,9 +27,9 @@ double distance_at(const SmoothingProblem& problem, const SmoothedNodes& nodes, 
 std::vector<double> errors_of(const SmoothingProblem& problem, const SmoothingFit& fit,
                               const SmoothingObjective& objective, double noise) {
   std::vector<double> weights = problem.weights, errors;
-  double full = 0.0;  // of a sample's weights
+  double usual = 0.0;  // weight of a usual sample
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    full = std::max(full, weights[i]);
+    usual = std::max(usual, weights[i] / problem.share(i));
     weights[i] *= fit.loss_weights[i];
   }
   const auto variances = node_variances({.times = problem.times,
@@ -39,8 +39,8 @@ std::vector<double> errors_of(const SmoothingProblem& problem, const SmoothingFi
                                          .relative_lambdas = problem.relative_lambdas});
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const double left = 1.0 - weights[i] * variances[i];  // 1 - h
-    const double distance = distance_at(problem, fit.nodes, i);
-    const double spread = noise * std::sqrt(1.0 + full * variances[i] / left);
+    const double share = problem.share(i), distance = distance_at(problem, fit.nodes, i) * std::sqrt(share);
+    const double spread = noise * std::sqrt(1.0 + usual * share * variances[i] / left);
     errors.push_back(left > least_share_left ? distance / left / spread : 0.0);
   }
   return errors;

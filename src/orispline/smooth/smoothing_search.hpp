@@ -66,11 +66,15 @@ class SmoothingSearch {
   void choose(SmoothingCriterion criterion);
   void adapt();
   void refit(const SmoothingIteration& iteration = {});
-  void fit_with_tukey();
+  [[nodiscard]] Expected<void> fit_with_tukey();
+  void note_given_up();
   [[nodiscard]] Expected<void> fit_without_outliers();
   [[nodiscard]] Expected<void> find_outliers();
   [[nodiscard]] Expected<void> check() const;
   [[nodiscard]] double noise_of_most() const;
+  /// Calls `take` with every residual in units of the σ of its sample, times that of a usual one.
+  template <class Take>
+  void for_each_residual(Take take) const;
 
   SearchPlan plan_;
   const std::vector<Stretch>& stretches_;

@@ -47,12 +47,15 @@ Expected<std::vector<Stretch>> stretches_of(const Keyframes& recording, Penalty 
                            t.size() == 1 ? "sample" : "samples", fewest_samples(penalty), gap ? "without a gap " : ""));
 }
 
-StretchProblems problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches, double noise) {
+StretchProblems problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches, double noise,
+                            const std::vector<double>& shares) {
   StretchProblems problems;
-  for (const Stretch& stretch : stretches)
+  for (const Stretch& stretch : stretches) {
     problems.push_back({.times = in_stretch(recording.times(), stretch),
-                        .orientations = in_stretch(recording.orientations(), stretch),
-                        .weights = std::vector<double>(stretch.count, 1.0 / (noise * noise))});
+                        .orientations = in_stretch(recording.orientations(), stretch)});
+    if (!shares.empty()) problems.back().shares = in_stretch(std::span(shares), stretch);
+  }
+  readmit(problems, noise);
   return problems;
 }
 
@@ -85,7 +88,10 @@ FarSamples far_samples(const std::vector<std::vector<double>>& lengths, const st
 }
 
 void readmit(StretchProblems& problems, double noise) {
-  for (SmoothingProblem& problem : problems) problem.weights.assign(problem.size(), 1.0 / (noise * noise));
+  for (SmoothingProblem& problem : problems) {
+    problem.weights.assign(problem.size(), 1.0 / (noise * noise));
+    for (std::size_t i = 0; i < problem.shares.size(); ++i) problem.weights[i] *= problem.shares[i];
+  }
 }
 
 Expected<FarSamples> reject(StretchProblems& problems, const std::vector<Stretch>& stretches, FarSamples far,

@@ -27,11 +27,37 @@ ChainElimination<P, Data, 1> eliminated(const ScalarSmoother& smoother) {
   return chain;
 }
 
+/// With a bias that drifts as one more unknown of every node.
+template <int P>
+ChainElimination<P + 1, 2, 1> eliminated_with_drift(const ScalarSmoother& smoother) {
+  using Chain = ChainElimination<P + 1, 2, 1>;
+  Chain chain;
+  chain.start(smoother.times.size());
+  for (std::size_t i = 0; i < smoother.times.size(); ++i) {
+    typename Chain::Low low = Chain::Low::Zero();
+    const double rate_root = std::sqrt(smoother.rate_weights[i]);
+    low(0, 0) = std::sqrt(smoother.weights[i]);
+    low(1, 1) = rate_root;
+    low(1, P) = -rate_root;
+    if (i + 1 < smoother.times.size()) {
+      const Eigen::Matrix<double, P, 2 * P> link = smoother.template link<P>(i);
+      low.template block<P, P>(2, 0) = link.template leftCols<P>();
+      low.template block<P, P>(2, P + 1) = link.template rightCols<P>();
+      const double walk_root = 1.0 / (smoother.drift * std::sqrt(smoother.times[i + 1] - smoother.times[i]));
+      low(2 + P, P) = -walk_root;
+      low(2 + P, 2 * P + 1) = walk_root;
+    }
+    static_cast<void>(chain.add(low));
+  }
+  return chain;
+}
+
 template <int P>
 std::vector<double> variances(const ScalarSmoother& smoother) {
   std::vector<double> result(smoother.times.size());
   const auto take = [&](std::size_t i, const auto& covariance, const auto&) { result[i] = covariance(0, 0); };
   if (smoother.rate_weights.empty()) for_each_covariance(eliminated<P, 1>(smoother), take);
+  else if (smoother.drift > 0.0) for_each_covariance(eliminated_with_drift<P>(smoother), take);
   else for_each_covariance(eliminated<P, 2>(smoother), take);
   return result;
 }
