@@ -133,6 +133,8 @@ class Smoothing(Reported):
     chosen_on: int
     noise: float
     local_noise: float
+    least_noise: float | None
+    largest_noise: float | None
     degrees_of_freedom: float | None
     rms_sigma: float | None
     rms_sigma_of_rates: float | None

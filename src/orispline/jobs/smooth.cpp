@@ -43,6 +43,12 @@ std::string noise_line(const Smoothing& smoothing) {
                    smoothing.noise * degrees, smoothing.local_noise * degrees);
 }
 
+std::string weights_line(const Smoothing& smoothing) {
+  if (smoothing.noises.empty()) return "";
+  return formatted("  of samples    {:.4g}° to {:.4g}°, by which they are weighed\n",
+                   *smoothing.least_noise_of_samples() * degrees, *smoothing.largest_noise_of_samples() * degrees);
+}
+
 std::string distance_line(const Smoothing& smoothing) {
   const auto& [all, accepted] = std::tie(smoothing.distances, smoothing.accepted_distances);
   std::string text = formatted("distance        RMS {:.4g}°, largest {:.4g}° from the samples", all.rms * degrees,
@@ -185,7 +191,8 @@ Json document_of(const SmoothOutcome& outcome) {
 
 std::string summary_of(const SmoothOutcome& outcome) {
   const Smoothing& smoothing = outcome.smoothing;
-  return source_line(outcome) + choice_line(smoothing) + noise_line(smoothing) + distance_line(smoothing) +
+  return source_line(outcome) + choice_line(smoothing) + noise_line(smoothing) + weights_line(smoothing) +
+         distance_line(smoothing) +
          freedom_line(smoothing) + sigma_line(smoothing) + gyro_lines(outcome) + outlier_lines(outcome) +
          position_lines(outcome) + stretch_lines(outcome);
 }

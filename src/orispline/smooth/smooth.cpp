@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/keyframe.hpp>
@@ -10,6 +12,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/math/median.hpp>
+#include <orispline/smooth/changing_noise.hpp>
 #include <orispline/smooth/gyro_fit.hpp>
 #include <orispline/smooth/smoothing_result.hpp>
 #include <orispline/smooth/smoothing_search.hpp>
@@ -169,8 +172,10 @@ class Smoother {
         scale_(scale_of(recording)),
         usual_noise_(options.noise.value_or(noises.empty() ? scale_.noise : median(noises))),
         stretches_(stretches),
-        search_(problems_of(recording, stretches, usual_noise_, shares_of(noises, usual_noise_)), stretches, plan(),
-                work) {}
+        search_(std::in_place, problems_of(recording, stretches, usual_noise_, shares_of(noises, usual_noise_)),
+                stretches, plan(), work) {
+    result_.noises = noises;
+  }
 
   [[nodiscard]] Expected<Smoothing> run() {
     result_.interval = scale_.interval;
@@ -179,11 +184,12 @@ class Smoother {
       return fit_with_counted_turns(gyro_plan()).map([this](const GyroFit& fit) {
         return finished(fit);
       });
-    if (auto found = search_.run(); !found) return tl::unexpected(std::move(found.error()));
+    if (auto found = search_->run(); !found) return tl::unexpected(std::move(found.error()));
+    if (auto weighed = weigh_by_noise(); !weighed) return tl::unexpected(std::move(weighed.error()));
     take_search();
     if (auto near = near_to_samples(noise_to_judge()); !near) return tl::unexpected(std::move(near.error()));
     if (!gyro_) return finished();
-    return fit_with_gyro(gyro_plan(), search_, result_.noise).map([this](GyroFit fit) {
+    return fit_with_gyro(gyro_plan(), *search_, result_.noise).map([this](GyroFit fit) {
       if (fit.finding.used) return finished(fit);
       result_.gyro = std::move(fit.finding);
       return finished();
@@ -209,13 +215,34 @@ class Smoother {
 
   /// Where the samples are followed as they are the residuals tell little.
   [[nodiscard]] double noise_to_judge() const {
-    const bool followed = search_.finding().edge == LambdaChoice::Edge::shortest;
+    const bool followed = search_->finding().edge == LambdaChoice::Edge::shortest;
     return followed ? std::max(result_.noise, scale_.noise) : result_.noise;
   }
 
+  /// Where nobody says what the noise is and it changes, samples are weighed by it, if that predicts them better.
+  [[nodiscard]] Expected<void> weigh_by_noise() {
+    const bool is_open = result_.noises.empty() && !options_.noise && !options_.smoothing_time && options_.loss != Loss::l2;
+    if (!is_open || search_->finding().edge == LambdaChoice::Edge::shortest) return {};
+    std::vector<double> noises = changing_noise(recording_);
+    if (noises.empty()) return {};
+    const double usual = std::exchange(usual_noise_, median(noises));
+    SmoothingSearch weighed(problems_of(recording_, stretches_, usual_noise_, shares_of(noises, usual_noise_)),
+                            stretches_, plan(), work_);
+    const bool found = weighed.run().has_value();
+    if (work_.stopped()) return cancellation();
+    if (found && predicts_better({search_->problems(), search_->fits(), search_->objective()},
+                                 {weighed.problems(), weighed.fits(), weighed.objective()})) {
+      search_.emplace(std::move(weighed));
+      result_.noises = std::move(noises);
+    } else {
+      usual_noise_ = usual;
+    }
+    return {};
+  }
+
   void take_search() {
-    const SmoothingSearch::Finding& found = search_.finding();
-    result_.noise = search_.residual_noise();
+    const SmoothingSearch::Finding& found = search_->finding();
+    result_.noise = search_->residual_noise();
     result_.rejected = found.rejected;
     result_.retained_outlier_runs = found.retained_outlier_runs;
   }
@@ -235,16 +262,16 @@ class Smoother {
 
   /// By the orientations alone.
   [[nodiscard]] Smoothing finished() {
-    const SmoothingSearch::Finding& found = search_.finding();
-    result_.degrees_of_freedom = 3.0 * search_.freedom().trace;
+    const SmoothingSearch::Finding& found = search_->finding();
+    result_.degrees_of_freedom = 3.0 * search_->freedom().trace;
     result_.criterion = found.criterion;
     result_.edge = found.edge;
     result_.chosen_on = found.chosen_on;
-    result_.lambda = search_.lambda();
-    result_.smoothing_time = search_.smoothing_time();
-    result_.smoothing_times = search_.smoothing_times();
-    if (options_.sigma) result_.sigmas = search_.sigmas(options_.noise.value_or(result_.noise));
-    take_fits(search_.fits());
+    result_.lambda = search_->lambda();
+    result_.smoothing_time = search_->smoothing_time();
+    result_.smoothing_times = search_->smoothing_times();
+    if (options_.sigma) result_.sigmas = search_->sigmas(options_.noise.value_or(result_.noise));
+    take_fits(search_->fits());
     return std::move(result_);
   }
 
@@ -275,7 +302,7 @@ class Smoother {
   RecordingScale scale_;
   double usual_noise_;  // that the weights stand for [rad]
   const std::vector<Stretch>& stretches_;
-  SmoothingSearch search_;
+  std::optional<SmoothingSearch> search_;  // never empty
   Smoothing result_;
   KeysBetween between_;
 };

@@ -165,6 +165,9 @@ struct ORISPLINE_EXPORT Smoothing {
   double lambda = 0.0;                    ///< weight of the penalty against |r|²/σ²
   double noise = 0.0;        ///< σ of the orientations per axis [rad], estimated from the residuals, or as stated
   double local_noise = 0.0;  ///< estimated from neighbouring samples [rad]
+  /// σ of every sample of the recording per axis [rad], by which they are weighed: as stated, or where it was found to
+  /// change; else empty. `noise` is then that of a usual sample.
+  std::vector<double> noises{};
   std::optional<double> degrees_of_freedom{};         ///< effective ones of the curve, 3 tr; absent with a gyro
   std::optional<GyroFinding> gyro{};                  ///< with a gyro
   std::vector<std::size_t> rejected{};                ///< samples that do not count
@@ -186,6 +189,9 @@ struct ORISPLINE_EXPORT Smoothing {
   /// The shortest and the longest τ [s]; absent where it is the same everywhere.
   [[nodiscard]] std::optional<double> shortest_smoothing_time() const;
   [[nodiscard]] std::optional<double> longest_smoothing_time() const;
+  /// The least and the largest of `noises` [rad]; absent where all samples count the same.
+  [[nodiscard]] std::optional<double> least_noise_of_samples() const;
+  [[nodiscard]] std::optional<double> largest_noise_of_samples() const;
   /// Root mean square over all keys and axes of the standard deviations of the orientations [rad]; absent without them.
   [[nodiscard]] std::optional<double> rms_sigma() const;
   /// Of the angular velocities [rad/s].

@@ -125,6 +125,14 @@ std::optional<double> Smoothing::longest_smoothing_time() const {
   return smoothing_times.empty() ? std::nullopt : std::optional(std::ranges::max(smoothing_times));
 }
 
+std::optional<double> Smoothing::least_noise_of_samples() const {
+  return noises.empty() ? std::nullopt : std::optional(std::ranges::min(noises));
+}
+
+std::optional<double> Smoothing::largest_noise_of_samples() const {
+  return noises.empty() ? std::nullopt : std::optional(std::ranges::max(noises));
+}
+
 std::optional<double> Smoothing::rms_sigma() const {
   return sigmas ? std::optional(root_mean_square(sigmas->orientations)) : std::nullopt;
 }
