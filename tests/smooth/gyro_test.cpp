@@ -121,7 +121,8 @@ TEST(GyroBias, IsFollowedWhereItDrifts) {
   const double drift = 1.0 * degree;
   for (std::uint64_t seed = 0; seed < 2; ++seed) {
     const Recorded made = walking(seed, drift);
-    const Smoothing constant = with_gyro(made.noisy), drifting = with_gyro(made.noisy, {.gyro_bias = GyroBias::drifting});
+    const Smoothing constant = with_gyro(made.noisy),
+                    drifting = with_gyro(made.noisy, {.gyro_bias = GyroBias::drifting});
     EXPECT_TRUE(drifting.gyro->used);
     EXPECT_LT(rms(drifting, made.clean), 0.75 * rms(constant, made.clean));
     ASSERT_TRUE(drifting.gyro->drift);
@@ -134,7 +135,8 @@ TEST(GyroBias, IsFollowedWhereItDrifts) {
 
 TEST(GyroBias, CostsLittleToFollowWhereItIsConstant) {
   const Recorded made = recorded(3);
-  EXPECT_LT(rms(with_gyro(made.noisy, {.gyro_bias = GyroBias::drifting}), made.clean), 1.1 * rms(with_gyro(made.noisy), made.clean));
+  EXPECT_LT(rms(with_gyro(made.noisy, {.gyro_bias = GyroBias::drifting}), made.clean),
+            1.1 * rms(with_gyro(made.noisy), made.clean));
 }
 
 TEST(Gyro, IsSaidToContradictAStatedNoise) {

@@ -10,7 +10,7 @@ constexpr auto smooth_footer = R"(Examples:
   orispline smooth noisy.csv --noise 1deg --gap 0.5 -o keys.csv
   orispline smooth noisy.csv --cutoff 8 --loss l2 --rate 200 -o motion.csv
   orispline smooth imu.csv --gyro -o keys.csv
-  orispline smooth camera.csv --gyro-file imu.csv -o keys.csv
+  orispline smooth poses.csv --gyro-file imu.csv -o keys.csv
   orispline smooth noisy.csv --sigma -o keys.csv
   orispline smooth walk.bvh -o clean.bvh
   orispline smooth recordings --output-folder smoothed

@@ -118,9 +118,10 @@ std::string outlier_lines(const SmoothOutcome& outcome) {
   if (rejects(outcome.request.options.loss))
     text += formatted("rejected        {}\n", counted_places(outcome, smoothing.rejected));
   if (const auto& kept = smoothing.retained_outlier_runs; !kept.empty())
-    text += formatted("far, but kept   {}; the samples beside them are far too, which is rather motion than "
-                      "outliers (if they are faults, set the loss huber)\n",
-                      counted_places(outcome, kept));
+    text += formatted(
+        "far, but kept   {}; the samples beside them are far too, which is rather motion than "
+        "outliers (if they are faults, set the loss huber)\n",
+        counted_places(outcome, kept));
   return text;
 }
 
@@ -192,9 +193,8 @@ Json document_of(const SmoothOutcome& outcome) {
 std::string summary_of(const SmoothOutcome& outcome) {
   const Smoothing& smoothing = outcome.smoothing;
   return source_line(outcome) + choice_line(smoothing) + noise_line(smoothing) + weights_line(smoothing) +
-         distance_line(smoothing) +
-         freedom_line(smoothing) + sigma_line(smoothing) + gyro_lines(outcome) + outlier_lines(outcome) +
-         position_lines(outcome) + stretch_lines(outcome);
+         distance_line(smoothing) + freedom_line(smoothing) + sigma_line(smoothing) + gyro_lines(outcome) +
+         outlier_lines(outcome) + position_lines(outcome) + stretch_lines(outcome);
 }
 
 std::string line_of(const SmoothOutcome& outcome) {

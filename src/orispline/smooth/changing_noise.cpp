@@ -81,8 +81,8 @@ std::vector<Part> joined(const LogNoises& noises, const std::vector<Part>& parts
   return all;
 }
 
-/// Of one difference of three normal variables: that of the logarithm of a chi variable with 3 degrees of freedom, 0.23,
-/// times two, for neighbours share samples.
+/// Of one difference of three normal variables: that of the logarithm of a chi variable with 3 degrees of freedom,
+/// 0.23, times two, for neighbours share samples.
 constexpr double variance_of_logarithm = 0.46;
 
 std::vector<double> left_out_distances(const PredictedSamples& seen) {

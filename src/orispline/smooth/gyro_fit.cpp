@@ -21,7 +21,7 @@ constexpr int most_rounds = 3;       // of looking for faults beside an alignmen
 constexpr double sure_offset = 3.0;  // in its standard deviations: a smaller one is none
 constexpr double doubt = 1.5;        // in standard deviations of the difference between two risks
 constexpr std::size_t fewest_rates = 3;
-constexpr double least_drift = 1e-3;       // over the recording, in units of the noise of the gyro
+constexpr double least_drift = 1e-3;  // over the recording, in units of the noise of the gyro
 constexpr double drift_ratio = 2.0, drift_tolerance = 1e-2;
 constexpr int drift_rises_until_sure = 4;
 constexpr double longest_sure_step = 0.5 * std::numbers::pi;  // [rad]

@@ -145,6 +145,8 @@ Expected<void> near_to_samples(double noise) {
                            noise * degrees));
 }
 
+constexpr double doubtful_noise = 1.2;  // between neighbours, over a stated one
+
 /// The weights of samples over that of one with the usual noise; empty where they are all alike.
 std::vector<double> shares_of(const std::vector<double>& noises, double usual) {
   std::vector<double> shares;
@@ -181,15 +183,13 @@ class Smoother {
     result_.interval = scale_.interval;
     result_.local_noise = scale_.noise;
     if (gyro_ && has_to_count_turns(gyro_plan()))
-      return fit_with_counted_turns(gyro_plan()).map([this](const GyroFit& fit) {
-        return finished(fit);
-      });
+      return fit_with_counted_turns(gyro_plan()).map([this](const GyroFit& fit) { return finished(fit); });
     if (auto found = search_->run(); !found) return tl::unexpected(std::move(found.error()));
     if (auto weighed = weigh_by_noise(); !weighed) return tl::unexpected(std::move(weighed.error()));
     take_search();
     if (auto near = near_to_samples(noise_to_judge()); !near) return tl::unexpected(std::move(near.error()));
     if (!gyro_) return finished();
-    return fit_with_gyro(gyro_plan(), *search_, result_.noise).map([this](GyroFit fit) {
+    return fit_with_gyro(gyro_plan(), *search_, noise_to_judge_gyro()).map([this](GyroFit fit) {
       if (fit.finding.used) return finished(fit);
       result_.gyro = std::move(fit.finding);
       return finished();
@@ -221,7 +221,8 @@ class Smoother {
 
   /// Where nobody says what the noise is and it changes, samples are weighed by it, if that predicts them better.
   [[nodiscard]] Expected<void> weigh_by_noise() {
-    const bool is_open = result_.noises.empty() && !options_.noise && !options_.smoothing_time && options_.loss != Loss::l2;
+    const bool is_open =
+        result_.noises.empty() && !options_.noise && !options_.smoothing_time && options_.loss != Loss::l2;
     if (!is_open || search_->finding().edge == LambdaChoice::Edge::shortest) return {};
     std::vector<double> noises = changing_noise(recording_);
     if (noises.empty()) return {};
@@ -238,6 +239,17 @@ class Smoother {
       usual_noise_ = usual;
     }
     return {};
+  }
+
+  /// A stated noise that is too small lets the curve follow the samples, and the residuals then tell too little of it.
+  [[nodiscard]] double noise_to_judge_gyro() {
+    if (!options_.noise || scale_.noise <= doubtful_noise * *options_.noise) return result_.noise;
+    SearchPlan open = plan();
+    open.criterion = SmoothingCriterion::gcv;
+    open.noise = scale_.noise;
+    open.adapt = false;
+    SmoothingSearch search(problems_of(recording_, stretches_, open.noise), stretches_, open, work_);
+    return search.run() ? std::max(result_.noise, search.residual_noise()) : result_.noise;
   }
 
   void take_search() {

@@ -95,7 +95,7 @@ struct SmoothedNodes {
   std::vector<Eigen::Vector3d> angular_accelerations{};  ///< [rad/s²]
   std::vector<Eigen::Vector3d> positions{};
   Eigen::Vector3d gyro_correction = Eigen::Vector3d::Zero();  ///< b [rad/s]: the gyro, b added, has no bias
-  std::vector<Eigen::Vector3d> gyro_corrections{};  ///< likewise, of a bias that drifts; b is their mean
+  std::vector<Eigen::Vector3d> gyro_corrections{};            ///< likewise, of a bias that drifts; b is their mean
 };
 
 /// What the samples leave open of nodes: one standard deviation along each axis of the body.
@@ -201,8 +201,8 @@ struct ORISPLINE_EXPORT Smoothing {
   [[nodiscard]] bool covers(double t) const;
 };
 
-/// Settings of a recording that state the noise of its samples one by one, per axis: `sigma` [rad] or `sigma_deg`, or of
-/// the axes of the body `sigma_x`, … [rad] or `cov_xx`, … [rad²]. They weigh the samples.
+/// Settings of a recording that state the noise of its samples one by one, per axis: `sigma` [rad] or `sigma_deg`, or
+/// of the axes of the body `sigma_x`, … [rad] or `cov_xx`, … [rad²]. They weigh the samples.
 inline constexpr std::array<std::string_view, 8> noise_columns{"sigma",   "sigma_deg", "sigma_x", "sigma_y",
                                                                "sigma_z", "cov_xx",    "cov_yy",  "cov_zz"};
 

@@ -146,10 +146,8 @@ constexpr std::array of_orientations{
                                                .sentence = "The least σ by which samples are weighed, stated or found",
                                                .quantity = &quantities::angle,
                                                .absent = "all samples count the same"}),
-    field<&Smoothing::largest_noise_of_samples>({.name = "largest_noise",
-                                                 .sentence = "The largest one",
-                                                 .quantity = &quantities::angle,
-                                                 .absent = "likewise"}),
+    field<&Smoothing::largest_noise_of_samples>(
+        {.name = "largest_noise", .sentence = "The largest one", .quantity = &quantities::angle, .absent = "likewise"}),
     field<&Smoothing::degrees_of_freedom>(
         {.name = "degrees_of_freedom",
          .sentence = "Effective number of the curve's parameters, out of three for each key",

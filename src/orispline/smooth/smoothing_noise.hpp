@@ -29,8 +29,8 @@ inline constexpr double largest_noise = 0.5;
 /// Times [s] increase; 0 for fewer than three.
 [[nodiscard]] double local_noise(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations);
 
-/// The lengths of these differences, each as that of one sample [rad], of every orientation but the first and the last; 0
-/// where they tell nothing.
+/// The lengths of these differences, each as that of one sample [rad], of every orientation but the first and the last;
+/// 0 where they tell nothing.
 [[nodiscard]] std::vector<double> local_noises(std::span<const double> times,
                                                std::span<const Eigen::Quaterniond> orientations);
 

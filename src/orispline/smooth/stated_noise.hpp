@@ -8,9 +8,9 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
-/// σ of every sample per axis [rad], as the settings of a recording state it: `sigma` or `sigma_deg`; of the axes of the
-/// body `sigma_x`, `sigma_y`, `sigma_z`, or `cov_xx`, `cov_yy`, `cov_zz` [rad²], whose mean variance counts. Empty where
-/// none do.
+/// σ of every sample per axis [rad], as the settings of a recording state it: `sigma` or `sigma_deg`; of the axes of
+/// the body `sigma_x`, `sigma_y`, `sigma_z`, or `cov_xx`, `cov_yy`, `cov_zz` [rad²], whose mean variance counts. Empty
+/// where none do.
 ///
 /// Errors (bad_data, with the key): one that is not above 0, or not finite; two of these forms; one of three axes
 /// without the others.
