@@ -9,6 +9,7 @@ import json
 import math
 import os
 import pathlib
+import random
 import sys
 import unittest
 
@@ -116,6 +117,33 @@ class SmoothWithGyro(CommandTest):
         self.write("none.csv", "t,a,b\n0,1,2\n")
         self.assertIn("wanted the rates of the body wx, wy and wz", self.run_command("smooth poses.csv --gyro-file none.csv -o nothing.csv").stderr)
         self.assertFalse((self.folder / "nothing.csv").exists())
+
+    def test_rows_without_an_orientation_are_sorted_too(self):
+        header, *rows = (CASES / "12_gyro_through.csv").read_text("utf-8").splitlines()
+        self.smoothed("12_gyro_through.csv")
+        in_order = orientations(self.folder / "out.csv")
+        self.write("back.csv", "\n".join([header, *rows[::-1]]) + "\n")
+        self.output_of("smooth back.csv --gyro --sort -o out.csv")
+        self.assertEqual(orientations(self.folder / "out.csv"), in_order)
+        done = self.run_command("smooth back.csv --gyro -o nothing.csv")
+        self.assertEqual(done.returncode, BAD_DATA)
+        self.assertIn("--sort orders the rows", done.stderr)
+
+    def test_positions_of_rows_without_them_lie_on_the_path(self):
+        text = "t,qw,qx,qy,qz,px,py,pz,wx,wy,wz\n"
+        dice = random.Random(3)
+        for row in rows_of(CASES / "12_gyro_through.csv"):
+            t, posed = float(row["t"]), row["qw"] != "nan"
+            place = [repr(math.sin(t) + dice.gauss(0, 0.002)), repr(t + dice.gauss(0, 0.002)), repr(dice.gauss(0, 0.002))] if posed else ["", "", ""]
+            text += ",".join([row["t"], *(row[c] for c in ("qw", "qx", "qy", "qz")), *place, *(row[c] for c in ("wx", "wy", "wz"))]) + "\n"
+        self.write("moving.csv", text)
+        self.output_of("smooth moving.csv --gyro --sigma -o out.csv")
+        written = rows_of(self.folder / "out.csv")
+        self.assertEqual(len(written), 800)
+        for row in written:
+            t = float(row["t"])
+            self.assertLess(math.dist((math.sin(t), t, 0.0), tuple(float(row[c]) for c in ("px", "py", "pz"))), 0.05)
+            self.assertGreater(float(row["sigma_x"]), 0.0)
 
     def test_bad_offsets_are_refused(self):
         name = str(CASES / "04n_0ms.csv")

@@ -261,6 +261,23 @@ Expected<void> KeyRows::sort() {
   return {};
 }
 
+/// Likewise of those that are set aside.
+Expected<void> KeyRows::sort_unposed() {
+  RateRows& rows = file_.unposed;
+  std::vector<std::uint32_t> places(rows.lines.size());
+  std::iota(places.begin(), places.end(), std::uint32_t{0});
+  std::stable_sort(places.begin(), places.end(),
+                   [&rows](auto a, auto b) { return rows.exact_times[a] < rows.exact_times[b]; });
+  rows.exact_times = gathered(rows.exact_times, places);
+  rows.rates = gathered(rows.rates, places);
+  rows.lines = gathered(rows.lines, places);
+  const auto same = std::ranges::adjacent_find(rows.exact_times);
+  if (same == rows.exact_times.end()) return {};
+  return failure(
+      ErrorCode::bad_data, formatted("duplicate time {}, wanted increasing times", same->to_string()),
+      {.file = file_.path, .line = rows.lines[static_cast<std::size_t>(same - rows.exact_times.begin()) + 1]});
+}
+
 Expected<void> KeyRows::complete() {
   if (taken_ + size() == 0) {
     const std::size_t dropped = file_.repairs.invalid_dropped;
@@ -268,7 +285,9 @@ Expected<void> KeyRows::complete() {
     return failure(ErrorCode::bad_data, "empty: no keys" + reason, {.file = file_.path});
   }
   turns_.finish();
-  return options_.sort ? sort() : Expected<void>();
+  if (!options_.sort) return {};
+  if (auto sorted = sort_unposed(); !sorted) return sorted;
+  return sort();
 }
 
 KeyFile KeyRows::take() {

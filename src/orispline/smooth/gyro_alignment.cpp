@@ -18,7 +18,6 @@ constexpr double widest_search = 5.0, searched_share = 0.25;  // [s]; of the rec
 constexpr std::size_t most_compared = 1500;                   // orientations, in the search
 constexpr double trusted_share = 0.85;                        // of the rates, in the search
 constexpr double clearly_better = 0.8;                        // of the misfit without an offset
-constexpr double widest_step = 3.0;                           // median ones between orientations that tell a rate
 
 constexpr double longest_window = 10.0;  // [s], for a bias drifts
 constexpr std::size_t fewest_in_window = 8, usual_in_window = 30;

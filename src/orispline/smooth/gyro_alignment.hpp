@@ -20,7 +20,7 @@ struct SeenPoses {
 };
 
 /// The rate of the motion that orientations have by themselves [rad/s], the cubic between two of them; nothing beside
-/// them and where they are too far apart to tell it.
+/// them.
 [[nodiscard]] std::optional<Eigen::Vector3d> rate_of_poses(const SeenPoses& poses, double t);
 
 /// How a gyro stands to orientations: its stamp less `offset` is the time on their clock, and its rate plus

@@ -24,6 +24,8 @@ constexpr double jump = 5.0;           // of the turn between path and world acr
 constexpr double zero_fault = 4.0;     // zeros in all three axes
 constexpr double clipped_excess = 1.0;
 
+constexpr double widest_step = 3.0;  // between orientations that tell a rate, in the median one
+
 constexpr std::size_t longest_pair = 2, joined_over = 2;  // rates
 constexpr std::size_t beside_run = 8;                     // orientations on either side of a run that say where it led
 constexpr std::size_t fewest_clipped = 2;                 // in a row
@@ -61,7 +63,7 @@ struct Differences {
   Eigen::Vector3d common = Eigen::Vector3d::Zero();
 
   Differences(const SeenPoses& poses, const GyroRates& gyro, double offset, const CountedRates& counts) {
-    const double widest = 3.0 * median_interval(poses.times);
+    const double widest = widest_step * median_interval(poses.times);
     for (std::size_t k = 0; k < gyro.times.size(); ++k) {
       const double t = gyro.times[k] - offset;
       if (!counts[k] || !tells_rate(poses, t, widest)) continue;

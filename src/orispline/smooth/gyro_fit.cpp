@@ -47,27 +47,6 @@ bool are_motion(const SeenPoses& poses) {
 
 CountedRates all_rates(const GyroRates& gyro) { return CountedRates(gyro.times.size(), true); }
 
-/// Whether the rates are there, and at the time of the recording, with the offset that was stated.
-Expected<void> check_overlap(const GyroPlan& plan) {
-  const auto& times = plan.gyro.times;
-  if (times.size() < fewest_rates)
-    return failure(ErrorCode::bad_data,
-                   formatted("found {} rates of the gyro, wanted at least {}", times.size(), fewest_rates));
-  const auto poses = plan.recording.times();
-  const double offset = plan.options.gyro_offset.value_or(0.0), span = poses.back() - poses.front();
-  if (std::abs(offset) >= span && span > 0.0)
-    return bad_option(
-        "gyro_offset",
-        formatted("found {:.6g} s, wanted less than the duration of the recording of {:.6g} s", offset, span));
-  const double first = times.front() - offset, last = times.back() - offset;
-  if (first < poses.back() && last > poses.front()) return {};
-  return failure(
-      ErrorCode::bad_data,
-      formatted("the rates of the gyro are from {:.6g} s to {:.6g} s and do not overlap the recording, which is "
-                "from {:.6g} s to {:.6g} s, wanted `gyro_offset` for a clock that differs so much",
-                first, last, poses.front(), poses.back()));
-}
-
 /// The orientations that the fit of one stretch has by itself.
 SeenPoses seen_by(const GyroPlan& plan, const SmoothingSearch& without, double noise) {
   SeenPoses poses = poses_of(plan, noise);
@@ -213,6 +192,36 @@ void judge(GyroFit& fit, const SmoothingSearch& without, double noise) {
 
 }  // namespace
 
+Expected<void> check_gyro(const GyroPlan& plan) {
+  const auto& times = plan.gyro.times;
+  if (times.size() < fewest_rates)
+    return failure(ErrorCode::bad_data,
+                   formatted("found {} rates of the gyro, wanted at least {}", times.size(), fewest_rates));
+  if (times.size() != plan.gyro.rates.size())
+    return failure(ErrorCode::bad_data,
+                   formatted("found {} times and {} rates of the gyro, wanted one rate for each time", times.size(),
+                             plan.gyro.rates.size()));
+  for (std::size_t k = 0; k < times.size(); ++k)
+    if (!plan.gyro.rates[k].allFinite() || !std::isfinite(times[k]) || (k > 0 && times[k] <= times[k - 1]))
+      return failure(ErrorCode::bad_data,
+                     formatted("rate {} of the gyro: its time {} s or a number is not finite, or the time "
+                               "does not come after the one before it",
+                               k, times[k]));
+  const auto poses = plan.recording.times();
+  const double offset = plan.options.gyro_offset.value_or(0.0), span = poses.back() - poses.front();
+  if (std::abs(offset) >= span && span > 0.0)
+    return bad_option(
+        "gyro_offset",
+        formatted("found {:.6g} s, wanted less than the duration of the recording of {:.6g} s", offset, span));
+  const double first = times.front() - offset, last = times.back() - offset;
+  if (first < poses.back() && last > poses.front()) return {};
+  return failure(
+      ErrorCode::bad_data,
+      formatted("the rates of the gyro are from {:.6g} s to {:.6g} s and do not overlap the recording, which is "
+                "from {:.6g} s to {:.6g} s, wanted `gyro_offset` for a clock that differs so much",
+                first, last, poses.front(), poses.back()));
+}
+
 bool has_to_count_turns(const GyroPlan& plan) {
   if (plan.recording.size() < 2 || plan.gyro.times.size() < 2) return false;
   const SeenPoses poses = poses_of(plan, 1.0);
@@ -222,7 +231,6 @@ bool has_to_count_turns(const GyroPlan& plan) {
 }
 
 Expected<GyroFit> fit_with_counted_turns(const GyroPlan& plan) {
-  if (auto checked = check_overlap(plan); !checked) return tl::unexpected(std::move(checked.error()));
   const double offset = plan.options.gyro_offset.value_or(0.0);
   SeenPoses poses = poses_of(plan, 1.0);
   const Seen all{{.offset = offset}, all_rates(plan.gyro)};
@@ -240,7 +248,6 @@ Expected<GyroFit> fit_with_counted_turns(const GyroPlan& plan) {
 }
 
 Expected<GyroFit> fit_with_gyro(const GyroPlan& plan, const SmoothingSearch& without, double noise) {
-  if (auto checked = check_overlap(plan); !checked) return tl::unexpected(std::move(checked.error()));
   const SeenPoses poses = seen_by(plan, without, plan.options.noise.value_or(std::max(least_noise, noise)));
   if (auto means = check_frame(poses, plan.gyro); !means) return tl::unexpected(std::move(means.error()));
   const double gyro_noise = gyro_noise_of(plan);

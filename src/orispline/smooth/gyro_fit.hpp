@@ -28,6 +28,10 @@ struct GyroPlan {
   OpenEndedWork& work;
 };
 
+/// Whether the rates are sound and stand at times of the recording, with the offset that is stated. Errors: bad_data;
+/// bad_argument for an offset as long as the recording.
+[[nodiscard]] Expected<void> check_gyro(const GyroPlan& plan);
+
 /// Whether the gyro has to count the turns between orientations, so that nothing is known without it; not where it is
 /// undecided how many they are and the orientations may be a motion by themselves.
 [[nodiscard]] bool has_to_count_turns(const GyroPlan& plan);

@@ -182,6 +182,8 @@ class Smoother {
   [[nodiscard]] Expected<Smoothing> run() {
     result_.interval = scale_.interval;
     result_.local_noise = scale_.noise;
+    if (gyro_)
+      if (auto checked = check_gyro(gyro_plan()); !checked) return tl::unexpected(std::move(checked.error()));
     if (gyro_ && has_to_count_turns(gyro_plan()))
       return fit_with_counted_turns(gyro_plan()).map([this](const GyroFit& fit) { return finished(fit); });
     if (auto found = search_->run(); !found) return tl::unexpected(std::move(found.error()));
