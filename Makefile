@@ -103,7 +103,7 @@ sweep:
 	tools/setup.sh build test
 	cmake --preset release -DORISPLINE_TESTS=ON
 	cmake --build build/release -j $(JOBS) --target smooth_tests
-	ORISPLINE_SWEEP=all GTEST_FILTER='NeverWorse.*:Strikes.*:Adaptation.*' \
+	ORISPLINE_SWEEP=all GTEST_FILTER='NeverWorse.*:Strikes.*:Adaptation.*:Gyro*' \
 	  ctest --test-dir build/release -R '^smooth_tests\.[01]$$' -j $(JOBS) --output-on-failure
 
 # Small faults in the library, and whether the tests find them: hours.

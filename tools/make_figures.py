@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from band_figure import band_figure
+from gyro_figure import gyro_figure
 from mean_figure import mean_figure
 from rotations import DEGREE, conjugate, norm, times, to_world, turn
 from sampled_motion import Motion, sampled
@@ -288,6 +289,7 @@ def main():
     figures["skeletons"] = skeleton_figure(command)
     figures["mean"] = mean_figure(command)
     figures["families/measured"] = band_figure(command, Motion(text_of("flight_truth.csv")), table)
+    figures["gyro"] = gyro_figure(command, Motion(text_of("flight_truth.csv")))
     figures["closed"] = closed_figure(command)
     figures["flight"] = flight_figure(command)
     for name, figure in figures.items():

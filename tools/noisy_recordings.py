@@ -19,7 +19,7 @@ NOISES = (0.2, 1.0, 3.0)  # deg per axis
 # Way of smoothing that the reference knows too -> options of the command.
 WAYS = {"gcv": "--loss l2 --no-adapt", "noise": "--loss l2 --no-adapt --noise {noise}deg",
         "jerk": "--loss l2 --no-adapt --penalty jerk",
-        "gyro": "--loss l2 --noise {noise}deg --gyro --gyro-noise {gyro}deg/s"}
+        "gyro": "--loss l2 --noise {noise}deg --gyro --gyro-noise {gyro}deg/s --gyro-offset 0"}
 
 
 def options_of(way, name, noise):

@@ -6,6 +6,7 @@ The recordings are not part of the project, for their licences differ: they are 
 tools/smoothing_table.py --golden wrote the reference's figures.
 """
 import csv
+import json
 import os
 import pathlib
 import sys
@@ -48,6 +49,17 @@ class SmoothRecordings(CommandTest):
                 found = rms_degrees(self.smoothed(with_noise(clean, noise, 0), options), clean.orientations)
                 wanted = float(row["error_deg"])
                 self.assertLess(abs(found - wanted), 1e-3 * wanted)
+
+    def test_the_clocks_of_real_gyros_are_late(self):
+        for name, late, share in (("BROAD", 0.0042, 0.75), ("PX4", 0.0019, 0.8)):
+            with self.subTest(recording=name):
+                clean, options = self.clean[name], options_of("gyro", name, 0.2)
+                noisy, where = with_noise(clean, 0.2, 0), options.index("--gyro-offset")
+                in_step = rms_degrees(self.smoothed(noisy, options), clean.orientations)
+                corrected = rms_degrees(self.smoothed(noisy, options[:where]), clean.orientations)
+                self.assertLess(corrected, share * in_step)
+                told = json.loads(self.output_of(["smooth", str(self.folder / "noisy.csv"), *options[:where], "--json", "-o", "out.csv"]))
+                self.assertLess(abs(told["gyro_offset_s"] - late), 0.0003)
 
     def test_outliers_cost_little(self):
         for name, clean in self.clean.items():

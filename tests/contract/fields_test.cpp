@@ -106,7 +106,7 @@ TEST(Fields, ShowWhatIsComputedOfAResult) {
   Smoothing smoothing;
   const auto fields = fields_of<Smoothing>();
   EXPECT_TRUE(is_absent(field_named(fields, "gyro_correction").get(&smoothing)));
-  smoothing.gyro_noise = 0.1;
+  smoothing.gyro = GyroFinding{.noise = 0.1, .used = true};
   smoothing.nodes.gyro_correction = {1.0, 2.0, 3.0};
   EXPECT_EQ(field_named(fields, "gyro_correction").get(&smoothing), FieldValue(std::vector{1.0, 2.0, 3.0}));
   EXPECT_FALSE(field_named(fields, "cutoff").set);

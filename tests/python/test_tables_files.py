@@ -247,7 +247,7 @@ def test_the_command_says_what_is_wrong(keys, tmp_path, words, code, message, mo
     assert os.listdir(tmp_path) == ["keys.parquet"] and keys.exists()
 
 
-@pytest.mark.parametrize(("name", "table", "without"), [("smooth", "SmoothOptions", {"gyro", "gyro_noise", "sigma"}), ("reduce", "ReduceOptions", {"values"})])
+@pytest.mark.parametrize(("name", "table", "without"), [("smooth", "SmoothOptions", {"gyro", "gyro_noise", "gyro_offset", "gyro_bias", "sigma"}), ("reduce", "ReduceOptions", {"values"})])
 def test_the_command_has_every_option_of_the_tasks(name, table, without, capsys):
     assert in_this_process([name, "--help"]) == 0
     said = capsys.readouterr().out

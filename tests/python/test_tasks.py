@@ -7,6 +7,7 @@ import re
 import numpy as np
 import orispline as ori
 import pytest
+from scipy.spatial.transform import Rotation
 from task_files import EXAMPLES, columns_of, group, json_of, keys_in, noisy_file, run
 
 
@@ -259,3 +260,55 @@ def test_keys_for_another_method_are_warned_of(tmp_path):
     assert found[0].message.code == "recipe_set_aside"
     ori.retime(keys, max_rate="60deg/s")
     ori.retime(keys, max_rate="60deg/s", method=keys.curve())
+
+
+def late_gyro(late, count=800):
+    """Keys of a turn to and fro at 100 Hz with noise of 0.5°, and the rates of a gyro whose stamps are late [s]."""
+    dice = np.random.default_rng(5)
+    t = np.arange(count) * 0.01
+
+    def turn(at):
+        return 0.8 * np.sin(3 * at) + 0.3 * np.sin(7 * at + 1)
+
+    noise = Rotation.from_rotvec(dice.normal(size=(count, 3)) * np.radians(0.5))
+    keys = ori.Keys(t, (Rotation.from_rotvec(np.outer(turn(t), [0, 0.6, 0.8])) * noise).as_quat())
+    rate = 2.4 * np.cos(3 * t) + 2.1 * np.cos(7 * t + 1)
+    return keys, ori.Rates(t + late, np.outer(rate, [0, 0.6, 0.8]) + 0.01 + dice.normal(size=(count, 3)) * 0.01)
+
+
+def test_a_gyro_may_have_times_of_its_own():
+    keys, rates = late_gyro(0.0432)
+    smoothing = ori.smooth(keys, gyro=rates)
+    assert smoothing.gyro_used
+    assert abs(smoothing.gyro_offset - 0.0432) < 5 * smoothing.gyro_offset_sigma < 0.005
+    assert len(smoothing.keys) > len(keys)  # the rates have keys too
+    assert np.abs(smoothing.gyro_correction + 0.01).max() < 0.003
+    assert "late" in str(smoothing)
+    assert len(rates) == 800 and repr(rates) == "Rates(800 rates)"
+    stated = ori.smooth(keys, gyro=rates, gyro_offset=0.0432)
+    assert stated.gyro_offset == 0.0432 and stated.gyro_offset_sigma is None
+    holes = rates.rates.copy()
+    holes[100:103, 1] = np.nan
+    assert ori.smooth(keys, gyro=ori.Rates(rates.times, holes)).gyro_used
+
+
+def test_bad_rates_are_refused():
+    keys, rates = late_gyro(0.0, 50)
+    for times, values, error, message in (
+            (rates.times[:-1], rates.rates, ori.DataError, "rates: found 50 rows and times of shape"),
+            (rates.times, rates.rates[:, :2], ori.ArgumentError, "rates: found an array of shape"),
+            (rates.times[::-1], rates.rates, ori.DataError, "gyro: time 1 does not come after the one before it"),
+            (rates.times + 100, rates.rates, ori.DataError, "do not overlap the recording")):
+        with pytest.raises(error, match=message):
+            ori.smooth(keys, gyro=ori.Rates(times, values))
+    with pytest.raises(ori.ArgumentError, match="gyro_offset: found 30"):
+        ori.smooth(keys, gyro=rates, gyro_offset=30)
+
+
+def test_settings_state_the_noise_of_samples():
+    keys, _ = late_gyro(0.0, 200)
+    weighed = ori.Keys(keys.times, keys.rotations, settings={"sigma": np.where(np.arange(200) < 100, 0.01, 0.02)})
+    smoothing = ori.smooth(weighed)
+    assert (smoothing.least_noise, smoothing.largest_noise) == (0.01, 0.02)
+    with pytest.raises(ori.DataError, match="sigma: found -1"):
+        ori.smooth(ori.Keys(keys.times, keys.rotations, settings={"sigma": np.full(200, -1.0)}))

@@ -123,7 +123,7 @@ TEST(Smooth, GyroBringsTheMotionNearerAndItsBiasIsFound) {
   }
   const auto fused = smooth(Keyframes::make(recording.noisy).value(), {.gyro = true}).value();
   EXPECT_EQ(fused.criterion, SmoothingCriterion::reml);
-  EXPECT_NEAR(*fused.gyro_noise, 0.01, 0.001);
+  EXPECT_NEAR(fused.gyro->noise, 0.01, 0.001);
   EXPECT_LT((fused.nodes.gyro_correction + bias).norm(), 0.003);
   EXPECT_LT(rms(fused, recording.clean), 0.6 * rms(plain, recording.clean));
 }
@@ -176,7 +176,7 @@ TEST(Smooth, TellsAGyroThatDoesNotMeasureTheMotion) {
   data.angular_velocities = rates;
   data.angular_velocities[300] = Eigen::Vector3d(0.0, 300.0, 0.0);
   const auto fused = smooth(Keyframes::make(data).value(), {.gyro = true}).value();
-  EXPECT_EQ(fused.rejected_gyro, std::vector<std::size_t>{300});
+  EXPECT_EQ(fused.gyro->rejected, std::vector<std::size_t>{300});
   EXPECT_LT(rms(fused, recording.clean), 0.5 * degree);
   const auto expect_refused = [&](const auto& made, const char* beginning, const char* cure) {
     for (std::size_t i = 0; i < rates.size(); ++i)

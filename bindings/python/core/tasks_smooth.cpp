@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,8 +23,19 @@ namespace {
 
 using jobs::SmoothOutcome;
 
-SmoothOutcome smoothed(const Keys& keys, const nb::dict& stated) {
-  jobs::SmoothRequest request{.recording = keys.track, .options = options_in<SmoothOptions>(stated)};
+/// The rates of a gyro at times of their own; null without any.
+std::shared_ptr<const GyroRates> gyro_of(const std::optional<Numbers>& times, const std::optional<Rows3>& rates) {
+  if (!times || !rates) return nullptr;
+  const std::span<const double> seconds = span_of(*times);
+  return std::make_shared<const GyroRates>(GyroRates{.times = {seconds.begin(), seconds.end()},
+                                                     .rates = rows_of<Eigen::Vector3d>(rates),
+                                                     .clock = GyroRates::Clock::own});
+}
+
+SmoothOutcome smoothed(const Keys& keys, const nb::dict& stated, const std::optional<Numbers>& times,
+                       const std::optional<Rows3>& rates) {
+  jobs::SmoothRequest request{
+      .recording = keys.track, .options = options_in<SmoothOptions>(stated), .gyro = gyro_of(times, rates)};
   return value_of(interruptible([&](const Progress& progress) { return jobs::smooth(std::move(request), progress); }));
 }
 
@@ -46,7 +59,7 @@ void add_smooth(nb::module_& module) {
       .def("covers", [](const SmoothOutcome& outcome, double t) { return outcome.smoothing.covers(t); }, "t"_a);
   add_words(outcome_class);
   add_report(outcome_class);
-  module.def("smooth", &smoothed, "keys"_a, "options"_a);
+  module.def("smooth", &smoothed, "keys"_a, "options"_a, "times"_a = nb::none(), "rates"_a = nb::none());
 }
 
 }  // namespace orispline::python

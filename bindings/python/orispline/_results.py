@@ -156,11 +156,19 @@ class Smoothing(Reported):
     chosen_on: int
     noise: float
     local_noise: float
+    least_noise: float | None
+    largest_noise: float | None
     degrees_of_freedom: float | None
     rms_sigma: float | None
     rms_sigma_of_rates: float | None
+    gyro_used: bool | None
     gyro_noise: float | None
     gyro_correction: NDArray[np.float64] | None
+    gyro_offset: float | None
+    gyro_offset_sigma: float | None
+    gyro_drift: float | None
+    error_with_gyro: float | None
+    error_without_gyro: float | None
     rms_distance: float
     largest_distance: float
     accepted_rms_distance: float

@@ -6,19 +6,22 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+import numpy as np
+
 from . import _core
 from ._checks import flag, real, wrong_type
-from ._errors import ArgumentError, tell
+from ._errors import ArgumentError, DataError, tell
 from ._keys import Keys
 from ._methods import method_words
 from ._options import checked_keys, checked_threads, plain, reference_of, takes
+from ._rates import Rates
 from ._results import Alignment, Reduction, Retiming, Smoothing, Tuning
 
 SMOOTHNESS = ("noise", "smoothing_time", "position_noise")  # options of smoothing that reducing takes too
 
 
 @takes("SmoothOptions")
-def smooth(keys: Keys, *, cutoff: float | str | None = None, **options: Any) -> Smoothing:
+def smooth(keys: Keys, *, gyro: bool | Rates = False, cutoff: float | str | None = None, **options: Any) -> Smoothing:
     """A noisy recording as a smooth motion with rates.
 
     Numbers are in the units that stand here, texts have their unit: `noise=0.01` and `noise="0.57deg"`.
@@ -26,7 +29,8 @@ def smooth(keys: Keys, *, cutoff: float | str | None = None, **options: Any) -> 
     Parameters
     ----------
     keys : Keys
-        The recording. With `gyro=True` its angular velocities are those of a gyro.
+        The recording. With `gyro=True` its angular velocities are those of a gyro; with `gyro=Rates(...)` the gyro has times of its
+        own, at which the result has keys too.
     cutoff : float or str, optional
         Cut-off frequency 1/(2πτ) [Hz] in the place of the smoothing time τ: half of a motion at this frequency is left.
     {options}
@@ -64,10 +68,21 @@ def smooth(keys: Keys, *, cutoff: float | str | None = None, **options: Any) -> 
     (3,)
     """
     checked_keys(keys)
-    stated = plain(_with_time(cutoff, options))
-    core = _core.smooth(keys._core, stated)
+    rates = _finite_rates(keys, gyro) if isinstance(gyro, Rates) else ()
+    stated = plain(_with_time(cutoff, {**options, "gyro": bool(rates) or gyro}))
+    core = _core.smooth(keys._core, stated, *rates)
     tell(core.warnings)
-    return Smoothing._of(core, keys, (stated,))
+    return Smoothing._of(core, keys, (stated, *rates))
+
+
+def _finite_rates(keys: Keys, gyro: Rates) -> tuple[Any, Any]:
+    """Times [s] since those of the keys, and rates, of the rows that are whole."""
+    seconds = keys._clock.seconds("gyro", gyro.times)
+    whole = np.isfinite(seconds) & np.isfinite(gyro.rates).all(axis=1)
+    seconds, rates = np.ascontiguousarray(seconds[whole], dtype=np.float64), np.ascontiguousarray(gyro.rates[whole], dtype=np.float64)
+    if len(unordered := np.flatnonzero(np.diff(seconds) <= 0)):
+        raise DataError(f"gyro: time {unordered[0] + 1} does not come after the one before it, wanted strictly increasing times")
+    return seconds, rates
 
 
 def _with_time(cutoff: Any, options: dict[str, Any]) -> dict[str, Any]:

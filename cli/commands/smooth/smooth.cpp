@@ -9,6 +9,7 @@
 #include <orispline/io/track_file.hpp>
 #include <orispline/jobs/smooth.hpp>
 
+#include "commands/smooth/gyro_input.hpp"
 #include "commands/smooth/smooth_scene.hpp"
 #include "options/file_places.hpp"
 #include "options/method_options.hpp"
@@ -44,6 +45,13 @@ Expected<void> agree(const SmoothArguments& options) {
   });
 }
 
+/// A file of the gyro asks for it.
+SmoothnessOptions with_gyro(const SmoothArguments& options) {
+  SmoothnessOptions smoothness = options.smoothness;
+  if (options.gyro_file) smoothness.fields["gyro"] = "true";
+  return smoothness;
+}
+
 Expected<Request> request_in(const SmoothArguments& options) {
   if (auto agreed = agree(options); !agreed) return tl::unexpected(std::move(agreed.error()));
   if (options.include_end && !options.rate) return usage_failure("--include-end: wanted --rate as well");
@@ -51,7 +59,7 @@ Expected<Request> request_in(const SmoothArguments& options) {
     return usage_failure("--sigma: found --rate as well, wanted keys: standard deviations are those of keys");
   FirstError checked;
   Request request{.input = checked(input_request(options.input)),
-                  .smoothing = checked(smoothing_in(options.smoothness)),
+                  .smoothing = checked(smoothing_in(with_gyro(options))),
                   .columns = checked(output_columns(options.output)),
                   .times = {}};
   if (TimeOptions times; options.rate) {
@@ -59,9 +67,12 @@ Expected<Request> request_in(const SmoothArguments& options) {
     times.include_end = options.include_end;
     request.times = checked(time_request(times));
   }
-  request.input.read.rate_orders = request.smoothing.gyro ? 1 : 0;
+  const bool reads_rates = request.smoothing.gyro && !options.gyro_file;
+  request.input.read.rate_orders = reads_rates ? 1 : 0;
   request.input.read.world_rates = true;
-  request.input.read.free_rates = io::FreeRates::refused;
+  request.input.read.free_rates = io::FreeRates::lenient;
+  request.input.read.unposed_rows = reads_rates ? io::UnposedRows::set_aside : io::UnposedRows::refused;
+  request.input.read.parameters.assign(noise_columns.begin(), noise_columns.end());
   request.input.read.keep_exact_times = true;
   return std::move(checked).or_else(std::move(request));
 }
@@ -134,8 +145,15 @@ Expected<void> smooth_one(const SmoothArguments& options) {
   warn(file->warnings);
   request->columns = columns_like(*file->format, request->columns, options.output);
   if (auto fits = check_format(*request->columns.format, request->smoothing); !fits) return fits;
-  auto outcome =
-      jobs::smooth({.recording = std::make_shared<const Track>(std::move(file->track)), .options = request->smoothing});
+  std::shared_ptr<const GyroRates> gyro;
+  if (request->smoothing.gyro) {
+    auto read = gyro_input(*file, options.gyro_file, request->input.read);
+    if (!read) return tl::unexpected(std::move(read.error()));
+    gyro = std::move(*read);
+  }
+  auto outcome = jobs::smooth({.recording = std::make_shared<const Track>(std::move(file->track)),
+                               .options = request->smoothing,
+                               .gyro = std::move(gyro)});
   if (!outcome) return tl::unexpected(said_of_cutoff(options.smoothness, std::move(outcome.error())));
   outcome->mended = text_of(file->repairs);
   for (Warning& warning : outcome->warnings) warning = with_flags(std::move(warning));

@@ -15,6 +15,7 @@ struct SmoothArguments {
   SeveralInputs inputs;
   InputOptions input;  ///< how they are read
   SmoothnessOptions smoothness;
+  std::optional<std::string> gyro_file;
   std::optional<std::string> rate;  ///< of samples
   bool include_end = false;
   OutputOptions output;

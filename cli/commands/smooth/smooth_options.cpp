@@ -10,6 +10,7 @@ constexpr auto smooth_footer = R"(Examples:
   orispline smooth noisy.csv --noise 1deg --gap 0.5 -o keys.csv
   orispline smooth noisy.csv --cutoff 8 --loss l2 --rate 200 -o motion.csv
   orispline smooth imu.csv --gyro -o keys.csv
+  orispline smooth poses.csv --gyro-file imu.csv -o keys.csv
   orispline smooth noisy.csv --sigma -o keys.csv
   orispline smooth walk.bvh -o clean.bvh
   orispline smooth recordings --output-folder smoothed
@@ -26,6 +27,10 @@ void add_smooth_options(Command& app, SmoothArguments& o) {
   add_input_threads(app, o.inputs);
   add_reading_options(app, o.input);
   add_smoothing_options(app, o.smoothness);
+  app.add_option("--gyro-file", o.gyro_file,
+                 "Use the rates t, wx, wy, wz of this file as those of a gyro, with a clock of its own")
+      ->type_name(file_type)
+      ->group("Smoothing");
   app.add_option("--rate", o.rate, "Write samples at so many per second instead of keys")
       ->type_name("HZ")
       ->group("Output");

@@ -111,6 +111,7 @@ Expected<const FieldInfo*> find_field(std::span<const FieldInfo> fields, std::st
 }
 
 Expected<FieldValue> typed_value(const FieldInfo& field, std::string_view text) {
+  if (text == "auto" && field.absent.starts_with("auto:")) return FieldValue();
   return value_in(field, text).map_error([&field](Error error) {
     error.option = field.name;
     return error;

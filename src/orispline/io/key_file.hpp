@@ -67,6 +67,21 @@ struct OrientationReading {
 enum class FreeRates {
   allowed,  ///< left free: NaN
   refused,  ///< not finite
+  lenient,  ///< left free, and so is one that has no number in one of its cells
+};
+
+/// What a row is that has a rate but no number in any cell of its orientation.
+enum class UnposedRows {
+  refused,    ///< not finite
+  set_aside,  ///< one of a gyro beside the keys
+};
+
+/// Body rates at times that are not those of keys.
+struct RateRows {
+  std::vector<Decimal> exact_times{};    ///< [s], strictly increasing
+  std::vector<Eigen::Vector3d> rates{};  ///< [rad/s], body frame
+  std::vector<std::uint32_t> lines{};    ///< of the file, from 1
+  std::vector<Warning> warnings{};       ///< `time_unit_by_size`
 };
 
 /// How a file of keyframes is to be read.
@@ -100,6 +115,7 @@ struct ReadOptions {
   bool world_rates = false;
   bool inner_quaternions = false;             ///< read `a_qw,…` and `b_qw,…` where they are there
   FreeRates free_rates = FreeRates::allowed;  ///< what a rate without numbers in its cells is
+  UnposedRows unposed_rows = UnposedRows::refused;
   bool drop_duplicates = false;               ///< of equal times keep the first
   bool drop_invalid = false;                  ///< drop rows where a cell that is needed is empty, NaN or infinite
   bool sort = false;                          ///< by time; rows of equal time keep their order
@@ -140,6 +156,7 @@ struct KeyFile {
   EulerOrder euler{};                          ///< of these angles
   std::vector<Decimal> exact_times{};          ///< [s], of each key; only if asked for
   KeyTable table{};                            ///< the cells of each key; only if asked for
+  RateRows unposed{};                          ///< rows without an orientation; only if asked for
   std::vector<std::string> ignored_columns{};  ///< that nothing was read from
   std::vector<Warning> warnings{};             ///< `time_unit_by_size`
 };

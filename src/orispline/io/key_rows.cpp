@@ -104,7 +104,7 @@ Expected<void> KeyRows::add(const TextTable& table) {
     return tl::unexpected(std::move(error));
   };
   if (auto checked = check_width(table, columns_.width); !checked) return refused(std::move(checked.error()));
-  RowReader row(table, options_.clock, options_.free_rates);
+  RowReader row(table, options_);
   KeyRow key = row.key(columns_);
   if (columns_.counts_rows) key.time = Decimal::from_double(static_cast<double>(taken_ + size()));
   if (row.refused()) return refused(*row.refused());
@@ -114,6 +114,10 @@ Expected<void> KeyRows::add(const TextTable& table) {
     return {};
   }
   if (auto settled = settle_clock(table); !settled) return refused(std::move(settled.error()));
+  if (!key.is_posed) {
+    if (auto added = add_unposed(key, table); !added) return refused(std::move(added.error()));
+    return {};
+  }
   const auto unit = orientation_of(key.orientation, table.here());
   if (!unit) return refused(unit.error());
   std::array<Eigen::Quaterniond, inner_of_keys.size()> inner = key.inner;
@@ -166,6 +170,29 @@ void KeyRows::append_motion(const KeyRow& key, const Eigen::Quaterniond& orienta
         return frames_.body_rate(rate);
       }));
   if (std::ranges::any_of(rates, is_free)) ++file_.repairs.rates_left_free;
+}
+
+/// Of the rows that are set aside the order is theirs alone.
+Expected<void> KeyRows::add_unposed(const KeyRow& key, const TextTable& table) {
+  if (columns_.rates[0]->frame == Frame::world)
+    return failure(
+        ErrorCode::bad_data,
+        "found a rate in the frame of the world without the orientation that turns it into the body's, wanted "
+        "both, or rates of the body",
+        table.here(columns_.rates[0]->columns[0].index));
+  settle_time_unit(key.time);
+  RateRows& rows = file_.unposed;
+  const Decimal time = columns_.time_unit.time_of(key.time);
+  if (!rows.exact_times.empty() && time <= rows.exact_times.back() && !options_.sort)
+    return mended_by("sort",
+                     formatted("time {} does not come after {}, wanted increasing times", time.to_string(),
+                               rows.exact_times.back().to_string()),
+                     table.here(columns_.time));
+  rows.exact_times.push_back(time);
+  rows.rates.push_back(
+      turned_for_keys(key.rates[0], [this](const Eigen::Vector3d& rate) { return frames_.body_rate(rate); }));
+  rows.lines.push_back(static_cast<std::uint32_t>(table.line()));
+  return {};
 }
 
 /// A quaternion that is near enough to norm 1 for keys.
@@ -270,6 +297,23 @@ Expected<void> KeyRows::sort() {
   return {};
 }
 
+/// Likewise of those that are set aside.
+Expected<void> KeyRows::sort_unposed() {
+  RateRows& rows = file_.unposed;
+  std::vector<std::uint32_t> places(rows.lines.size());
+  std::iota(places.begin(), places.end(), std::uint32_t{0});
+  std::stable_sort(places.begin(), places.end(),
+                   [&rows](auto a, auto b) { return rows.exact_times[a] < rows.exact_times[b]; });
+  rows.exact_times = gathered(rows.exact_times, places);
+  rows.rates = gathered(rows.rates, places);
+  rows.lines = gathered(rows.lines, places);
+  const auto same = std::ranges::adjacent_find(rows.exact_times);
+  if (same == rows.exact_times.end()) return {};
+  return failure(
+      ErrorCode::bad_data, formatted("duplicate time {}, wanted increasing times", same->to_string()),
+      {.file = file_.path, .line = rows.lines[static_cast<std::size_t>(same - rows.exact_times.begin()) + 1]});
+}
+
 Expected<void> KeyRows::complete() {
   if (taken_ + size() == 0) {
     const std::size_t dropped = file_.repairs.invalid_dropped;
@@ -277,7 +321,9 @@ Expected<void> KeyRows::complete() {
     return failure(ErrorCode::bad_data, "empty: no keys" + reason, {.file = file_.path});
   }
   turns_.finish();
-  return options_.sort ? sort() : Expected<void>();
+  if (!options_.sort) return {};
+  if (auto sorted = sort_unposed(); !sorted) return sorted;
+  return sort();
 }
 
 KeyFile KeyRows::take() {

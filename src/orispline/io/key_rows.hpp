@@ -40,7 +40,9 @@ class KeyRows {
   void settle_time_unit(const Decimal& first);
   void append_motion(const KeyRow& key, const Eigen::Quaterniond& orientation);
   [[nodiscard]] Expected<bool> append_time(const Decimal& time, std::string_view text, std::size_t line);
+  [[nodiscard]] Expected<void> add_unposed(const KeyRow& key, const TextTable& table);
   [[nodiscard]] Expected<void> sort();
+  [[nodiscard]] Expected<void> sort_unposed();
 
   KeyColumns columns_;
   ReadOptions options_;

@@ -14,17 +14,15 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 KeyRow RowReader::key(const KeyColumns& columns) {
   KeyRow key{.time = time(columns)};
   set_orientation(key, columns);
-  if (columns.position) key.position = vector(*columns.position);
+  if (columns.position && key.is_posed) key.position = vector(*columns.position);
   for (std::size_t k = 0; k < columns.rates.size(); ++k)
-    if (columns.rates[k])
-      key.rates[k] = free_rates_ == FreeRates::allowed
-                         ? free_vector(columns.rates[k]->columns, "three cells of the rate")
-                         : vector(columns.rates[k]->columns);
+    if (columns.rates[k]) key.rates[k] = rate(columns.rates[k]->columns);
   for (std::size_t side = 0; side < columns.inner.size(); ++side)
     if (columns.inner[side]) {
       const Eigen::Vector4d wxyz = free_vector(*columns.inner[side], "four cells of the inner quaternion");
       key.inner[side] = quaternion_wxyz(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
     }
+  if (!key.is_posed && (!columns.rates[0] || is_free(key.rates[0]))) note_not_finite(columns.orientation.front().index);
   for (const ParameterColumn& column : columns.parameters) key.parameters.push_back(number({column.index}));
   return key;
 }
@@ -72,6 +70,16 @@ Eigen::Vector<double, static_cast<int>(Size)> RowReader::vector(const std::array
   return numbers;
 }
 
+Eigen::Vector3d RowReader::rate(const VectorColumns& columns) {
+  if (free_rates_ == FreeRates::refused) return vector(columns);
+  if (free_rates_ == FreeRates::allowed) return free_vector(columns, "three cells of the rate");
+  const auto before = not_finite_;
+  const Eigen::Vector3d numbers = vector(columns);
+  if (numbers.allFinite()) return numbers;
+  not_finite_ = before;
+  return free_rate();
+}
+
 /// The numbers of what may be free, where there are none; `what` names its cells.
 template <std::size_t Size>
 Eigen::Vector<double, static_cast<int>(Size)> RowReader::free_vector(const std::array<NumberColumn, Size>& columns,
@@ -84,8 +92,13 @@ Eigen::Vector<double, static_cast<int>(Size)> RowReader::free_vector(const std::
 }
 
 void RowReader::set_orientation(KeyRow& key, const KeyColumns& columns) {
+  const auto before = not_finite_;
   OrientationNumbers numbers(static_cast<Eigen::Index>(columns.orientation.size()));
   std::ranges::transform(columns.orientation, numbers.begin(), [this](const auto& column) { return number(column); });
+  if (unposed_rows_ == UnposedRows::set_aside && !numbers.array().isFinite().any()) {
+    key.is_posed = false;
+    not_finite_ = before;
+  }
   if (!numbers.allFinite()) return;
   const auto orientation = orientation_from(numbers, columns.form);
   if (!orientation) return refuse(std::nullopt, orientation.error());

@@ -10,6 +10,7 @@
 #include <orispline/io/format_choice.hpp>
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/text_table.hpp>
+#include <orispline/io/time_cells.hpp>
 #include <orispline/io/time_column.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
@@ -19,13 +20,6 @@ namespace {
 tl::unexpected<Error> at_row(const TextTable& table, std::string message) {
   return failure(ErrorCode::bad_data, std::move(message), table.here());
 }
-
-/// Which cell of a row is the time, and how it counts.
-struct TimeColumn {
-  std::size_t index = 0;
-  Fraction unit{};  // [s]
-  bool states_unit = false;
-};
 
 Error located(const TextTable& table, Error error) {
   error.where = table.here();
@@ -54,7 +48,8 @@ Expected<TimeColumn> column_of_header(const TextTable& table, const ReadOptions&
   return TimeColumn{**found, unit.seconds, unit.is_stated};
 }
 
-/// Of the table at its first row.
+}  // namespace
+
 Expected<TimeColumn> time_column(const TextTable& table, const ReadOptions& options) {
   const std::size_t width = width_of(table.cells());
   const auto formats = formats_read();
@@ -70,7 +65,6 @@ Expected<TimeColumn> time_column(const TextTable& table, const ReadOptions& opti
   return TimeColumn{};
 }
 
-/// The time in the row [s]; what is found out of the unit goes into the column, and is warned of.
 Expected<Decimal> time_of(const TextTable& table, TimeColumn& column, const Clock& clock,
                           std::vector<Warning>& warnings) {
   if (column.index >= table.cells().size())
@@ -93,8 +87,6 @@ Expected<Decimal> time_of(const TextTable& table, TimeColumn& column, const Cloc
     }
   return column.unit.time_of(**time);
 }
-
-}  // namespace
 
 Expected<TimesList> read_times(const std::string& path, const Decimal& epoch, const ReadOptions& options) {
   auto table = TextTable::open(path);

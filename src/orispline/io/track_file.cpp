@@ -60,6 +60,7 @@ Expected<KeyReader> open_beside(const TrackFile& other, const std::string& path,
 TrackFile track_file(KeyFile file, Keyframes keys) {
   TrackFile found{.format = file.format,
                   .repairs = file.repairs,
+                  .unposed = std::move(file.unposed),
                   .ignored_columns = std::move(file.ignored_columns),
                   .warnings = std::move(file.warnings)};
   if (file.turns)

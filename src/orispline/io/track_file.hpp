@@ -20,6 +20,7 @@ struct TrackFile {
   Track track{};
   const FormatInfo* format = &csv_format;
   RepairReport repairs{};
+  RateRows unposed{};                          ///< rows without an orientation; only if asked for
   std::vector<std::string> ignored_columns{};  ///< that nothing was read from
   std::vector<Warning> warnings{};             ///< of reading
 };

@@ -2,6 +2,7 @@
 #include <orispline/jobs/smooth.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -42,6 +43,12 @@ std::string noise_line(const Smoothing& smoothing) {
                    smoothing.noise * degrees, smoothing.local_noise * degrees);
 }
 
+std::string weights_line(const Smoothing& smoothing) {
+  if (smoothing.noises.empty()) return "";
+  return formatted("  of samples    {:.4g}° to {:.4g}°, by which they are weighed\n",
+                   *smoothing.least_noise_of_samples() * degrees, *smoothing.largest_noise_of_samples() * degrees);
+}
+
 std::string distance_line(const Smoothing& smoothing) {
   const auto& [all, accepted] = std::tie(smoothing.distances, smoothing.accepted_distances);
   std::string text = formatted("distance        RMS {:.4g}°, largest {:.4g}° from the samples", all.rms * degrees,
@@ -64,11 +71,42 @@ std::string sigma_line(const Smoothing& smoothing) {
                    *smoothing.rms_sigma_of_rates() * degrees);
 }
 
-std::string gyro_line(const Smoothing& smoothing) {
-  if (!smoothing.gyro_noise) return "";
+/// Where the rates of the gyro are. It outlives them.
+Places places_of_gyro(const SmoothOutcome& outcome) {
+  const GyroRates& gyro = *outcome.request.gyro;
+  const Decimal epoch = recording_of(outcome).epoch;
+  return {.lines = gyro.lines, .time = [&gyro, epoch](std::size_t rate) {
+            return gyro.exact_times.empty() ? epoch + Decimal::from_double(gyro.times[rate]) : gyro.exact_times[rate];
+          }};
+}
+
+/// `99.1 ms late (σ 0.13 ms), corrected`
+std::string clock_text(const GyroFinding& gyro, bool is_stated) {
+  const double ms = gyro.offset * 1e3;
+  if (is_stated) return formatted("{:.4g} ms late, as stated", ms);
+  const std::string sure = gyro.offset_sigma ? formatted("σ {:.2g} ms", *gyro.offset_sigma * 1e3) : "";
+  if (gyro.offset == 0.0)
+    return sure.empty() ? "its offset cannot be told from this motion" : "no offset found, " + sure;
+  return formatted("{:.5g} ms {}, {}: corrected", std::abs(ms), ms > 0.0 ? "late" : "early", sure);
+}
+
+std::string gyro_lines(const SmoothOutcome& outcome) {
+  const Smoothing& smoothing = outcome.smoothing;
+  if (!smoothing.gyro) return "";
+  const GyroFinding& gyro = *smoothing.gyro;
+  std::string text = formatted("gyro            noise {:.4g} °/s per axis", gyro.noise * degrees);
   const Eigen::Vector3d bias = smoothing.nodes.gyro_correction * degrees;
-  return formatted("gyro            noise {:.4g} °/s per axis, correction {:.4g}, {:.4g}, {:.4g} °/s\n",
-                   *smoothing.gyro_noise * degrees, bias.x(), bias.y(), bias.z());
+  text +=
+      gyro.used ? formatted(", correction {:.4g}, {:.4g}, {:.4g} °/s\n", bias.x(), bias.y(), bias.z()) : ", left out\n";
+  text += formatted("  clock         {}\n", clock_text(gyro, outcome.request.options.gyro_offset.has_value()));
+  if (gyro.drift) text += formatted("  bias          drifts by {:.3g} °/s in 1 s\n", *gyro.drift * degrees);
+  if (gyro.risk)
+    text += formatted("  error         {:.4g}° expected with the gyro, {:.4g}° without\n", gyro.risk->with * degrees,
+                      gyro.risk->without * degrees);
+  if (!gyro.rejected.empty())
+    text +=
+        formatted("  rejected      {}{}\n", gyro.rejected.size(), places_text(gyro.rejected, places_of_gyro(outcome)));
+  return text;
 }
 
 /// Whether the loss leaves outliers out.
@@ -79,11 +117,11 @@ std::string outlier_lines(const SmoothOutcome& outcome) {
   std::string text;
   if (rejects(outcome.request.options.loss))
     text += formatted("rejected        {}\n", counted_places(outcome, smoothing.rejected));
-  if (!smoothing.rejected_gyro.empty())
-    text += formatted("gyro rejected   {}\n", counted_places(outcome, smoothing.rejected_gyro));
   if (const auto& kept = smoothing.retained_outlier_runs; !kept.empty())
-    text += formatted("far, but kept   {}; the samples beside them are far too, which is rather motion than outliers\n",
-                      counted_places(outcome, kept));
+    text += formatted(
+        "far, but kept   {}; the samples beside them are far too, which is rather motion than "
+        "outliers (if they are faults, set the loss huber)\n",
+        counted_places(outcome, kept));
   return text;
 }
 
@@ -128,7 +166,14 @@ std::string SmoothOutcome::result() const {
 
 Expected<SmoothOutcome> smooth(SmoothRequest request, const Progress& progress) {
   const Track& recording = *request.recording;
-  auto smoothing = orispline::smooth(recording, request.options, progress);
+  if (auto checked = check(request.options); !checked) return tl::unexpected(std::move(checked.error()));
+  if (request.options.gyro && !request.gyro) {
+    auto gyro = gyro_rates_in(recording);
+    if (!gyro) return tl::unexpected(placed(recording, std::move(gyro.error())));
+    request.gyro = std::make_shared<const GyroRates>(std::move(*gyro));
+  }
+  auto smoothing = request.gyro ? orispline::smooth(recording, *request.gyro, request.options, progress)
+                                : orispline::smooth(recording, request.options, progress);
   if (!smoothing) return tl::unexpected(placed(recording, std::move(smoothing.error())));
   std::vector<Warning> warnings;
   for (const Warning& warning : smoothing->warnings) warnings.push_back(recording.located(warning));
@@ -142,14 +187,15 @@ Json document_of(const SmoothOutcome& outcome) {
             {"penalty", word_of(outcome.request.options.penalty)},
             {"loss", word_of(outcome.request.options.loss)}};
   put(json, outcome.smoothing, places_of(recording));
+  if (outcome.request.gyro) put(json, outcome.smoothing, {"rejected_gyro"}, places_of_gyro(outcome));
   return json;
 }
 
 std::string summary_of(const SmoothOutcome& outcome) {
   const Smoothing& smoothing = outcome.smoothing;
-  return source_line(outcome) + choice_line(smoothing) + noise_line(smoothing) + distance_line(smoothing) +
-         freedom_line(smoothing) + sigma_line(smoothing) + gyro_line(smoothing) + outlier_lines(outcome) +
-         position_lines(outcome) + stretch_lines(outcome);
+  return source_line(outcome) + choice_line(smoothing) + noise_line(smoothing) + weights_line(smoothing) +
+         distance_line(smoothing) + freedom_line(smoothing) + sigma_line(smoothing) + gyro_lines(outcome) +
+         outlier_lines(outcome) + position_lines(outcome) + stretch_lines(outcome);
 }
 
 std::string line_of(const SmoothOutcome& outcome) {

@@ -24,6 +24,7 @@ namespace jobs {
 struct SmoothRequest {
   std::shared_ptr<const Track> recording;
   SmoothOptions options{};
+  std::shared_ptr<const GyroRates> gyro{};  ///< null: with `gyro` they are the angular velocities of the recording
 };
 
 /// A smooth motion, and what was asked for.

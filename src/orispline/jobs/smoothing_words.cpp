@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/jobs/words.hpp>
 #include <orispline/smooth/smooth.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
@@ -29,16 +30,27 @@ std::string choice_of_positions(const Smoothing& smoothing) {
          choice_text(*found.smoothing_time, *found.cutoff(), found.criterion, found.chosen_on, smoothing.keys.size());
 }
 
-}  // namespace
-
-std::string places_text(const std::vector<std::size_t>& samples, const Track& recording) {
-  const std::vector<std::uint32_t>& lines = recording.lines;
+/// `: line 4 (1.2 s), line 9 (…), …`
+template <class TimeText>
+std::string text_of_places(const std::vector<std::size_t>& samples, std::span<const std::uint32_t> lines,
+                           TimeText time_text) {
   std::string text;
   for (std::size_t i = 0; i < std::min(samples.size(), samples_shown); ++i)
     text += formatted("{}{} ({})", i == 0 ? ": " : ", ",
                       lines.empty() ? formatted("key {}", samples[i]) : formatted("line {}", lines[samples[i]]),
-                      recording.time_text(recording.time_of(samples[i])));
+                      time_text(samples[i]));
   return text + (samples.size() > samples_shown ? ", …" : "");
+}
+
+}  // namespace
+
+std::string places_text(const std::vector<std::size_t>& samples, const Places& places) {
+  return text_of_places(samples, places.lines, [&](std::size_t i) { return places.time(i).to_string() + " s"; });
+}
+
+std::string places_text(const std::vector<std::size_t>& samples, const Track& recording) {
+  return text_of_places(samples, recording.lines,
+                        [&](std::size_t i) { return recording.time_text(recording.time_of(i)); });
 }
 
 std::string choice_line(const Smoothing& smoothing) {

@@ -3,16 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/families/method_text.hpp>
+#include <orispline/families/registry.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/math/median.hpp>
-#include <orispline/smooth/smoothing_gyro.hpp>
+#include <orispline/smooth/changing_noise.hpp>
+#include <orispline/smooth/gyro_fit.hpp>
 #include <orispline/smooth/smoothing_result.hpp>
 #include <orispline/smooth/smoothing_search.hpp>
 #include <orispline/smooth/smoothing_stretches.hpp>
+#include <orispline/smooth/stated_noise.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -27,7 +32,7 @@ Interval smoothing_times(const Keyframes& recording, Penalty penalty) {
 }
 
 /// check() of the options, and whether they suit the recording. Errors: bad_argument for a smoothing time out of range,
-/// bad_data for a gyro without rates.
+/// bad_data for a noise of positions without any.
 Expected<void> check_recording(const Keyframes& recording, const SmoothOptions& options) {
   if (auto checked = check(options); !checked) return checked;
   if (options.smoothing_time && recording.size() > 1) {
@@ -36,13 +41,6 @@ Expected<void> check_recording(const Keyframes& recording, const SmoothOptions& 
       return bad_option("smoothing_time", formatted("found {:.6g} s, wanted {}", *options.smoothing_time,
                                                     text_of(range, &quantities::time)));
   }
-  if (options.gyro && recording.angular_velocities().empty())
-    return failure(ErrorCode::bad_data, "found no angular velocities of the body, wanted wx,wy,wz of the gyro");
-  if (options.gyro)
-    if (const auto free = std::ranges::find_if(recording.angular_velocities(), is_free);
-        free != recording.angular_velocities().end())
-      return failure(ErrorCode::bad_data, "the angular velocity is left free, wanted that of the gyro at every sample",
-                     {.key = static_cast<std::size_t>(free - recording.angular_velocities().begin())});
   if (options.position_noise && recording.positions().empty())
     return failure(ErrorCode::bad_data, "found no positions, wanted px,py,pz for `position_noise`");
   return {};
@@ -147,26 +145,60 @@ Expected<void> near_to_samples(double noise) {
                            noise * degrees));
 }
 
+constexpr double doubtful_noise = 1.2;  // between neighbours, over a stated one
+
+/// The weights of samples over that of one with the usual noise; empty where they are all alike.
+std::vector<double> shares_of(const std::vector<double>& noises, double usual) {
+  std::vector<double> shares;
+  for (const double noise : noises) shares.push_back(usual * usual / (noise * noise));
+  return shares;
+}
+
+/// The times of all keys, of which some are no samples, and the rate of the gyro that each of them is of, if any. Empty
+/// where every key is a sample.
+struct KeysBetween {
+  std::vector<double> times{};
+  std::vector<std::optional<std::size_t>> rates{};
+};
+
 /// The steps from a recording to its smoothed orientations.
 class Smoother {
  public:
-  Smoother(const Keyframes& recording, const SmoothOptions& options, const std::vector<Stretch>& stretches,
-           OpenEndedWork& work)
+  /// `gyro`: null without one. `noises`: σ of every sample, where they are stated.
+  Smoother(const Keyframes& recording, const GyroRates* gyro, const SmoothOptions& options,
+           const std::vector<double>& noises, const std::vector<Stretch>& stretches, OpenEndedWork& work)
       : recording_(recording),
+        gyro_(gyro),
         options_(options),
+        work_(work),
         scale_(scale_of(recording)),
+        usual_noise_(options.noise.value_or(noises.empty() ? scale_.noise : median(noises))),
         stretches_(stretches),
-        search_(problems_of(recording, stretches, options.noise.value_or(scale_.noise)), stretches, plan(), work) {}
+        search_(std::in_place, problems_of(recording, stretches, usual_noise_, shares_of(noises, usual_noise_)),
+                stretches, plan(), work) {
+    result_.noises = noises;
+  }
 
   [[nodiscard]] Expected<Smoothing> run() {
-    if (auto found = search_.run(); !found) return tl::unexpected(std::move(found.error()));
-    result_.noise = search_.residual_noise();
-    result_.degrees_of_freedom = 3.0 * search_.freedom().trace;
+    result_.interval = scale_.interval;
+    result_.local_noise = scale_.noise;
+    if (gyro_)
+      if (auto checked = check_gyro(gyro_plan()); !checked) return tl::unexpected(std::move(checked.error()));
+    if (gyro_ && has_to_count_turns(gyro_plan()))
+      return fit_with_counted_turns(gyro_plan()).map([this](const GyroFit& fit) { return finished(fit); });
+    if (auto found = search_->run(); !found) return tl::unexpected(std::move(found.error()));
+    if (auto weighed = weigh_by_noise(); !weighed) return tl::unexpected(std::move(weighed.error()));
+    take_search();
     if (auto near = near_to_samples(noise_to_judge()); !near) return tl::unexpected(std::move(near.error()));
-    if (options_.gyro)
-      if (auto done = fit_with_gyro(); !done) return tl::unexpected(std::move(done.error()));
-    return finished();
+    if (!gyro_) return finished();
+    return fit_with_gyro(gyro_plan(), *search_, noise_to_judge_gyro()).map([this](GyroFit fit) {
+      if (fit.finding.used) return finished(fit);
+      result_.gyro = std::move(fit.finding);
+      return finished();
+    });
   }
+
+  [[nodiscard]] const KeysBetween& between() const noexcept { return between_; }
 
  private:
   [[nodiscard]] SearchPlan plan() const {
@@ -174,62 +206,129 @@ class Smoother {
             .loss = options_.loss,
             .criterion = options_.noise ? SmoothingCriterion::ubre : SmoothingCriterion::gcv,
             .smoothing_time = options_.smoothing_time,
-            .noise = options_.noise.value_or(scale_.noise),
+            .noise = usual_noise_,
             .interval = scale_.interval,
-            .adapt = options_.adapt && !options_.gyro,
+            .adapt = options_.adapt,
             .unit = "°",
             .unit_size = degrees};
   }
 
+  [[nodiscard]] GyroPlan gyro_plan() const { return {recording_, *gyro_, options_, work_}; }
+
   /// Where the samples are followed as they are the residuals tell little.
   [[nodiscard]] double noise_to_judge() const {
-    const bool followed = search_.finding().edge == LambdaChoice::Edge::shortest;
+    const bool followed = search_->finding().edge == LambdaChoice::Edge::shortest;
     return followed ? std::max(result_.noise, scale_.noise) : result_.noise;
   }
 
-  [[nodiscard]] Expected<void> fit_with_gyro() {
-    auto faults = gyro_faults(search_.fits(), recording_, stretches_);
-    if (!faults) return tl::unexpected(std::move(faults.error()));
-    result_.rejected_gyro = std::move(*faults);
-    result_.gyro_noise = options_.gyro_noise.value_or(
-        std::max(least_noise, local_noise(recording_.times(), recording_.angular_velocities())));
-    result_.degrees_of_freedom.reset();
-    return search_.run_with_gyro(recording_, options_.noise.value_or(std::max(least_noise, result_.noise)),
-                                 *result_.gyro_noise, result_.rejected_gyro);
+  /// Where nobody says what the noise is and it changes, samples are weighed by it, if that predicts them better.
+  [[nodiscard]] Expected<void> weigh_by_noise() {
+    const bool is_open =
+        result_.noises.empty() && !options_.noise && !options_.smoothing_time && options_.loss != Loss::l2;
+    if (!is_open || search_->finding().edge == LambdaChoice::Edge::shortest) return {};
+    std::vector<double> noises = changing_noise(recording_);
+    if (noises.empty()) return {};
+    const double usual = std::exchange(usual_noise_, median(noises));
+    SmoothingSearch weighed(problems_of(recording_, stretches_, usual_noise_, shares_of(noises, usual_noise_)),
+                            stretches_, plan(), work_);
+    const bool found = weighed.run().has_value();
+    if (work_.stopped()) return cancellation();
+    if (found && predicts_better({search_->problems(), search_->fits(), search_->objective()},
+                                 {weighed.problems(), weighed.fits(), weighed.objective()})) {
+      search_.emplace(std::move(weighed));
+      result_.noises = std::move(noises);
+    } else {
+      usual_noise_ = usual;
+    }
+    return {};
   }
 
-  [[nodiscard]] Smoothing finished() {
-    const SmoothingSearch::Finding& found = search_.finding();
+  /// A stated noise that is too small lets the curve follow the samples, and the residuals then tell too little of it.
+  [[nodiscard]] double noise_to_judge_gyro() {
+    if (!options_.noise || scale_.noise <= doubtful_noise * *options_.noise) return result_.noise;
+    SearchPlan open = plan();
+    open.criterion = SmoothingCriterion::gcv;
+    open.noise = scale_.noise;
+    open.adapt = false;
+    SmoothingSearch search(problems_of(recording_, stretches_, open.noise), stretches_, open, work_);
+    return search.run() ? std::max(result_.noise, search.residual_noise()) : result_.noise;
+  }
+
+  void take_search() {
+    const SmoothingSearch::Finding& found = search_->finding();
+    result_.noise = search_->residual_noise();
     result_.rejected = found.rejected;
     result_.retained_outlier_runs = found.retained_outlier_runs;
-    result_.criterion = found.criterion;
-    result_.edge = found.edge;
-    result_.chosen_on = found.chosen_on;
-    result_.lambda = search_.lambda();
-    result_.smoothing_time = search_.smoothing_time();
-    result_.smoothing_times = search_.smoothing_times();
-    result_.interval = scale_.interval;
-    result_.local_noise = scale_.noise;
-    if (options_.sigma) result_.sigmas = search_.sigmas(options_.noise.value_or(result_.noise));
-    for (const SmoothingFit& fit : search_.fits().fits) {
+  }
+
+  void take_fits(const StretchFits& fits) {
+    for (const SmoothingFit& fit : fits.fits) {
       const auto append = [](auto& all, const auto& part) { all.insert(all.end(), part.begin(), part.end()); };
       append(result_.nodes.orientations, fit.nodes.orientations);
       append(result_.nodes.angular_velocities, fit.nodes.angular_velocities);
       append(result_.nodes.angular_accelerations, fit.nodes.angular_accelerations);
+      append(result_.nodes.gyro_corrections, fit.nodes.gyro_corrections);
       result_.nodes.gyro_correction = fit.nodes.gyro_correction;
       result_.last_step = std::max(result_.last_step, fit.last_step);
       result_.iterations = std::max(result_.iterations, fit.iterations);
+    }
+  }
+
+  /// By the orientations alone.
+  [[nodiscard]] Smoothing finished() {
+    const SmoothingSearch::Finding& found = search_->finding();
+    result_.degrees_of_freedom = 3.0 * search_->freedom().trace;
+    result_.criterion = found.criterion;
+    result_.edge = found.edge;
+    result_.chosen_on = found.chosen_on;
+    result_.lambda = search_->lambda();
+    result_.smoothing_time = search_->smoothing_time();
+    result_.smoothing_times = search_->smoothing_times();
+    if (options_.sigma) result_.sigmas = search_->sigmas(options_.noise.value_or(result_.noise));
+    take_fits(search_->fits());
+    return std::move(result_);
+  }
+
+  /// With the gyro.
+  [[nodiscard]] Smoothing finished(const GyroFit& fit) {
+    if (fit.chosen) {
+      result_.criterion = SmoothingCriterion::reml;
+      result_.edge = fit.chosen->choice.edge;
+      result_.chosen_on = fit.chosen->times;
+    }
+    result_.lambda = fit.objective.lambda;
+    result_.smoothing_time = smoothing_time_of(fit.objective.lambda, options_.penalty, fit.noise, fit.interval);
+    if (options_.sigma) result_.sigmas = node_sigmas(fit.problems.front(), fit.objective, fit.fits.fits.front().nodes);
+    take_fits(fit.fits);
+    result_.noise = fit.residual_noise;
+    result_.gyro = fit.finding;
+    if (fit.places.size() < result_.nodes.orientations.size()) {
+      result_.places = fit.places;
+      between_ = {fit.problems.front().times, fit.rates};
     }
     return std::move(result_);
   }
 
   const Keyframes& recording_;
+  const GyroRates* gyro_;
   const SmoothOptions& options_;
+  OpenEndedWork& work_;
   RecordingScale scale_;
+  double usual_noise_;  // that the weights stand for [rad]
   const std::vector<Stretch>& stretches_;
-  SmoothingSearch search_;
+  std::optional<SmoothingSearch> search_;  // never empty
   Smoothing result_;
+  KeysBetween between_;
 };
+
+/// Keys with rates and positions.
+Expected<Keyframes> smoothed_keyframes(std::vector<double> times, const SmoothedNodes& nodes) {
+  return Keyframes::make({.times = std::move(times),
+                          .orientations = nodes.orientations,
+                          .positions = nodes.positions,
+                          .angular_velocities = nodes.angular_velocities,
+                          .angular_accelerations = nodes.angular_accelerations});
+}
 
 /// Which samples become keys, and which lie in no stretch.
 void place(Smoothing& smoothing, std::vector<Stretch> stretches, std::size_t samples) {
@@ -245,33 +344,94 @@ void place(Smoothing& smoothing, std::vector<Stretch> stretches, std::size_t sam
   smoothing.stretches = std::move(stretches);
 }
 
+/// What is smoothed, and beside what.
+struct Request {
+  const Track& recording;
+  const GyroRates* gyro;  ///< null without one
+  const SmoothOptions& options;
+  const Progress& progress;
+};
+
+/// A smoothed recording without its track.
+struct Smoothed {
+  Smoothing smoothing;
+  KeysBetween between;
+};
+
 /// Orientations, then positions where there are some.
-Expected<Smoothing> smoothed(const Keyframes& recording, const SmoothOptions& options, std::vector<Stretch> stretches,
-                             const Progress& progress) {
+Expected<Smoothed> smoothed(const Request& request, const std::vector<double>& noises, std::vector<Stretch> stretches) {
+  const Keyframes& recording = request.recording.keys;
   const bool has_positions = !recording.positions().empty();
-  OpenEndedWork work(progress, (has_positions ? 1.5 : 1.0) * expected_work(recording.size(), most_times_for_choice));
-  auto smoothing = Smoother(recording, options, stretches, work).run();
-  if (!smoothing) return smoothing;
+  OpenEndedWork work(request.progress,
+                     (has_positions ? 1.5 : 1.0) * expected_work(recording.size(), most_times_for_choice));
+  Smoother smoother(recording, request.gyro, request.options, noises, stretches, work);
+  auto smoothing = smoother.run();
+  if (!smoothing) return tl::unexpected(std::move(smoothing.error()));
   if (has_positions) {
-    auto found = smooth_positions(recording, options, stretches, work);
+    auto found = smooth_positions(recording, request.options, stretches, work);
     if (!found) return tl::unexpected(std::move(found.error()));
     smoothing->nodes.positions = std::move(found->positions);
     smoothing->positions = std::move(found->finding);
   }
   place(*smoothing, std::move(stretches), recording.size());
-  return smoothing;
+  return Smoothed{std::move(*smoothing), smoother.between()};
 }
 
-/// At the times of the keys that were smoothed, with their rates and positions.
-Expected<Keyframes> smoothed_keyframes(const Keyframes& recording, const Smoothing& smoothing) {
-  const SmoothedNodes& nodes = smoothing.nodes;
-  KeyframeData data;
-  data.orientations = nodes.orientations;
-  data.angular_velocities = nodes.angular_velocities;
-  data.angular_accelerations = nodes.angular_accelerations;
-  data.positions = nodes.positions;
-  for (const std::size_t key : smoothing.keys) data.times.push_back(recording.times()[key]);
-  return Keyframes::make(std::move(data));
+/// Positions at the times of all keys, on the path through those of the samples; before the first one and behind the
+/// last one they rest.
+Expected<void> fill_positions(SmoothedNodes& nodes, const Keyframes& recording, const std::vector<double>& times) {
+  if (nodes.positions.empty()) return {};
+  KeyframeData data{.orientations = {recording.orientations().begin(), recording.orientations().end()},
+                    .positions = std::move(nodes.positions)};
+  data.times.assign(recording.times().begin(), recording.times().end());
+  const auto curve = Keyframes::make(std::move(data)).and_then([](const Keyframes& keys) {
+    return make_pose_curve(Method(smoothed_method), keys);
+  });
+  if (!curve) return tl::unexpected(curve.error());
+  nodes.positions.clear();
+  for (const double t : times)
+    nodes.positions.push_back(
+        curve->position->linear_motion(std::clamp(t, recording.times().front(), recording.times().back())).position);
+  return {};
+}
+
+/// Of the keys of which some are no samples, with the exact times that are known.
+Expected<Track> track_between(const Request& request, SmoothedNodes& nodes, const KeysBetween& between,
+                              const std::vector<std::size_t>& places) {
+  const Track& recording = request.recording;
+  if (auto filled = fill_positions(nodes, recording.keys, between.times); !filled)
+    return tl::unexpected(std::move(filled.error()));
+  Track track;
+  track.name = recording.name;
+  track.epoch = recording.epoch;
+  const bool are_rows = request.gyro->clock == GyroRates::Clock::of_the_recording && !request.gyro->exact_times.empty();
+  if (!recording.exact_times.empty()) {
+    std::size_t sample = 0;
+    for (std::size_t key = 0; key < between.times.size(); ++key) {
+      const bool is_sample = sample < places.size() && places[sample] == key;
+      const auto rate = between.rates[key];
+      track.exact_times.push_back(is_sample          ? recording.exact_times[sample]
+                                  : are_rows && rate ? request.gyro->exact_times[*rate]
+                                                     : recording.epoch + Decimal::from_double(between.times[key]));
+      sample += is_sample ? 1 : 0;
+    }
+  }
+  return smoothed_keyframes(between.times, nodes).map([&](Keyframes keys) {
+    track.keys = std::move(keys);
+    return std::move(track);
+  });
+}
+
+/// With rates, and with all that belongs to the keys of the recording.
+Expected<Track> track_of(const Request& request, Smoothed& found) {
+  Smoothing& smoothing = found.smoothing;
+  const Track& recording = request.recording;
+  if (!smoothing.places.empty()) return track_between(request, smoothing.nodes, found.between, smoothing.places);
+  std::vector<double> times;
+  for (const std::size_t key : smoothing.keys) times.push_back(recording.keys.times()[key]);
+  return smoothed_keyframes(std::move(times), smoothing.nodes).map([&](const Keyframes& keys) {
+    return recording.at(smoothing.keys).with_keys(keys);
+  });
 }
 
 void measure_positions(Smoothing& smoothing, const Keyframes& recording) {
@@ -280,38 +440,74 @@ void measure_positions(Smoothing& smoothing, const Keyframes& recording) {
   smoothing.positions->accepted_distances = position_distances_of(smoothing, recording, CountedSamples::accepted);
 }
 
-}  // namespace
-
-Expected<void> check(const SmoothOptions& options) {
-  if (auto checked = check_ranges(options); !checked) return checked;
-  if (options.noise && options.smoothing_time)
-    return bad_option("noise", "wanted no `smoothing_time` as well: each determines how smooth");
-  if (options.gyro_noise && !options.gyro) return bad_option("gyro_noise", "wanted `gyro` as well");
-  if (options.gyro && options.gap) return bad_option("gap", "wanted no `gyro`, which bridges gaps");
-  return {};
-}
-
-Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options, const Progress& progress) {
+Expected<Smoothing> smoothed(const Request& request) {
+  const Track& recording = request.recording;
   const Keyframes& keys = recording.keys;
-  return check_recording(keys, options)
-      .and_then([&] { return stretches_of(keys, options.penalty, options.gap); })
-      .and_then([&](std::vector<Stretch> stretches) -> Expected<Smoothing> {
-        return smoothed(keys, options, std::move(stretches), progress);
-      })
-      .and_then([&](Smoothing smoothing) -> Expected<Smoothing> {
-        auto made = smoothed_keyframes(keys, smoothing);
-        if (!made) return tl::unexpected(std::move(made.error()));
-        smoothing.track = recording.at(smoothing.keys).with_keys(*made);
+  const Progress& progress = request.progress;
+  const auto noises = stated_noise(recording);
+  if (!noises) return tl::unexpected(noises.error());
+  if (!noises->empty() && request.options.noise)
+    return bad_option("noise", "found the noise of every sample in the recording as well, wanted one of them");
+  return check_recording(keys, request.options)
+      .and_then([&] { return stretches_of(keys, request.options.penalty, request.options.gap); })
+      .and_then([&](std::vector<Stretch> stretches) { return smoothed(request, *noises, std::move(stretches)); })
+      .and_then([&](Smoothed found) -> Expected<Smoothing> {
+        auto track = track_of(request, found);
+        if (!track) return tl::unexpected(std::move(track.error()));
+        Smoothing& smoothing = found.smoothing;
+        smoothing.track = std::move(*track);
+        forget_stated_noise(smoothing.track);
         smoothing.track.recipe = recipe_for(smoothing.method, recording);
         if (progress.stopped()) return cancellation();
         smoothing.distances = distances_of(smoothing, keys, CountedSamples::all);
         smoothing.accepted_distances = distances_of(smoothing, keys, CountedSamples::accepted);
         if (progress.stopped()) return cancellation();
         measure_positions(smoothing, keys);
-        smoothing.warnings = warnings_of(smoothing);
+        smoothing.warnings = warnings_of(smoothing, request.options);
         progress.at(1.0);
-        return smoothing;
+        return std::move(smoothing);
       });
+}
+
+}  // namespace
+
+Expected<void> check(const SmoothOptions& options) {
+  if (auto checked = check_ranges(options); !checked) return checked;
+  if (options.noise && options.smoothing_time)
+    return bad_option("noise", "wanted no `smoothing_time` as well: each determines how smooth");
+  if (!options.gyro && options.gyro_noise) return bad_option("gyro_noise", "wanted `gyro` as well");
+  if (!options.gyro && options.gyro_offset) return bad_option("gyro_offset", "wanted `gyro` as well");
+  if (!options.gyro && options.gyro_bias != GyroBias::constant) return bad_option("gyro_bias", "wanted `gyro` as well");
+  if (options.gyro && options.gap) return bad_option("gap", "wanted no `gyro`, which bridges gaps");
+  return {};
+}
+
+Expected<GyroRates> gyro_rates_in(const Track& recording) {
+  GyroRates gyro;
+  const auto& rates = recording.keys.angular_velocities();
+  for (std::size_t key = 0; key < rates.size(); ++key) {
+    if (is_free(rates[key])) continue;
+    gyro.times.push_back(recording.keys.times()[key]);
+    gyro.rates.push_back(rates[key]);
+    if (!recording.exact_times.empty()) gyro.exact_times.push_back(recording.exact_times[key]);
+    if (!recording.lines.empty()) gyro.lines.push_back(recording.lines[key]);
+  }
+  if (!gyro.times.empty()) return gyro;
+  return failure(ErrorCode::bad_data, "found no angular velocities of the body, wanted wx,wy,wz of the gyro");
+}
+
+Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options, const Progress& progress) {
+  if (auto checked = check(options); !checked) return tl::unexpected(std::move(checked.error()));
+  if (!options.gyro) return smoothed({recording, nullptr, options, progress});
+  return gyro_rates_in(recording).and_then(
+      [&](const GyroRates& gyro) { return smooth(recording, gyro, options, progress); });
+}
+
+Expected<Smoothing> smooth(const Track& recording, const GyroRates& gyro, const SmoothOptions& options,
+                           const Progress& progress) {
+  SmoothOptions with_gyro = options;
+  with_gyro.gyro = true;
+  return smoothed({recording, &gyro, with_gyro, progress});
 }
 
 }}  // namespace orispline

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include <orispline/base/decimal.hpp>
 #include <orispline/base/progress.hpp>
 #include <orispline/base/warning.hpp>
 #include <orispline/curve/method.hpp>
@@ -29,6 +33,25 @@ enum class Loss {
   tukey,   ///< Tukey's loss, from Huber's fit: very far samples do not count
 };
 
+/// What is believed of the error that the rates of a gyro have in common.
+enum class GyroBias {
+  constant,  ///< the same at all times
+  drifting,  ///< a random walk, whose size is found with the rest
+};
+
+/// The body rates that a gyro measured, which need not stand at the times of a recording.
+struct GyroRates {
+  std::vector<double> times{};           ///< [s] since the recording's epoch, increasing
+  std::vector<Eigen::Vector3d> rates{};  ///< [rad/s], body frame
+  enum class Clock {
+    of_the_recording,  ///< they are rows of the recording, some of them perhaps without an orientation
+    own,               ///< a recording by themselves
+  } clock = Clock::of_the_recording;
+  std::string name{};                  ///< of the file, where it is one by itself
+  std::vector<Decimal> exact_times{};  ///< [s], as the file writes them; empty, or one for each
+  std::vector<std::uint32_t> lines{};  ///< of the file, from 1; likewise
+};
+
 /// How a recording is to be smoothed. What is absent is estimated from it.
 struct SmoothOptions {
   Penalty penalty = Penalty::acceleration;
@@ -36,9 +59,11 @@ struct SmoothOptions {
   std::optional<double> smoothing_time{};  ///< τ [s]; not together with `noise`. A thousandth of the median interval to
                                            ///< ten durations, for the jerk 5000 intervals
   Loss loss = Loss::robust;
-  std::optional<double> gap{};  ///< intervals longer than this [s] end a stretch, and the next one begins
-  bool gyro = false;            ///< the angular velocities of the recording are those of a gyro with a constant bias
-  std::optional<double> gyro_noise{};      ///< σ per axis [rad/s], 1e-9 to 1e3
+  std::optional<double> gap{};          ///< intervals longer than this [s] end a stretch, and the next one begins
+  bool gyro = false;                    ///< the angular velocities of the recording are those of a gyro
+  std::optional<double> gyro_noise{};   ///< σ per axis [rad/s], 1e-9 to 1e3
+  std::optional<double> gyro_offset{};  ///< by which the stamps of the gyro are late [s]
+  GyroBias gyro_bias = GyroBias::constant;
   std::optional<double> position_noise{};  ///< σ of the positions per axis [m], 1e-12 to 1e12
   bool adapt = true;  ///< let τ of the orientations vary in time where that predicts the samples clearly better; of no
                       ///< effect with `smoothing_time` or `gyro`, with which one τ serves the whole recording
@@ -70,6 +95,7 @@ struct SmoothedNodes {
   std::vector<Eigen::Vector3d> angular_accelerations{};  ///< [rad/s²]
   std::vector<Eigen::Vector3d> positions{};
   Eigen::Vector3d gyro_correction = Eigen::Vector3d::Zero();  ///< b [rad/s]: the gyro, b added, has no bias
+  std::vector<Eigen::Vector3d> gyro_corrections{};            ///< likewise, of a bias that drifts; b is their mean
 };
 
 /// What the samples leave open of nodes: one standard deviation along each axis of the body.
@@ -108,24 +134,43 @@ struct ORISPLINE_EXPORT PositionSmoothing {
   [[nodiscard]] std::optional<double> cutoff() const noexcept;
 };
 
+/// What became of a gyro.
+struct GyroFinding {
+  double noise = 0.0;                    ///< σ per axis [rad/s]
+  double offset = 0.0;                   ///< by which its stamps are late [s], as stated or found
+  std::optional<double> offset_sigma{};  ///< [s]; absent where it is stated, or the motion does not tell it
+  std::optional<double> drift{};         ///< of a bias that drifts: σ per axis of its change in 1 s [rad/s]
+  std::vector<std::size_t> rejected{};   ///< rates that do not count
+  /// Root mean square of the error of the orientations that is to be expected by what predicts them [rad]: with the
+  /// gyro, and without it. Absent where turns are counted, which nothing else can do.
+  struct Risk {
+    double with, without;
+  };
+  std::optional<Risk> risk{};
+  bool used = false;  ///< else the orientations were smoothed without it, since they come out better so
+};
+
 /// A smoothed recording.
 struct ORISPLINE_EXPORT Smoothing {
   Track track{};  ///< the keys, with body rates ω and α, and smoothed positions
   Method method{smoothed_method};
-  std::vector<std::size_t> keys{};                        ///< of the recording, increasing: all but those left out
-  SmoothedNodes nodes{};                                  ///< at the times of these keys
-  std::optional<NodeSigmas> sigmas{};                     ///< of these nodes, where they were asked for
-  std::vector<Stretch> stretches{};                       ///< one, without gaps
+  std::vector<std::size_t> keys{};     ///< of the recording, increasing: all but those left out
+  std::vector<std::size_t> places{};   ///< of these keys in the track, where it has others too, of the gyro; else empty
+  SmoothedNodes nodes{};               ///< at the times of these keys
+  std::optional<NodeSigmas> sigmas{};  ///< of these nodes, where they were asked for
+  std::vector<Stretch> stretches{};    ///< one, without gaps
   std::vector<std::size_t> samples_in_short_stretches{};  ///< keys of stretches too short to tell noise from motion
   double smoothing_time = 0.0;            ///< τ [s]; where it varies, its geometric mean over intervals
   std::vector<double> smoothing_times{};  ///< τ at every key [s], where it varies in time; else empty
   double lambda = 0.0;                    ///< weight of the penalty against |r|²/σ²
   double noise = 0.0;        ///< σ of the orientations per axis [rad], estimated from the residuals, or as stated
   double local_noise = 0.0;  ///< estimated from neighbouring samples [rad]
+  /// σ of every sample of the recording per axis [rad], by which they are weighed: as stated, or where it was found to
+  /// change; else empty. `noise` is then that of a usual sample.
+  std::vector<double> noises{};
   std::optional<double> degrees_of_freedom{};         ///< effective ones of the curve, 3 tr; absent with a gyro
-  std::optional<double> gyro_noise{};                 ///< σ per axis [rad/s], with a gyro
+  std::optional<GyroFinding> gyro{};                  ///< with a gyro
   std::vector<std::size_t> rejected{};                ///< samples that do not count
-  std::vector<std::size_t> rejected_gyro{};           ///< samples whose rates do not count
   std::vector<std::size_t> retained_outlier_runs{};   ///< samples as far away whose neighbours are far too: motion
   SampleDistances distances{}, accepted_distances{};  ///< to all samples, and to those that are not rejected
   std::optional<PositionSmoothing> positions{};       ///< where the recording has some
@@ -139,9 +184,14 @@ struct ORISPLINE_EXPORT Smoothing {
 
   /// The frequency at which the smoother's gain is one half [Hz].
   [[nodiscard]] double cutoff() const noexcept;
+  /// Where a key of the recording stands in the track, by its number in `keys`.
+  [[nodiscard]] std::size_t place_of(std::size_t key) const { return places.empty() ? key : places[key]; }
   /// The shortest and the longest τ [s]; absent where it is the same everywhere.
   [[nodiscard]] std::optional<double> shortest_smoothing_time() const;
   [[nodiscard]] std::optional<double> longest_smoothing_time() const;
+  /// The least and the largest of `noises` [rad]; absent where all samples count the same.
+  [[nodiscard]] std::optional<double> least_noise_of_samples() const;
+  [[nodiscard]] std::optional<double> largest_noise_of_samples() const;
   /// Root mean square over all keys and axes of the standard deviations of the orientations [rad]; absent without them.
   [[nodiscard]] std::optional<double> rms_sigma() const;
   /// Of the angular velocities [rad/s].
@@ -150,6 +200,11 @@ struct ORISPLINE_EXPORT Smoothing {
   /// all of them. Logarithmic time.
   [[nodiscard]] bool covers(double t) const;
 };
+
+/// Settings of a recording that state the noise of its samples one by one, per axis: `sigma` [rad] or `sigma_deg`, or
+/// of the axes of the body `sigma_x`, … [rad] or `cov_xx`, … [rad²]. They weigh the samples.
+inline constexpr std::array<std::string_view, 8> noise_columns{"sigma",   "sigma_deg", "sigma_x", "sigma_y",
+                                                               "sigma_z", "cov_xx",    "cov_yy",  "cov_zz"};
 
 /// Errors (bad_argument): numbers that are out of their range whatever the recording is, and options that contradict
 /// each other: `noise` and `smoothing_time`, `gyro` and `gap`, `gyro_noise` without `gyro`.
@@ -171,6 +226,16 @@ inline constexpr std::size_t most_times_for_choice = 10000;
 [[nodiscard]] ORISPLINE_EXPORT Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options = {},
                                                           const Progress& progress = {});
 
+/// The angular velocities of a recording, but for those that are free, as the rates of a gyro. Error (bad_data): there
+/// are none.
+[[nodiscard]] ORISPLINE_EXPORT Expected<GyroRates> gyro_rates_in(const Track& recording);
+
+/// With the rates of a gyro that stand by themselves; those of the recording play no part. Keys of the result stand at
+/// the times of the rates too, corrected where their clock is their own. Errors: likewise, and bad_data for rates that
+/// do not overlap the recording.
+[[nodiscard]] ORISPLINE_EXPORT Expected<Smoothing> smooth(const Track& recording, const GyroRates& gyro,
+                                                          const SmoothOptions& options, const Progress& progress = {});
+
 template <>
 inline constexpr std::array words<Penalty>{word("acceleration", Penalty::acceleration, "∫|α|² dt"),
                                            word("jerk", Penalty::jerk, "∫|dα/dt|² dt")};
@@ -181,6 +246,10 @@ inline constexpr std::array words<Loss>{word("robust", Loss::robust,
                                         word("l2", Loss::l2, "squares: every sample counts in full"),
                                         word("huber", Loss::huber, "Huber's loss: far samples count less"),
                                         word("tukey", Loss::tukey, "Tukey's loss: very far samples do not count")};
+template <>
+inline constexpr std::array words<GyroBias>{
+    word("constant", GyroBias::constant, "the same at all times"),
+    word("drifting", GyroBias::drifting, "a random walk, whose size is found with the rest")};
 template <>
 inline constexpr std::array words<SmoothingCriterion>{
     word("gcv", SmoothingCriterion::gcv, "generalised cross-validation"),

@@ -11,9 +11,24 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-/// Nothing without a gyro.
+/// Of the gyro; nothing without one.
+template <auto Member>
+std::optional<std::remove_cvref_t<decltype(GyroFinding{}.*Member)>> of_gyro(const Smoothing& smoothing) {
+  return smoothing.gyro ? std::optional((*smoothing.gyro).*Member) : std::nullopt;
+}
+template <auto Member>
+std::remove_cvref_t<decltype(GyroFinding{}.*Member)> optional_of_gyro(const Smoothing& smoothing) {
+  return smoothing.gyro ? (*smoothing.gyro).*Member : std::nullopt;
+}
 std::optional<Eigen::Vector3d> gyro_correction(const Smoothing& smoothing) {
-  return smoothing.gyro_noise ? std::optional(smoothing.nodes.gyro_correction) : std::nullopt;
+  return smoothing.gyro && smoothing.gyro->used ? std::optional(smoothing.nodes.gyro_correction) : std::nullopt;
+}
+std::vector<std::size_t> rejected_gyro(const Smoothing& smoothing) {
+  return smoothing.gyro ? smoothing.gyro->rejected : std::vector<std::size_t>();
+}
+template <auto Member>
+std::optional<double> risk(const Smoothing& smoothing) {
+  return smoothing.gyro && smoothing.gyro->risk ? std::optional((*smoothing.gyro->risk).*Member) : std::nullopt;
 }
 
 /// Of the positions; nothing without any.
@@ -67,13 +82,19 @@ std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept {
           {.name = "loss",
            .sentence = "How much samples far from the curve count: robust rejects outliers, l2 trusts every sample"}),
       field<&SmoothOptions::gyro>(
-          {.name = "gyro", .sentence = "Use wx, wy, wz as the rates of a gyro, whose constant bias is estimated"}),
+          {.name = "gyro", .sentence = "Use wx, wy, wz as the rates of a gyro, whose bias is estimated"}),
       field<&SmoothOptions::gyro_noise>({.name = "gyro_noise",
                                          .sentence = "Standard deviation of the noise of the gyro's rates, per axis",
                                          .quantity = &quantities::rate,
                                          .range = {1e-9, 1e3},
                                          .example = "0.1deg/s",
                                          .absent = "estimated"}),
+      field<&SmoothOptions::gyro_offset>({.name = "gyro_offset",
+                                          .sentence = "By how much the stamps of the gyro are late",
+                                          .quantity = &quantities::time,
+                                          .example = "0.02",
+                                          .absent = "auto: found from the recording"}),
+      field<&SmoothOptions::gyro_bias>({.name = "gyro_bias", .sentence = "The bias of the gyro"}),
       field<&SmoothOptions::position_noise>({.name = "position_noise",
                                              .sentence = "Standard deviation of the noise of the positions, per axis",
                                              .quantity = &quantities::length,
@@ -121,6 +142,12 @@ constexpr std::array of_orientations{
     field<&Smoothing::local_noise>({.name = "local_noise",
                                     .sentence = "σ of the noise per axis, from the differences between neighbours",
                                     .quantity = &quantities::angle}),
+    field<&Smoothing::least_noise_of_samples>({.name = "least_noise",
+                                               .sentence = "The least σ by which samples are weighed, stated or found",
+                                               .quantity = &quantities::angle,
+                                               .absent = "all samples count the same"}),
+    field<&Smoothing::largest_noise_of_samples>(
+        {.name = "largest_noise", .sentence = "The largest one", .quantity = &quantities::angle, .absent = "likewise"}),
     field<&Smoothing::degrees_of_freedom>(
         {.name = "degrees_of_freedom",
          .sentence = "Effective number of the curve's parameters, out of three for each key",
@@ -135,14 +162,42 @@ constexpr std::array of_orientations{
          .sentence = "Root mean square of the standard deviations of the angular velocities per axis",
          .quantity = &quantities::rate,
          .absent = "without `sigma`"}),
-    field<&Smoothing::gyro_noise>({.name = "gyro_noise",
-                                   .sentence = "σ of the noise of the gyro per axis",
-                                   .quantity = &quantities::rate,
-                                   .absent = "without a gyro"}),
+    field<&of_gyro<&GyroFinding::used>>(
+        {.name = "gyro_used",
+         .sentence = "Whether the gyro counts; if not, the orientations come out better without it",
+         .absent = "without a gyro"}),
+    field<&of_gyro<&GyroFinding::noise>>({.name = "gyro_noise",
+                                          .sentence = "σ of the noise of the gyro per axis",
+                                          .quantity = &quantities::rate,
+                                          .absent = "without a gyro"}),
     field<&gyro_correction>({.name = "gyro_correction",
                              .sentence = "Correction that is added to the rates of the gyro",
                              .quantity = &quantities::rate,
                              .absent = "without a gyro"}),
+    field<&of_gyro<&GyroFinding::offset>>(
+        {.name = "gyro_offset",
+         .sentence = "By how much the stamps of the gyro are late, found or as stated",
+         .quantity = &quantities::time,
+         .absent = "without a gyro"}),
+    field<&optional_of_gyro<&GyroFinding::offset_sigma>>(
+        {.name = "gyro_offset_sigma",
+         .sentence = "Its standard deviation",
+         .quantity = &quantities::time,
+         .absent = "without a gyro, as stated, or the motion does not tell it"}),
+    field<&optional_of_gyro<&GyroFinding::drift>>(
+        {.name = "gyro_drift",
+         .sentence = "Standard deviation per axis of the change of a drifting bias in one second",
+         .quantity = &quantities::rate,
+         .absent = "without a gyro, or its bias is constant"}),
+    field<&risk<&GyroFinding::Risk::with>>(
+        {.name = "error_with_gyro",
+         .sentence = "Root mean square of the error of the orientations that is to be expected with the gyro",
+         .quantity = &quantities::angle,
+         .absent = "without a gyro, or where it counts turns"}),
+    field<&risk<&GyroFinding::Risk::without>>({.name = "error_without_gyro",
+                                               .sentence = "Likewise without it",
+                                               .quantity = &quantities::angle,
+                                               .absent = "likewise"}),
     field<&rms_distance>({.name = "rms_distance",
                           .sentence = "Root mean square of the angles to the samples",
                           .quantity = &quantities::angle}),
@@ -155,7 +210,7 @@ constexpr std::array of_orientations{
                                        .sentence = "The largest angle to a sample that is not rejected",
                                        .quantity = &quantities::angle}),
     field<&Smoothing::rejected>({.name = "rejected", .sentence = "Samples that were rejected as outliers"}),
-    field<&Smoothing::rejected_gyro>({.name = "rejected_gyro", .sentence = "Samples whose rates were rejected"}),
+    field<&rejected_gyro>({.name = "rejected_gyro", .sentence = "Samples whose rates were rejected"}),
     field<&Smoothing::retained_outlier_runs>(
         {.name = "retained_outlier_runs",
          .sentence = "Samples as far away that were kept, since their neighbours are far away too"}),

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -86,8 +87,11 @@ constexpr double farthest_foreseen = 0.1;  // [rad], beyond which a step tells n
 constexpr double farthest_alike = 10.0;    // a step this many times as long as one known is no guide to the next
 constexpr double smallest_share = 1e-4;    // of the step that Gauss and Newton propose
 
+/// Whether there is a gyro, and what its bias is.
+enum class GyroModel { none, shared, drifting };
+
 /// The iteration for a penalty of order P, with or without a gyro.
-template <int P, bool Gyro>
+template <int P, GyroModel Model>
 class Minimisation {
  public:
   Minimisation(const SmoothingProblem& problem, const SmoothingObjective& objective, const SmoothedNodes* start)
@@ -97,7 +101,7 @@ class Minimisation {
   [[nodiscard]] double log_determinant() {
     [[maybe_unused]] const BiasRows bias_rows = eliminated_majorant();
     double sum = chain_.log_determinant();
-    if constexpr (Gyro)
+    if constexpr (shares)
       if (objective_.bias == SmoothingObjective::Bias::constant) sum += bias_rows.log_determinant();
     return sum;
   }
@@ -106,7 +110,7 @@ class Minimisation {
   [[nodiscard]] NodeSigmas sigmas() {
     [[maybe_unused]] const BiasRows bias_rows = eliminated_majorant();
     NodeVariances variances(chain_);
-    if constexpr (Gyro)
+    if constexpr (shares)
       if (objective_.bias == SmoothingObjective::Bias::constant) variances.add_shared(chain_, bias_rows.inverse_root());
     return variances.roots();
   }
@@ -148,7 +152,10 @@ class Minimisation {
  private:
   using Element = SmoothingElement<P>;
   using Rates = typename Element::Rates;
-  static constexpr int unknowns = Element::unknowns, data_rows = Gyro ? 6 : 3, sides = Gyro ? 4 : 1;
+  static constexpr bool has_gyro = Model != GyroModel::none, shares = Model == GyroModel::shared,
+                        drifts = Model == GyroModel::drifting;
+  static constexpr int of_element = Element::unknowns;
+  static constexpr int unknowns = of_element + (drifts ? 3 : 0), data_rows = has_gyro ? 6 : 3, sides = shares ? 4 : 1;
   using Chain = ChainElimination<unknowns, data_rows, sides>;
   using Low = typename Chain::Low;
   using BiasRows = orispline::BiasRows<Chain::Remainder::RowsAtCompileTime, sides>;
@@ -164,13 +171,15 @@ class Minimisation {
     std::vector<Eigen::Quaterniond> orientations;
     std::vector<Rates> rates;
     Eigen::Vector3d bias = Eigen::Vector3d::Zero();
+    std::vector<Eigen::Vector3d> biases{};  // of the nodes, where it drifts
 
     [[nodiscard]] State after(const Step& step, double length) const {
-      State moved{orientations, rates, bias + length * step.bias};
+      State moved{orientations, rates, bias + length * step.bias, biases};
       for (std::size_t i = 0; i < rates.size(); ++i) {
         const Eigen::Vector3d turn = length * step.nodes[i].template head<3>();
         moved.orientations[i] = (orientations[i] * exp<double>(turn)).normalized();
-        moved.rates[i] += length * step.nodes[i].template tail<unknowns - 3>();
+        moved.rates[i] += length * step.nodes[i].template segment<of_element - 3>(3);
+        if constexpr (drifts) moved.biases[i] += length * step.nodes[i].template tail<3>();
       }
       return moved;
     }
@@ -185,11 +194,18 @@ class Minimisation {
   [[nodiscard]] double duration(std::size_t i) const { return problem_.times[i + 1] - problem_.times[i]; }
 
   [[nodiscard]] Eigen::Vector3d gyro_residual(const State& state, std::size_t i) const {
-    return state.rates[i].template head<3>() - problem_.gyro[i] - state.bias;
+    return state.rates[i].template head<3>() - problem_.gyro[i] - (drifts ? state.biases[i] : state.bias);
   }
 
+  /// The change of a bias that drifts, in its σ.
+  [[nodiscard]] Eigen::Vector3d walk_residual(const State& state, std::size_t i) const {
+    return (state.biases[i + 1] - state.biases[i]) / walk_sigma(i);
+  }
+  [[nodiscard]] double walk_sigma(std::size_t i) const { return objective_.drift * std::sqrt(duration(i)); }
+
   [[nodiscard]] static State taken_from(const SmoothedNodes& nodes) {
-    State state{nodes.orientations, {}, nodes.gyro_correction};
+    State state{nodes.orientations, {}, nodes.gyro_correction, nodes.gyro_corrections};
+    if (drifts && state.biases.empty()) state.biases.assign(nodes.orientations.size(), nodes.gyro_correction);
     for (std::size_t i = 0; i < nodes.orientations.size(); ++i) {
       Rates& rates = state.rates.emplace_back();
       rates.template head<3>() = nodes.angular_velocities[i];
@@ -209,8 +225,9 @@ class Minimisation {
       e.loss_weights.push_back(loss.weight);
       e.curvatures.push_back(loss.curvature);
       e.data += loss.value;
-      if constexpr (Gyro) e.gyro += problem_.gyro_weights[i] * gyro_residual(state, i).squaredNorm();
+      if constexpr (has_gyro) e.gyro += problem_.gyro_weights[i] * gyro_residual(state, i).squaredNorm();
       if (i + 1 == problem_.size()) break;
+      if constexpr (drifts) e.gyro += walk_residual(state, i).squaredNorm();
       e.steps.push_back(shortest_increment(state.orientations[i], state.orientations[i + 1]));
       e.interval_penalties.push_back(
           Element::residual(e.steps[i], state.rates[i], state.rates[i + 1], duration(i)).squaredNorm());
@@ -234,20 +251,34 @@ class Minimisation {
           root * (share - 1.0) / residual.squaredNorm() * residual * residual.transpose();
       low.template block<3, 1>(0, side) /= share;
     }
-    if constexpr (Gyro) {
+    if constexpr (has_gyro) {
       const double gyro_root = std::sqrt(problem_.gyro_weights[i]);
       low.template block<3, 3>(3, 3).diagonal().setConstant(gyro_root);
       low.template block<3, 1>(3, side) = -gyro_root * gyro_residual(state_, i);
-      if (objective_.bias == SmoothingObjective::Bias::constant)
+      if constexpr (drifts) low.template block<3, 3>(3, of_element).diagonal().setConstant(-gyro_root);
+      else if (objective_.bias == SmoothingObjective::Bias::constant)
         low.template block<3, 3>(3, side + 1).diagonal().setConstant(gyro_root);
     }
     if (i + 1 < problem_.size()) {
       const auto e = Element::linearised(now.steps[i], state_.rates[i], state_.rates[i + 1], duration(i));
       const double penalty_root = std::sqrt(objective_.lambda * problem_.relative_lambda(i));
-      low.template bottomLeftCorner<unknowns, 2 * unknowns>() = penalty_root * e.jacobian;
-      low.template block<unknowns, 1>(data_rows, side) = -penalty_root * e.residual;
+      low.template block<of_element, of_element>(data_rows, 0) =
+          penalty_root * e.jacobian.template leftCols<of_element>();
+      low.template block<of_element, of_element>(data_rows, unknowns) =
+          penalty_root * e.jacobian.template rightCols<of_element>();
+      low.template block<of_element, 1>(data_rows, side) = -penalty_root * e.residual;
+      if constexpr (drifts) add_walk(low, i);
     }
     return low;
+  }
+
+  /// The rows of a bias that drifts, from node i to the next one.
+  void add_walk(Low& low, std::size_t i) const {
+    constexpr int row = data_rows + of_element;
+    const double root = 1.0 / walk_sigma(i);
+    low.template block<3, 3>(row, of_element).diagonal().setConstant(-root);
+    low.template block<3, 3>(row, unknowns + of_element).diagonal().setConstant(root);
+    low.template block<3, 1>(row, 2 * unknowns) = -walk_residual(state_, i);
   }
 
   /// Moves by the step, or by a part of it, which is returned.
@@ -304,7 +335,7 @@ class Minimisation {
     BiasRows bias_rows;
     for (std::size_t i = 0; i < problem_.size() && !objective_.stopped(); ++i) {
       const auto remainder = chain_.add(rows_of(now, i));
-      if constexpr (Gyro) bias_rows.add(remainder);
+      if constexpr (shares) bias_rows.add(remainder);
     }
     return bias_rows;
   }
@@ -315,7 +346,7 @@ class Minimisation {
     Step step;
     Eigen::Matrix<double, sides, 1> combination = Eigen::Matrix<double, sides, 1>::Zero();
     combination[0] = 1.0;
-    if constexpr (Gyro)
+    if constexpr (shares)
       if (objective_.bias == SmoothingObjective::Bias::constant) {
         step.bias = bias_rows.solved();
         combination.template tail<3>() = step.bias;
@@ -328,7 +359,7 @@ class Minimisation {
       const double turn = x.template head<3>().norm();
       step.largest_turn = std::max(step.largest_turn, turn);
       double size = turn, unit = mean_interval;
-      for (int k = 3; k < unknowns; k += 3, unit *= mean_interval) size += unit * x.template segment<3>(k).norm();
+      for (int k = 3; k < of_element; k += 3, unit *= mean_interval) size += unit * x.template segment<3>(k).norm();
       step.size = std::isfinite(size) ? std::max(step.size, size) : size;
     });
     return step;
@@ -343,6 +374,12 @@ class Minimisation {
       fit.nodes.angular_accelerations = mean_accelerations(problem_.times, now.steps, fit.nodes.angular_velocities);
     fit.nodes.orientations = std::move(state_.orientations);
     fit.nodes.gyro_correction = state_.bias;
+    if constexpr (drifts) {
+      fit.nodes.gyro_correction.setZero();
+      for (const Eigen::Vector3d& bias : state_.biases)
+        fit.nodes.gyro_correction += bias / static_cast<double>(state_.biases.size());
+      fit.nodes.gyro_corrections = std::move(state_.biases);
+    }
     fit.residuals = std::move(now.residuals);
     fit.loss_weights = std::move(now.loss_weights);
     fit.interval_penalties = std::move(now.interval_penalties);
@@ -365,12 +402,14 @@ class Minimisation {
 template <class Use>
 auto with_minimisation(const SmoothingProblem& problem, const SmoothingObjective& objective, const SmoothedNodes* start,
                        Use use) {
-  const bool jerk = objective.penalty == Penalty::jerk;
-  if (problem.gyro.empty())
-    return jerk ? use(Minimisation<3, false>(problem, objective, start))
-                : use(Minimisation<2, false>(problem, objective, start));
-  return jerk ? use(Minimisation<3, true>(problem, objective, start))
-              : use(Minimisation<2, true>(problem, objective, start));
+  const auto of_order = [&]<int P>(std::integral_constant<int, P>) {
+    if (problem.gyro.empty()) return use(Minimisation<P, GyroModel::none>(problem, objective, start));
+    if (objective.bias == SmoothingObjective::Bias::drifting)
+      return use(Minimisation<P, GyroModel::drifting>(problem, objective, start));
+    return use(Minimisation<P, GyroModel::shared>(problem, objective, start));
+  };
+  return objective.penalty == Penalty::jerk ? of_order(std::integral_constant<int, 3>())
+                                            : of_order(std::integral_constant<int, 2>());
 }
 
 /// The minima of weaker penalties that lead to a strong one of the jerk, the smoothing time doubled from each to the

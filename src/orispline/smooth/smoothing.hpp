@@ -28,11 +28,13 @@ struct SmoothingProblem {
   std::vector<Eigen::Quaterniond> orientations{};  ///< unit, of any sign, body to world
   std::vector<Eigen::Vector3d> positions{};        ///< in their place, and without a gyro; of any unit
   std::vector<double> weights{};                   ///< 1/σ² [1/rad²], σ per axis; 0 where there is no sample
+  std::vector<double> shares{};                    ///< of the weights over that of a usual sample; empty: all 1
   std::vector<Eigen::Vector3d> gyro{};             ///< [rad/s], body frame; empty without a gyro
   std::vector<double> gyro_weights{};              ///< 1/σ² [s²/rad²] per axis; 0 where there is no rate
   std::vector<double> relative_lambdas{};          ///< λ of each interval over that of the objective; empty: all 1
 
   [[nodiscard]] std::size_t size() const noexcept { return times.size(); }
+  [[nodiscard]] double share(std::size_t sample) const noexcept { return shares.empty() ? 1.0 : shares[sample]; }
   [[nodiscard]] double relative_lambda(std::size_t interval) const noexcept {
     return relative_lambdas.empty() ? 1.0 : relative_lambdas[interval];
   }
@@ -40,12 +42,13 @@ struct SmoothingProblem {
 
 /// What is to be made least.
 struct SmoothingObjective {
-  enum class Bias { none, constant };
+  enum class Bias { none, constant, drifting };
   Penalty penalty = Penalty::acceleration;
   double lambda = 1.0;  ///< weight of the penalty [s³/rad²], of the jerk [s⁵/rad²]
   LossFunction loss = LossFunction::l2;
   double threshold = 2.5;         ///< of the loss, in units of σ
   Bias bias = Bias::none;         ///< of the gyro
+  double drift = 0.0;             ///< of a bias that drifts, above 0: σ per axis of its change in 1 s [rad/s]
   OpenEndedWork* work = nullptr;  ///< every step adds its times; the iteration ends early when it is stopped
 
   [[nodiscard]] bool stopped() const noexcept { return work && work->stopped(); }
@@ -82,7 +85,8 @@ struct SmoothingFit {
 };
 
 /// Minimises Σ ρ(w |r|²) + λ ∫|ω^(p-1)|² dt + Σ w_g |ω - g - b|² over orientations, rates and bias at the times of the
-/// recording, r = log(q⁻¹ Q). Linear in the number of times.
+/// recording, r = log(q⁻¹ Q). Linear in the number of times. A bias that drifts is one of each time, and adds
+/// Σ |Δb|²/(drift² Δt).
 ///
 /// Gauss–Newton with the identity for the Hessian of |r|²/2, which majorises it, iterated weights for the loss, and
 /// step halving; each step by block QR from node to node, which squares no condition number. The penalty is that of

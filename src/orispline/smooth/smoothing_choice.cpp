@@ -43,6 +43,8 @@ double restricted_likelihood(const StretchProblems& stretches, const StretchFits
     const auto segments = static_cast<double>(stretches[i].size() - 1);
     sum += fits.fits[i].cost + log_determinant(stretches[i], objective, fits.fits[i].nodes) -
            3.0 * order_of(objective.penalty) * segments * natural_logarithm(objective.lambda);
+    if (objective.bias == SmoothingObjective::Bias::drifting)
+      sum += 6.0 * segments * natural_logarithm(objective.drift);
   }
   return sum;
 }
@@ -164,7 +166,8 @@ SmoothingFit part_of(const SmoothingFit& fit, std::size_t first, std::size_t siz
                     .angular_velocities = part_of(nodes.angular_velocities, first, size),
                     .angular_accelerations = part_of(nodes.angular_accelerations, first, size),
                     .positions = part_of(nodes.positions, first, size),
-                    .gyro_correction = nodes.gyro_correction},
+                    .gyro_correction = nodes.gyro_correction,
+                    .gyro_corrections = part_of(nodes.gyro_corrections, first, size)},
           .steps = fit.steps};
 }
 

@@ -29,6 +29,11 @@ inline constexpr double largest_noise = 0.5;
 /// Times [s] increase; 0 for fewer than three.
 [[nodiscard]] double local_noise(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations);
 
+/// The lengths of these differences, each as that of one sample [rad], of every orientation but the first and the last;
+/// 0 where they tell nothing.
+[[nodiscard]] std::vector<double> local_noises(std::span<const double> times,
+                                               std::span<const Eigen::Quaterniond> orientations);
+
 /// The noise per axis of vectors, such as rates, in their unit: from the straight line between the neighbours. Those
 /// nearer to it than `least` tell nothing.
 [[nodiscard]] double local_noise(std::span<const double> times, std::span<const Eigen::Vector3d> vectors,

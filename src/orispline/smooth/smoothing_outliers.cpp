@@ -24,12 +24,18 @@ double distance_at(const SmoothingProblem& problem, const SmoothedNodes& nodes, 
   return shortest_increment(nodes.orientations[i], problem.orientations[i]).norm();
 }
 
-std::vector<double> errors_of(const SmoothingProblem& problem, const SmoothingFit& fit,
-                              const SmoothingObjective& objective, double noise) {
-  std::vector<double> weights = problem.weights, errors;
-  double full = 0.0;  // of a sample's weights
+/// A sample without which the rest was fitted: its distance from what they predict, and the standard deviation of
+/// that in units of the noise; both 0 where rounding decides.
+struct LeftOut {
+  double distance = 0.0, spread = 0.0;
+};
+
+std::vector<LeftOut> left_out(const SmoothingProblem& problem, const SmoothingFit& fit,
+                              const SmoothingObjective& objective) {
+  std::vector<double> weights = problem.weights;
+  double usual = 0.0;  // weight of a usual sample
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    full = std::max(full, weights[i]);
+    usual = std::max(usual, weights[i] / problem.share(i));
     weights[i] *= fit.loss_weights[i];
   }
   const auto variances = node_variances({.times = problem.times,
@@ -37,13 +43,15 @@ std::vector<double> errors_of(const SmoothingProblem& problem, const SmoothingFi
                                          .penalty = objective.penalty,
                                          .lambda = objective.lambda,
                                          .relative_lambdas = problem.relative_lambdas});
+  std::vector<LeftOut> all(weights.size());
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const double left = 1.0 - weights[i] * variances[i];  // 1 - h
-    const double distance = distance_at(problem, fit.nodes, i);
-    const double spread = noise * std::sqrt(1.0 + full * variances[i] / left);
-    errors.push_back(left > least_share_left ? distance / left / spread : 0.0);
+    if (!(left > least_share_left)) continue;
+    const double share = problem.share(i);
+    all[i] = {distance_at(problem, fit.nodes, i) / left,
+              std::sqrt(1.0 + usual * share * variances[i] / left) / std::sqrt(share)};
   }
-  return errors;
+  return all;
 }
 
 /// Samples of one stretch, by their number in it.
@@ -83,8 +91,21 @@ class Judge {
 std::vector<std::vector<double>> prediction_errors(const StretchProblems& problems, const StretchFits& fits,
                                                    const SmoothingObjective& objective, double noise) {
   std::vector<std::vector<double>> errors;
-  for (std::size_t k = 0; k < problems.size(); ++k)
-    errors.push_back(errors_of(problems[k], fits.fits[k], objective, noise));
+  for (std::size_t k = 0; k < problems.size(); ++k) {
+    auto& those = errors.emplace_back();
+    for (const auto& [distance, spread] : left_out(problems[k], fits.fits[k], objective))
+      those.push_back(spread > 0.0 ? distance / (noise * spread) : 0.0);
+  }
+  return errors;
+}
+
+std::vector<std::vector<double>> left_out_errors(const StretchProblems& problems, const StretchFits& fits,
+                                                 const SmoothingObjective& objective) {
+  std::vector<std::vector<double>> errors;
+  for (std::size_t k = 0; k < problems.size(); ++k) {
+    auto& those = errors.emplace_back();
+    for (const LeftOut& one : left_out(problems[k], fits.fits[k], objective)) those.push_back(one.distance);
+  }
   return errors;
 }
 

@@ -20,6 +20,10 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 [[nodiscard]] FarSamples far_candidates(const std::vector<std::vector<double>>& errors,
                                         const std::vector<Stretch>& stretches);
 
+/// How far every sample is from what all others predict of it [rad], as prediction_errors(); 0 where rounding decides.
+[[nodiscard]] std::vector<std::vector<double>> left_out_errors(const StretchProblems& problems, const StretchFits& fits,
+                                                               const SmoothingObjective& objective);
+
 /// What the neighbours say of samples that are far from what all others predict.
 ///
 /// Those in `far.single` were left out of the fits of which the errors are. Such a sample is an outlier if it is far

@@ -7,6 +7,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/fields/field_info.hpp>
+#include <orispline/math/degrees.hpp>
 #include <orispline/math/so3.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -15,6 +16,7 @@ namespace {
 
 constexpr std::size_t motion_run = 3;  // of rejected samples; the loss tukey may have it
 constexpr double many = 0.01;          // as a share of the samples
+constexpr double contradiction = 1.2;  // of a stated noise
 constexpr double wanted_step = 1e-6;   // [rad] of the last step of the iteration
 
 double cutoff_of(double smoothing_time) { return 1.0 / (2.0 * std::numbers::pi * smoothing_time); }
@@ -78,6 +80,31 @@ double root_mean_square(const std::vector<Eigen::Vector3d>& vectors) {
   return std::sqrt(sum / (3.0 * static_cast<double>(vectors.size())));
 }
 
+Warning gyro_left_out(const GyroFinding& gyro) {
+  const double with = gyro.risk->with, without = gyro.risk->without;
+  return {.code = "gyro_left_out",
+          .message =
+              formatted("the gyro was left out: with it the orientations would be expected to be {:.3g}° off, without "
+                        "it {:.3g}°; its clock may run otherwise, its bias may change (`gyro_bias` drifting), or "
+                        "more of its rates are wrong than can be told",
+                        with * degrees, without * degrees),
+          .numbers = {{"with_rad", with}, {"without_rad", without}}};
+}
+
+bool contradicts(double found, double stated) {
+  return found > contradiction * stated || found * contradiction < stated;
+}
+
+Warning noise_contradicted(double found, double stated) {
+  return {.code = "noise_contradicted",
+          .message =
+              formatted("the orientations are {:.3g}° per axis off the motion that the gyro agrees with, and `noise` "
+                        "states {:.3g}°: it may be another, the clock or the bias of the gyro may change, or the "
+                        "orientations were filtered, so that their noise is not white",
+                        found * degrees, stated * degrees),
+          .numbers = {{"found_rad", found}, {"stated_rad", stated}}};
+}
+
 bool are_many(std::size_t rejected, std::size_t all) {
   return static_cast<double>(rejected) > many * static_cast<double>(all);
 }
@@ -98,6 +125,14 @@ std::optional<double> Smoothing::longest_smoothing_time() const {
   return smoothing_times.empty() ? std::nullopt : std::optional(std::ranges::max(smoothing_times));
 }
 
+std::optional<double> Smoothing::least_noise_of_samples() const {
+  return noises.empty() ? std::nullopt : std::optional(std::ranges::min(noises));
+}
+
+std::optional<double> Smoothing::largest_noise_of_samples() const {
+  return noises.empty() ? std::nullopt : std::optional(std::ranges::max(noises));
+}
+
 std::optional<double> Smoothing::rms_sigma() const {
   return sigmas ? std::optional(root_mean_square(sigmas->orientations)) : std::nullopt;
 }
@@ -110,7 +145,8 @@ bool Smoothing::covers(double t) const {
   const auto times = track.keys.times();
   const auto behind = std::ranges::upper_bound(times, t);
   if (behind == times.begin()) return false;
-  const auto before = behind - 1;  // the key
+  if (!places.empty()) return t <= times.back();  // with a gyro there is one stretch
+  const auto before = behind - 1;                 // the key
   const std::size_t sample = keys[static_cast<std::size_t>(before - times.begin())];
   const auto next_stretch = std::ranges::upper_bound(stretches, sample, {}, &Stretch::first);
   const auto& [first, count] = *(next_stretch - 1);
@@ -120,18 +156,20 @@ bool Smoothing::covers(double t) const {
 SampleDistances distances_of(const Smoothing& smoothing, const Keyframes& recording, CountedSamples which) {
   return distances_by(smoothing.keys, which == CountedSamples::all ? SampleIndices() : smoothing.rejected,
                       [&](std::size_t key, std::size_t sample) {
-                        return angular_distance(smoothing.nodes.orientations[key], recording.orientations()[sample]);
+                        return angular_distance(smoothing.nodes.orientations[smoothing.place_of(key)],
+                                                recording.orientations()[sample]);
                       });
 }
 
 SampleDistances position_distances_of(const Smoothing& smoothing, const Keyframes& recording, CountedSamples which) {
-  return distances_by(smoothing.keys, which == CountedSamples::all ? SampleIndices() : smoothing.positions->rejected,
-                      [&](std::size_t key, std::size_t sample) {
-                        return (smoothing.nodes.positions[key] - recording.positions()[sample]).norm();
-                      });
+  return distances_by(
+      smoothing.keys, which == CountedSamples::all ? SampleIndices() : smoothing.positions->rejected,
+      [&](std::size_t key, std::size_t sample) {
+        return (smoothing.nodes.positions[smoothing.place_of(key)] - recording.positions()[sample]).norm();
+      });
 }
 
-std::vector<Warning> warnings_of(const Smoothing& smoothing) {
+std::vector<Warning> warnings_of(const Smoothing& smoothing, const SmoothOptions& options) {
   std::vector<Warning> warnings;
   if (smoothing.edge == LambdaChoice::Edge::shortest)
     warnings.push_back({.code = "least_smoothing",
@@ -144,6 +182,9 @@ std::vector<Warning> warnings_of(const Smoothing& smoothing) {
                                    "set `smoothing_time` to have less"});
   if (const SampleRun run = longest_rejected_run(smoothing); run.second >= motion_run)
     warnings.push_back(rejected_run(run));
+  if (smoothing.gyro && !smoothing.gyro->used) warnings.push_back(gyro_left_out(*smoothing.gyro));
+  if (smoothing.gyro && smoothing.gyro->used && options.noise && contradicts(smoothing.noise, *options.noise))
+    warnings.push_back(noise_contradicted(smoothing.noise, *options.noise));
   const std::size_t all = smoothing.keys.size();
   if (const std::size_t rejected = smoothing.rejected.size(); are_many(rejected, all))
     warnings.push_back(many_rejected("many_rejected", "samples", rejected, all));

@@ -18,6 +18,12 @@ constexpr double tolerance_to_find_outliers = 1e-2;             // of the iterat
 
 }  // namespace
 
+tl::unexpected<Error> no_end_found() {
+  return failure(ErrorCode::not_converged,
+                 "no smooth motion was found: the iteration did not come to an end, wanted another smoothing time or "
+                 "another noise");
+}
+
 SmoothingSearch::SmoothingSearch(StretchProblems problems, const std::vector<Stretch>& stretches,
                                  const SearchPlan& plan, OpenEndedWork& work)
     : plan_(plan),
@@ -29,29 +35,13 @@ SmoothingSearch::SmoothingSearch(StretchProblems problems, const std::vector<Str
                  .work = &work} {}
 
 Expected<void> SmoothingSearch::run() {
-  fit(plan_.loss == Loss::robust ? roughly() : SmoothingIteration{});
-  if (plan_.loss == Loss::tukey) fit_with_tukey();
+  const bool rejects = plan_.loss == Loss::robust || plan_.loss == Loss::tukey;
+  fit(rejects ? roughly() : SmoothingIteration{});
   if (objective_.stopped()) return cancellation();
-  if (plan_.loss == Loss::robust)
-    if (auto done = fit_without_outliers(); !done) return done;
+  if (rejects)
+    if (auto done = plan_.loss == Loss::robust ? fit_without_outliers() : fit_with_tukey(); !done) return done;
   adapt();
-  return check();
-}
-
-Expected<void> SmoothingSearch::run_with_gyro(const Keyframes& recording, double orientation_noise, double gyro_noise,
-                                              const std::vector<std::size_t>& faults) {
-  const double ratio = plan_.noise / orientation_noise;
-  for (SmoothingProblem& problem : problems_)
-    for (double& weight : problem.weights) weight *= ratio * ratio;
-  plan_.noise = orientation_noise;
-  add_gyro(problems_, recording, stretches_, gyro_noise);
-  for (const std::size_t sample : faults)
-    for (std::size_t k = 0; k < stretches_.size(); ++k)
-      if (const auto& [first, count] = stretches_[k]; sample >= first && sample < first + count)
-        problems_[k].gyro_weights[sample - first] = 0.0;
-  objective_.bias = SmoothingObjective::Bias::constant;
-  set_lambda(SmoothingCriterion::reml);
-  refit();
+  if (plan_.loss == Loss::tukey) note_given_up();
   return check();
 }
 
@@ -110,10 +100,21 @@ void SmoothingSearch::refit(const SmoothingIteration& iteration) {
   fits_ = fit_stretches(problems_, objective_, iteration, fits_);
 }
 
-void SmoothingSearch::fit_with_tukey() {
+/// From Huber's fit, whose τ single outliers must not choose; all samples may count again.
+Expected<void> SmoothingSearch::fit_with_tukey() {
+  if (auto found = find_outliers(); !found) return found;
+  fit(roughly());
+  if (objective_.stopped()) return cancellation();
+  finding_.rejected.clear();
+  finding_.retained_outlier_runs.clear();
+  readmit(problems_, plan_.noise);
   objective_.loss = LossFunction::tukey;
   objective_.threshold = tukey_threshold;
   refit();
+  return objective_.stopped() ? cancellation() : Expected<void>();
+}
+
+void SmoothingSearch::note_given_up() {
   for (std::size_t k = 0; k < stretches_.size(); ++k)
     for (std::size_t i = 0; i < stretches_[k].count; ++i)
       if (fits_.fits[k].loss_weights[i] == 0.0) finding_.rejected.push_back(stretches_[k].first + i);
@@ -154,19 +155,22 @@ Expected<void> SmoothingSearch::find_outliers() {
   return {};
 }
 
+template <class Take>
+void SmoothingSearch::for_each_residual(Take take) const {
+  for (std::size_t k = 0; k < problems_.size(); ++k)
+    for (std::size_t i = 0; i < problems_[k].size(); ++i)
+      take(Eigen::Vector3d(std::sqrt(problems_[k].share(i)) * fits_.fits[k].residuals[i]));
+}
+
 /// Whether the iteration ended by itself, and whether the loss is one of outliers only.
 Expected<void> SmoothingSearch::check() const {
   if (objective_.stopped()) return cancellation();
-  if (!converged(fits_, plan_.noise))
-    return failure(ErrorCode::not_converged,
-                   "no smooth motion was found: the iteration did not come to an end, wanted another smoothing time or "
-                   "another noise");
+  if (!converged(fits_, plan_.noise)) return no_end_found();
   std::size_t faults = plan_.loss == Loss::robust ? finding_.rejected.size() : 0, all = 0;
-  for (const SmoothingFit& fit : fits_.fits) {
-    all += fit.residuals.size();
-    faults += static_cast<std::size_t>(std::ranges::count_if(
-        fit.residuals, [this](const Eigen::Vector3d& r) { return r.norm() > far_threshold * plan_.noise; }));
-  }
+  for_each_residual([&](const Eigen::Vector3d& r) {
+    ++all;
+    if (r.norm() > far_threshold * plan_.noise) ++faults;
+  });
   if (2 * faults <= all || plan_.loss == Loss::l2) return {};
   return failure(ErrorCode::bad_data,
                  formatted("{} of {} samples are farther than 5 σ from the best motion, σ = {:.3g}{}, wanted a larger "
@@ -185,11 +189,10 @@ SmoothingSearch::Freedom SmoothingSearch::freedom() const {
 double SmoothingSearch::noise_of_most() const {
   std::vector<Eigen::Vector3d> residuals;
   std::vector<double> lengths;
-  for (const SmoothingFit& fit : fits_.fits)
-    for (const Eigen::Vector3d& r : fit.residuals) {
-      residuals.push_back(r);
-      lengths.push_back(r.norm());
-    }
+  for_each_residual([&](const Eigen::Vector3d& r) {
+    residuals.push_back(r);
+    lengths.push_back(r.norm());
+  });
   const Freedom of = freedom();
   if (!(of.rest > 0.0)) return 0.0;
   return std::max(median(std::move(lengths)) / median_length, lopsided_deviation(residuals)) /

@@ -18,6 +18,9 @@ struct SearchPlan {
   double unit_size = 1.0;                  ///< the samples' unit in that of people
 };
 
+/// Error (not_converged): the iteration did not come to an end.
+[[nodiscard]] tl::unexpected<Error> no_end_found();
+
 /// The smooth motion of all stretches: first λ as stated or chosen, then the outliers, then λ again.
 class SmoothingSearch {
  public:
@@ -41,13 +44,11 @@ class SmoothingSearch {
   /// Errors: bad_data where too few samples are left beside the outliers or most are outliers; not_converged;
   /// cancelled.
   [[nodiscard]] Expected<void> run();
-  /// Fits with a gyro too, of that σ [rad/s], without its rates of these samples. `orientation_noise` is the weights'
-  /// noise [rad] from now on. Errors: as of run().
-  [[nodiscard]] Expected<void> run_with_gyro(const Keyframes& recording, double orientation_noise, double gyro_noise,
-                                             const std::vector<std::size_t>& faults);
 
   [[nodiscard]] const StretchFits& fits() const noexcept { return fits_; }
   [[nodiscard]] const Finding& finding() const noexcept { return finding_; }
+  [[nodiscard]] const StretchProblems& problems() const noexcept { return problems_; }
+  [[nodiscard]] const SmoothingObjective& objective() const noexcept { return objective_; }
   [[nodiscard]] double lambda() const noexcept { return objective_.lambda; }
   [[nodiscard]] double smoothing_time() const;
   /// τ at the nodes of all stretches [s], where λ varies; else empty.
@@ -65,11 +66,15 @@ class SmoothingSearch {
   void choose(SmoothingCriterion criterion);
   void adapt();
   void refit(const SmoothingIteration& iteration = {});
-  void fit_with_tukey();
+  [[nodiscard]] Expected<void> fit_with_tukey();
+  void note_given_up();
   [[nodiscard]] Expected<void> fit_without_outliers();
   [[nodiscard]] Expected<void> find_outliers();
   [[nodiscard]] Expected<void> check() const;
   [[nodiscard]] double noise_of_most() const;
+  /// Calls `take` with every residual in units of the σ of its sample, times that of a usual one.
+  template <class Take>
+  void for_each_residual(Take take) const;
 
   SearchPlan plan_;
   const std::vector<Stretch>& stretches_;

@@ -47,12 +47,15 @@ Expected<std::vector<Stretch>> stretches_of(const Keyframes& recording, Penalty 
                            t.size() == 1 ? "sample" : "samples", fewest_samples(penalty), gap ? "without a gap " : ""));
 }
 
-StretchProblems problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches, double noise) {
+StretchProblems problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches, double noise,
+                            const std::vector<double>& shares) {
   StretchProblems problems;
-  for (const Stretch& stretch : stretches)
+  for (const Stretch& stretch : stretches) {
     problems.push_back({.times = in_stretch(recording.times(), stretch),
-                        .orientations = in_stretch(recording.orientations(), stretch),
-                        .weights = std::vector<double>(stretch.count, 1.0 / (noise * noise))});
+                        .orientations = in_stretch(recording.orientations(), stretch)});
+    if (!shares.empty()) problems.back().shares = in_stretch(std::span(shares), stretch);
+  }
+  readmit(problems, noise);
   return problems;
 }
 
@@ -67,14 +70,6 @@ StretchProblems position_problems_of(const Keyframes& recording, const std::vect
     problem.weights.assign(stretch.count, 1.0);
   }
   return problems;
-}
-
-void add_gyro(StretchProblems& problems, const Keyframes& recording, const std::vector<Stretch>& stretches,
-              double noise) {
-  for (std::size_t k = 0; k < stretches.size(); ++k) {
-    problems[k].gyro = in_stretch(recording.angular_velocities(), stretches[k]);
-    problems[k].gyro_weights.assign(stretches[k].count, 1.0 / (noise * noise));
-  }
 }
 
 FarSamples far_samples(const std::vector<std::vector<double>>& lengths, const std::vector<Stretch>& stretches,
@@ -93,7 +88,10 @@ FarSamples far_samples(const std::vector<std::vector<double>>& lengths, const st
 }
 
 void readmit(StretchProblems& problems, double noise) {
-  for (SmoothingProblem& problem : problems) problem.weights.assign(problem.size(), 1.0 / (noise * noise));
+  for (SmoothingProblem& problem : problems) {
+    problem.weights.assign(problem.size(), 1.0 / (noise * noise));
+    for (std::size_t i = 0; i < problem.shares.size(); ++i) problem.weights[i] *= problem.shares[i];
+  }
 }
 
 Expected<FarSamples> reject(StretchProblems& problems, const std::vector<Stretch>& stretches, FarSamples far,

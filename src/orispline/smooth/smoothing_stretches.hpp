@@ -19,17 +19,14 @@ struct RecordingScale {
 [[nodiscard]] Expected<std::vector<Stretch>> stretches_of(const Keyframes& recording, Penalty penalty,
                                                           std::optional<double> gap);
 
-/// The problems of the stretches, all samples with the same σ [rad], without a gyro.
+/// The problems of the stretches, without a gyro. `noise`: σ of a usual sample [rad]; `shares`: of the weights of all
+/// samples over that of such a one, or empty.
 [[nodiscard]] StretchProblems problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches,
-                                          double noise);
+                                          double noise, const std::vector<double>& shares = {});
 
 /// Those of its positions, seen from `origin` in that unit [m], which is σ.
 [[nodiscard]] StretchProblems position_problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches,
                                                    const Eigen::Vector3d& origin, double unit);
-
-/// Adds the angular velocities as those of a gyro with that σ [rad/s].
-void add_gyro(StretchProblems& problems, const Keyframes& recording, const std::vector<Stretch>& stretches,
-              double noise);
 
 /// Samples that are farther away than a limit.
 struct FarSamples {
@@ -41,7 +38,7 @@ struct FarSamples {
 [[nodiscard]] FarSamples far_samples(const std::vector<std::vector<double>>& lengths,
                                      const std::vector<Stretch>& stretches, double limit);
 
-/// Every sample has the weight of that σ again.
+/// Every sample has its weight again, a usual one that of this σ.
 void readmit(StretchProblems& problems, double noise);
 
 /// Takes the weight of the single samples, and gives them back, but for stretches that would keep too few: theirs are

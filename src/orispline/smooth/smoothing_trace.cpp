@@ -12,15 +12,41 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 namespace {
 
 /// The eliminated chain of the scalar smoother.
-template <int P>
-ChainElimination<P, 1, 1> eliminated(const ScalarSmoother& smoother) {
-  using Chain = ChainElimination<P, 1, 1>;
+template <int P, int Data>
+ChainElimination<P, Data, 1> eliminated(const ScalarSmoother& smoother) {
+  using Chain = ChainElimination<P, Data, 1>;
   Chain chain;
   chain.start(smoother.times.size());
   for (std::size_t i = 0; i < smoother.times.size(); ++i) {
     typename Chain::Low low = Chain::Low::Zero();
     low(0, 0) = std::sqrt(smoother.weights[i]);
+    if constexpr (Data == 2) low(1, 1) = std::sqrt(smoother.rate_weights[i]);
     if (i + 1 < smoother.times.size()) low.template bottomLeftCorner<P, 2 * P>() = smoother.template link<P>(i);
+    static_cast<void>(chain.add(low));
+  }
+  return chain;
+}
+
+/// With a bias that drifts as one more unknown of every node.
+template <int P>
+ChainElimination<P + 1, 2, 1> eliminated_with_drift(const ScalarSmoother& smoother) {
+  using Chain = ChainElimination<P + 1, 2, 1>;
+  Chain chain;
+  chain.start(smoother.times.size());
+  for (std::size_t i = 0; i < smoother.times.size(); ++i) {
+    typename Chain::Low low = Chain::Low::Zero();
+    const double rate_root = std::sqrt(smoother.rate_weights[i]);
+    low(0, 0) = std::sqrt(smoother.weights[i]);
+    low(1, 1) = rate_root;
+    low(1, P) = -rate_root;
+    if (i + 1 < smoother.times.size()) {
+      const Eigen::Matrix<double, P, 2 * P> link = smoother.template link<P>(i);
+      low.template block<P, P>(2, 0) = link.template leftCols<P>();
+      low.template block<P, P>(2, P + 1) = link.template rightCols<P>();
+      const double walk_root = 1.0 / (smoother.drift * std::sqrt(smoother.times[i + 1] - smoother.times[i]));
+      low(2 + P, P) = -walk_root;
+      low(2 + P, 2 * P + 1) = walk_root;
+    }
     static_cast<void>(chain.add(low));
   }
   return chain;
@@ -29,8 +55,10 @@ ChainElimination<P, 1, 1> eliminated(const ScalarSmoother& smoother) {
 template <int P>
 std::vector<double> variances(const ScalarSmoother& smoother) {
   std::vector<double> result(smoother.times.size());
-  for_each_covariance(eliminated<P>(smoother),
-                      [&](std::size_t i, const auto& covariance, const auto&) { result[i] = covariance(0, 0); });
+  const auto take = [&](std::size_t i, const auto& covariance, const auto&) { result[i] = covariance(0, 0); };
+  if (smoother.rate_weights.empty()) for_each_covariance(eliminated<P, 1>(smoother), take);
+  else if (smoother.drift > 0.0) for_each_covariance(eliminated_with_drift<P>(smoother), take);
+  else for_each_covariance(eliminated<P, 2>(smoother), take);
   return result;
 }
 
@@ -38,7 +66,7 @@ template <int P>
 std::vector<double> freedoms(const ScalarSmoother& smoother) {
   std::vector<double> result(smoother.times.size() - 1);
   Eigen::Matrix<double, P, P> next;
-  for_each_covariance(eliminated<P>(smoother), [&](std::size_t i, const auto& covariance, const auto& gain) {
+  for_each_covariance(eliminated<P, 1>(smoother), [&](std::size_t i, const auto& covariance, const auto& gain) {
     if (i < result.size()) {
       Eigen::Matrix<double, 2 * P, 2 * P> both;
       both << covariance, -gain * next, -(gain * next).transpose(), next;

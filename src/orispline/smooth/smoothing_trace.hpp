@@ -16,6 +16,8 @@ struct ScalarSmoother {
   Penalty penalty{};
   double lambda = 1.0;
   std::span<const double> relative_lambdas{};  ///< as of SmoothingProblem
+  std::span<const double> rate_weights{};      ///< [s²/rad²], of a gyro; empty without one
+  double drift = 0.0;                          ///< as of SmoothingObjective, of its bias; 0: it has none
 
   /// Of the nodes about an interval, with the root of its λ.
   template <int P>

@@ -194,7 +194,7 @@ def _smooth(commands: Any) -> None:
     parser = _command(commands, "smooth", "every track without its noise, with rates")
     _motion(parser, 1)
     parser.add_argument("--rate", metavar="HZ", help="even samples instead of those at the keys")
-    _of_task(parser, "SmoothOptions", without=("gyro", "gyro_noise", "sigma"))
+    _of_task(parser, "SmoothOptions", without=("gyro", "gyro_noise", "gyro_offset", "gyro_bias", "sigma"))
 
 
 def _reduce(commands: Any) -> None:

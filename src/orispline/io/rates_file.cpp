@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/rates_file.hpp>
+
+#include <cmath>
+#include <utility>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
+#include <orispline/io/key_columns.hpp>
+#include <orispline/io/text_table.hpp>
+#include <orispline/io/time_cells.hpp>
+#include <orispline/math/number.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
+namespace {
+
+/// The columns of the rates that the header names.
+Expected<VectorColumns> rate_columns_of(const TextTable& table, const ReadOptions& options) {
+  if (!is_header(table.cells()))
+    return failure(ErrorCode::bad_data, "found no header, wanted one that names t, wx, wy and wz", table.here());
+  const ColumnSearch search(table.cells().first(width_of(table.cells())), options.columns);
+  auto found = rate_columns(search, {.orders = 1, .world = false});
+  if (!found) {
+    found.error().where = table.here();
+    return tl::unexpected(std::move(found.error()));
+  }
+  if (!(*found)[0])
+    return failure(ErrorCode::bad_data,
+                   formatted("found {}, wanted the rates of the body wx, wy and wz", search.found_names()),
+                   table.here());
+  return (*found)[0]->columns;
+}
+
+/// Not finite where a cell is empty or not a finite number.
+Expected<Eigen::Vector3d> rate_of(const TextTable& table, const VectorColumns& columns) {
+  Eigen::Vector3d rate;
+  for (std::size_t axis = 0; axis < columns.size(); ++axis) {
+    const NumberColumn& column = columns[axis];
+    if (column.index >= table.cells().size())
+      return failure(ErrorCode::bad_data,
+                     formatted("found {} cells, wanted the rate in cell {}", table.cells().size(), column.index + 1),
+                     table.here());
+    const auto number = number_of(table.cells()[column.index]);
+    if (!number) return failure(ErrorCode::bad_data, number.error().message, table.here(column.index));
+    rate[static_cast<Eigen::Index>(axis)] = *number * column.numerator / column.denominator;
+  }
+  return rate;
+}
+
+}  // namespace
+
+Expected<RateRows> read_rates(const std::string& path, const ReadOptions& options) {
+  auto table = TextTable::open(path);
+  if (!table) return tl::unexpected(std::move(table.error()));
+  auto more = table->next();
+  if (!more) return tl::unexpected(std::move(more.error()));
+  if (!*more) return failure(ErrorCode::bad_data, "empty: no rates", {.file = path});
+  const auto columns = rate_columns_of(*table, options);
+  if (!columns) return tl::unexpected(columns.error());
+  auto time = time_column(*table, options);
+  if (!time) return tl::unexpected(std::move(time.error()));
+  const NewFrames frames(options.frames);
+  RateRows rows;
+  for (more = table->next(); more && *more; more = table->next()) {
+    const auto rate = rate_of(*table, *columns);
+    if (!rate) return tl::unexpected(rate.error());
+    if (!rate->allFinite()) continue;
+    const auto t = time_of(*table, *time, options.clock, rows.warnings);
+    if (!t) return tl::unexpected(t.error());
+    if (!rows.exact_times.empty() && *t <= rows.exact_times.back())
+      return failure(ErrorCode::bad_data,
+                     formatted("time {} does not come after {}, wanted increasing times", t->to_string(),
+                               rows.exact_times.back().to_string()),
+                     table->here(time->index));
+    rows.exact_times.push_back(*t);
+    rows.rates.push_back(frames.body_rate(*rate));
+    rows.lines.push_back(static_cast<std::uint32_t>(table->line()));
+  }
+  if (!more) return tl::unexpected(std::move(more.error()));
+  if (rows.rates.empty()) return failure(ErrorCode::bad_data, "empty: no rates", {.file = path});
+  return rows;
+}
+
+}}}  // namespace orispline::io

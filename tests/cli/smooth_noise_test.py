@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""`orispline smooth` where the noise changes: stated in columns, found stretch by stretch, and single rows far off under Tukey's loss.
+
+The recordings are not part of the project: they are read where they lie beside it.
+"""
+import csv
+import json
+import os
+import pathlib
+import sys
+import unittest
+
+from command import BAD_DATA, BAD_USAGE, CommandTest, main
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+from noisy_recordings import rms_degrees
+from rotations import DEGREE, times, turn
+
+CASES = pathlib.Path(os.environ.get("ORISPLINE_SHARED_DATA", "shared/data")).parent / "cases/recordings"
+HALF, ALLOWED = 100, 1.15
+
+
+def rows_of(path):
+    with open(path, encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def orientations(path):
+    return [tuple(float(row[name]) for name in ("qw", "qx", "qy", "qz")) for row in rows_of(path)]
+
+
+@unittest.skipUnless(CASES.is_dir(), f"no {CASES}")
+class SmoothNoise(CommandTest):
+    def smoothed(self, rows, names, *options):
+        """What is told of rows with these columns, and the orientations that are written."""
+        self.write("rows.csv", ",".join(names) + "\n" + "".join(",".join(row[name] for name in names) + "\n" for row in rows))
+        told = json.loads(self.output_of(["smooth", "rows.csv", "--json", *options, "-o", "out.csv"]))
+        return told, orientations(self.folder / "out.csv")
+
+    def assert_halves_as_if_alone(self, rows, names, found):
+        truth = orientations(CASES / "32_true.csv")
+        for part in (slice(0, HALF), slice(HALF, None)):
+            with self.subTest(part):
+                _, alone = self.smoothed(rows[part], names[:5])
+                self.assertLessEqual(rms_degrees(found[part], truth[part]), ALLOWED * rms_degrees(alone, truth[part]))
+
+    def test_columns_weigh_the_samples(self):
+        rows = rows_of(CASES / "32_weights.csv")
+        plain = ["t", "qw", "qx", "qy", "qz"]
+        told, by_degrees = self.smoothed(rows, [*plain, "sigma_deg"])
+        self.assertAlmostEqual(told["least_noise_rad"], 0.1 * DEGREE, delta=1e-9)
+        self.assertAlmostEqual(told["largest_noise_rad"], 3.0 * DEGREE, delta=1e-9)
+        self.assert_halves_as_if_alone(rows, plain, by_degrees)
+        for row in rows:
+            sigma = float(row["sigma_deg"]) * DEGREE
+            row.update({"sigma": repr(sigma)} | {f"sigma_{axis}": repr(sigma) for axis in "xyz"} | {f"cov_{axis}{axis}": repr(sigma**2) for axis in "xyz"})
+        for names in (["sigma"], ["sigma_x", "sigma_y", "sigma_z"], ["cov_xx", "cov_yy", "cov_zz"]):
+            with self.subTest(names):
+                self.assertLess(rms_degrees(self.smoothed(rows, [*plain, *names])[1], by_degrees), 1e-6)
+        self.assertNotIn("sigma", self.read("out.csv").split("\n")[0] + self.read("out.csv").split("\n")[1])
+
+    def test_bad_columns_are_refused(self):
+        keys = "t,qw,qx,qy,qz,{}\n0,1,0,0,0,{}\n1,1,0,0,0,{}\n2,1,0,0,0,{}\n3,1,0,0,0,{}\n"
+        for cells, message in ((("0.1", "0", "0.1", "0.1"), "keys.csv:3: key 1: sigma: found 0, wanted a finite number above 0"),
+                               (("0.1", "0.1", "-2", "0.1"), "keys.csv:4: key 2: sigma: found -2, wanted a finite number above 0")):
+            self.write("keys.csv", keys.format("sigma", *cells))
+            self.assert_fails("smooth keys.csv -o out.csv", BAD_DATA, message)
+        self.write("keys.csv", keys.format("sigma", *4 * ["0.1"]))
+        self.assert_fails("smooth keys.csv --noise 1deg -o out.csv", BAD_USAGE,
+                          "--noise: found the noise of every sample in the recording as well, wanted one of them")
+        self.write("keys.csv", keys.format("sigma_x", *4 * ["0.1"]))
+        self.assert_fails("smooth keys.csv -o out.csv", BAD_DATA, "keys.csv: found no sigma_y, wanted it beside the noise of the other axes")
+
+    def test_noise_that_changes_is_found(self):
+        rows = rows_of(CASES / "32_weights.csv")
+        told, found = self.smoothed(rows, ["t", "qw", "qx", "qy", "qz"])
+        self.assertAlmostEqual(told["least_noise_rad"] / DEGREE, 0.1, delta=0.02)
+        self.assertAlmostEqual(told["largest_noise_rad"] / DEGREE, 3.0, delta=0.6)
+        self.assert_halves_as_if_alone(rows, ["t", "qw", "qx", "qy", "qz"], found)
+        self.assertIsNone(self.smoothed(rows[:HALF], ["t", "qw", "qx", "qy", "qz"])[0]["least_noise_rad"])
+
+    def test_one_row_far_off_is_one_that_tukey_rejects(self):
+        rows, truth = rows_of(CASES / "41_tukey.csv"), orientations(CASES / "11_true.csv")
+        names = ["t", "qw", "qx", "qy", "qz"]
+        bad = HALF
+        for degrees in (45, 90, 170):
+            q = times(truth[bad], turn((0.0, 0.6, 0.8), degrees * DEGREE))
+            rows[bad].update(zip(names[1:], map(repr, q)))
+            for options in ((), ("--no-adapt",)):
+                with self.subTest(degrees=degrees, options=options):
+                    told, found = self.smoothed(rows, names, "--loss", "tukey", *options)
+                    self.assertEqual([sample["line"] for sample in told["rejected"]], [bad + 2])
+                    self.assertLessEqual(rms_degrees(found, truth[:len(found)]), 0.03)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a gyro may do without harm: its clock, its faults, its gaps. ORISPLINE_SWEEP=all in the environment takes every
+// fault and seed.
+#include <algorithm>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include <orispline/math/median.hpp>
+
+#include "smooth/gyro_motion.hpp"
+#include "smooth/safety_net.hpp"
+
+namespace orispline::gyro_motion { namespace {
+
+using Rates = std::vector<Eigen::Vector3d>;
+
+Smoothing with_gyro(const KeyframeData& data, SmoothOptions options = {}) {
+  options.gyro = true;
+  return smoothed(data, options);
+}
+
+TEST(GyroClock, IsFoundToATenthOfASampleInterval) {
+  std::vector<double> errors, in_sigmas;
+  const std::uint64_t seeds = known_truth::sweeps() ? 20 : 4;
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    const double late = 0.3 * static_cast<double>(seed) / static_cast<double>(seeds - 1);
+    const Smoothing smoothing = with_gyro(recorded(seed, late).noisy);
+    errors.push_back(std::abs(smoothing.gyro->offset - late));
+    ASSERT_TRUE(smoothing.gyro->offset_sigma);
+    in_sigmas.push_back(errors.back() / *smoothing.gyro->offset_sigma);
+  }
+  EXPECT_LE(median(errors), 0.3e-3);
+  EXPECT_LE(median(in_sigmas), 1.2);
+  EXPECT_LE(std::ranges::max(in_sigmas), 4.0);
+}
+
+struct Fault {
+  std::string name;
+  std::function<Recorded(std::uint64_t seed)> made;
+};
+
+Fault disturbed(std::string name, std::function<void(Rates&, Dice&)> disturb) {
+  return {std::move(name), [disturb = std::move(disturb)](std::uint64_t seed) {
+            Recorded made = recorded(seed);
+            Dice dice(300 + seed);
+            disturb(made.noisy.angular_velocities, dice);
+            return made;
+          }};
+}
+
+/// Runs of `length` rates, `count` of them, each set by `set`.
+Fault runs(std::string name, std::size_t length, std::size_t count,
+           std::function<Eigen::Vector3d(const Eigen::Vector3d&, Dice&)> set) {
+  return disturbed(name + " in runs of " + std::to_string(length), [=](Rates& rates, Dice& dice) {
+    for (std::size_t run = 0; run < count; ++run) {
+      const auto first = static_cast<std::size_t>(dice.between(0.02, 0.95) * static_cast<double>(rates.size()));
+      for (std::size_t k = first; k < std::min(first + length, rates.size()); ++k) rates[k] = set(rates[k], dice);
+    }
+  });
+}
+
+std::vector<Fault> faults() {
+  std::vector<Fault> all;
+  for (const std::size_t length : {1, 2, 3, 5, 10, 20, 50}) {
+    if (!known_truth::sweeps() && length != 3 && length != 50) continue;
+    const std::size_t count = std::max<std::size_t>(1, 100 / length);
+    all.push_back(runs("spikes", length, count, [](const Eigen::Vector3d& rate, Dice& dice) {
+      return Eigen::Vector3d(rate + Eigen::Vector3d::Unit(static_cast<Eigen::Index>(dice.between(0.0, 2.999))) * 35.0);
+    }));
+    all.push_back(runs("zeros", length, count,
+                       [](const Eigen::Vector3d&, Dice&) { return Eigen::Vector3d(Eigen::Vector3d::Zero()); }));
+    all.push_back(runs("small spikes", length, count, [](const Eigen::Vector3d& rate, Dice& dice) {
+      return Eigen::Vector3d(rate + 0.5 * dice.vector());
+    }));
+  }
+  for (const double share : {0.9, 0.7, 0.5, 0.3})
+    all.push_back(disturbed("clipped at " + std::to_string(share), [share](Rates& rates, Dice&) {
+      double largest = 0.0;
+      for (const Eigen::Vector3d& rate : rates) largest = std::max(largest, rate.lpNorm<Eigen::Infinity>());
+      for (Eigen::Vector3d& rate : rates) rate = rate.cwiseMax(-share * largest).cwiseMin(share * largest);
+    }));
+  for (const double step : {0.2, 1.0, 5.0, 20.0})
+    all.push_back(disturbed("bias that steps by " + std::to_string(step), [step](Rates& rates, Dice& dice) {
+      const Eigen::Vector3d change = step * degree * dice.vector();
+      for (std::size_t k = rates.size() / 2; k < rates.size(); ++k) rates[k] += change;
+    }));
+  for (const double late : {0.005, 0.02, 0.1, 0.2, 0.3})
+    all.push_back(
+        {"stamps late by " + std::to_string(late), [late](std::uint64_t seed) { return recorded(seed, late); }});
+  return all;
+}
+
+TEST(Gyro, NeverMakesTheMotionWorse) {
+  double worst = 0.0;
+  for (const Fault& fault : faults())
+    for (std::uint64_t seed = 0; seed < (known_truth::sweeps() ? 5 : 1); ++seed) {
+      Recorded made = fault.made(seed);
+      const Smoothing with = with_gyro(made.noisy);
+      made.noisy.angular_velocities.clear();
+      const double without = rms(smoothed(made.noisy), made.clean), found = rms(with, made.clean);
+      EXPECT_LE(found, 1.05 * without) << fault.name << ", seed " << seed;
+      worst = std::max(worst, found / without);
+    }
+  std::printf("worst ratio %.3f\n", worst);
+}
+
+/// A gyro whose bias walks by so much in a second [rad/s].
+Recorded walking(std::uint64_t seed, double drift) {
+  Recorded made = recorded(seed);
+  Dice dice(400 + seed);
+  Eigen::Vector3d bias = Eigen::Vector3d::Zero();
+  for (Eigen::Vector3d& rate : made.noisy.angular_velocities) {
+    bias += 0.1 * drift * normal_vector(dice);
+    rate += bias;
+  }
+  return made;
+}
+
+TEST(GyroBias, IsFollowedWhereItDrifts) {
+  const double drift = 1.0 * degree;
+  for (std::uint64_t seed = 0; seed < 2; ++seed) {
+    const Recorded made = walking(seed, drift);
+    const Smoothing constant = with_gyro(made.noisy),
+                    drifting = with_gyro(made.noisy, {.gyro_bias = GyroBias::drifting});
+    EXPECT_TRUE(drifting.gyro->used);
+    EXPECT_LT(rms(drifting, made.clean), 0.75 * rms(constant, made.clean));
+    ASSERT_TRUE(drifting.gyro->drift);
+    EXPECT_LT(*drifting.gyro->drift, 2.5 * drift);
+    EXPECT_GT(*drifting.gyro->drift, 0.4 * drift);
+    EXPECT_EQ(drifting.nodes.gyro_corrections.size(), drifting.nodes.orientations.size());
+    EXPECT_FALSE(constant.gyro->drift);
+  }
+}
+
+TEST(GyroBias, CostsLittleToFollowWhereItIsConstant) {
+  const Recorded made = recorded(3);
+  EXPECT_LT(rms(with_gyro(made.noisy, {.gyro_bias = GyroBias::drifting}), made.clean),
+            1.1 * rms(with_gyro(made.noisy), made.clean));
+}
+
+TEST(Gyro, IsSaidToContradictAStatedNoise) {
+  const Recorded made = recorded(4);
+  const auto has = [](const Smoothing& smoothing, std::string_view code) {
+    return std::ranges::any_of(smoothing.warnings, [&](const Warning& warning) { return warning.code == code; });
+  };
+  EXPECT_FALSE(has(with_gyro(made.noisy, {.noise = 0.5 * degree}), "noise_contradicted"));
+  EXPECT_TRUE(has(with_gyro(made.noisy, {.noise = 0.35 * degree}), "noise_contradicted"));
+  EXPECT_TRUE(has(with_gyro(made.noisy, {.noise = 0.7 * degree}), "noise_contradicted"));
+}
+
+}}  // namespace orispline::gyro_motion
