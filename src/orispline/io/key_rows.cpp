@@ -304,9 +304,9 @@ Expected<void> KeyRows::sort_unposed() {
   std::iota(places.begin(), places.end(), std::uint32_t{0});
   std::stable_sort(places.begin(), places.end(),
                    [&rows](auto a, auto b) { return rows.exact_times[a] < rows.exact_times[b]; });
-  rows.exact_times = gathered(rows.exact_times, places);
-  rows.rates = gathered(rows.rates, places);
-  rows.lines = gathered(rows.lines, places);
+  rows.exact_times = entries_at(rows.exact_times, places);
+  rows.rates = entries_at(rows.rates, places);
+  rows.lines = entries_at(rows.lines, places);
   const auto same = std::ranges::adjacent_find(rows.exact_times);
   if (same == rows.exact_times.end()) return {};
   return failure(
