@@ -296,7 +296,7 @@ def test_bad_rates_are_refused():
     keys, rates = late_gyro(0.0, 50)
     for times, values, error, message in (
             (rates.times[:-1], rates.rates, ori.DataError, "rates: found 50 rows and times of shape"),
-            (rates.times, rates.rates[:, :2], ori.ArgumentError, "rates: found an array of shape"),
+            (rates.times, rates.rates[:, :2], ori.ArgumentError, "rates: found the shape"),
             (rates.times[::-1], rates.rates, ori.DataError, "gyro: time 1 does not come after the one before it"),
             (rates.times + 100, rates.rates, ori.DataError, "do not overlap the recording")):
         with pytest.raises(error, match=message):

@@ -138,14 +138,14 @@ class PathTurns {
     }
   }
 
-  /// By how much it changes from before one time of the gyro to behind another, in medians of such changes.
-  [[nodiscard]] double change(double from, double to) const {
+  /// By how much it changes from before one time of the gyro to behind another, but for that angle [rad], in medians of
+  /// such changes.
+  [[nodiscard]] double change_beyond(double angle, double from, double to) const {
     const auto behind = std::ranges::upper_bound(times_, to), ahead = std::ranges::lower_bound(times_, from);
     const auto first = static_cast<std::size_t>(ahead - times_.begin()),
                last = static_cast<std::size_t>(behind - times_.begin());
     if (first < 2 || last + 2 > times_.size()) return 0.0;
-    const double usual = usual_change(last - first);
-    return usual > 0.0 ? change(first, last) / usual : 0.0;
+    return (change(first, last) - angle) / std::max(least_noise, usual_change(last - first));
   }
 
  private:
@@ -168,6 +168,15 @@ class PathTurns {
   std::vector<double> times_;
   std::vector<Eigen::Vector4d> sums_;
 };
+
+/// What integrating by trapezoids is off by at most [rad], of rates in a row and those beside them.
+double integration_error(const GyroRates& gyro, std::size_t first, std::size_t last) {
+  double sum = 0.0;
+  for (std::size_t k = std::max<std::size_t>(first, 1); k <= last && k + 1 < gyro.rates.size(); ++k)
+    sum += 0.5 * (gyro.times[k + 1] - gyro.times[k - 1]) / 12.0 *
+           (gyro.rates[k + 1] - 2.0 * gyro.rates[k] + gyro.rates[k - 1]).norm();
+  return sum;
+}
 
 bool all_zero(const Eigen::Vector3d& rate) { return (rate.array() == 0.0).all(); }
 
@@ -249,9 +258,9 @@ bool leave_out_faults(const SeenPoses& poses, const GyroRates& gyro, const GyroA
     for (std::size_t i = run.first; i < run.last; ++i) farthest = std::max(farthest, differences.values[i].norm());
     const bool single = run.last - run.first <= longest_pair && farthest > single_fault * usual;
     const double half = 0.5 * median_interval(gyro.times);
-    const double from = gyro.times[differences.rows[run.first]] - half,
-                 to = gyro.times[differences.rows[run.last - 1]] + half;
-    if (!single && turns.change(from, to) < jump) continue;
+    const std::size_t first = differences.rows[run.first], last = differences.rows[run.last - 1];
+    const double rounding = integration_error(gyro, first, last + 1);
+    if (!single && turns.change_beyond(rounding, gyro.times[first] - half, gyro.times[last] + half) < jump) continue;
     for (std::size_t i = run.first; i < run.last; ++i) counts[differences.rows[i]] = false;
   }
   for (std::size_t i = 0; i < differences.rows.size(); ++i)

@@ -20,6 +20,7 @@ namespace {
 constexpr int most_rounds = 3;       // of looking for faults beside an alignment, and of aligning without them
 constexpr double sure_offset = 3.0;  // in its standard deviations: a smaller one is none
 constexpr double doubt = 1.5;        // in standard deviations of the difference between two risks
+constexpr double harmless_error = 4.0 * least_noise;  // [rad]: of numbers in single precision
 constexpr std::size_t fewest_rates = 3;
 constexpr double least_drift = 1e-3;  // over the recording, in units of the noise of the gyro
 constexpr double drift_ratio = 2.0, drift_tolerance = 1e-2;
@@ -184,9 +185,10 @@ void judge(GyroFit& fit, const SmoothingSearch& without, double noise) {
   const Risk with{squares_of(fit.problems.front(), fit.fits.fits.front(), noise), trace_with_gyro(fit)};
   const Risk alone{squares_of(without.problems().front(), without.fits().fits.front(), noise), without.freedom().trace};
   const double margin = doubt * 2.0 * std::sqrt(3.0 * alone.trace);
-  fit.finding.used = with.expected(count) + margin <= alone.expected(count) || with.expected(count) <= 0.0;
   const auto error = [&](const Risk& risk) { return noise * std::sqrt(std::max(0.0, risk.expected(count)) / count); };
   fit.finding.risk = {.with = error(with), .without = error(alone)};
+  const bool is_harmless = noise * noise * with.expected(count) <= harmless_error * harmless_error * count;
+  fit.finding.used = is_harmless || with.expected(count) + margin <= alone.expected(count);
   fit.residual_noise = noise * std::sqrt(with.squares / (3.0 * std::max(1.0, count - with.trace)));
 }
 
