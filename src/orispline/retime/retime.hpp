@@ -46,7 +46,8 @@ struct MotionLimits {
 /// Which intervals between keys are slowed.
 enum class Slowing {
   uniform,      ///< all by one factor s: the same path, ω/s and α/s² everywhere
-  per_interval  ///< each by its own: the method's curve through the keys at their new times
+  per_interval,  ///< each by its own: the method's curve through the keys at their new times
+  fastest_keys   ///< likewise, and they may get shorter too: the times that were typed do not matter
 };
 
 /// What a motion shall keep, and how it may be slowed for it.
@@ -126,7 +127,9 @@ struct ORISPLINE_EXPORT Certificate {
 template <>
 inline constexpr std::array words<Slowing>{
     word("uniform", Slowing::uniform, "All intervals between keys are slowed alike"),
-    word("per-interval", Slowing::per_interval, "Each interval between keys is slowed by itself")};
+    word("per-interval", Slowing::per_interval, "Each interval between keys is slowed by itself"),
+    word("fastest-keys", Slowing::fastest_keys,
+         "Each interval takes as little time as the limits allow, whatever it took before")};
 
 template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept;
