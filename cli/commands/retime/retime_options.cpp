@@ -35,7 +35,8 @@ void add_retime_options(Command& app, RetimeArguments& o) {
   const std::string_view group = "Limits";
   for (const FieldInfo& field : fields_of<orispline::RetimeOptions>())
     if (field.name == "slowing")
-      for (const std::string_view word : {"per-interval", "fastest-keys"}) add_word_flag(app, o.retiming, field, word, group);
+      for (const std::string_view word : {"per-interval", "fastest-keys"})
+        add_word_flag(app, o.retiming, field, word, group);
     else add_field(app, o.retiming, field, group);
   add_output_options(app, o.output);
   add_report_option(app, o.report);

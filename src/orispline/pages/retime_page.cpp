@@ -49,7 +49,10 @@ std::string title_of(const Track& before, const Retiming& retiming, const std::v
     limits.push_back(formatted("{} {}", joined(numbers, ", "), first.shown.name));
   }
   const std::string within = limits.empty() ? "" : formatted(" within {}", joined(limits, " and "));
-  return formatted("{}{}, {}: slowed {} by {:.6g}", file_name_of(before.name), within, retiming.method.name,
+  const std::string of_what = formatted("{}{}, {}", file_name_of(before.name), within, retiming.method.name);
+  if (retiming.slowing == Slowing::fastest_keys)
+    return formatted("{}: as fast as its limits allow, in {:.6g} times the time", of_what, retiming.time_scale);
+  return formatted("{}: slowed {} by {:.6g}", of_what,
                    retiming.slowing == Slowing::uniform ? "uniformly" : "per interval", retiming.time_scale);
 }
 

@@ -112,7 +112,7 @@ class IntervalDescent {
 
   /// The part of what is minimised that an interval changes.
   [[nodiscard]] double cost(double interval, std::size_t i, std::span<const double> factors) const {
-    double barrier = 0.0;
+    double barrier = -widths_[i] * elementary::natural_logarithm(interval / widths_[i]);
     for (std::size_t s = first_reached(i); s <= last_reached(i); ++s) {
       if (!(factors[s] < 1.0)) return std::numeric_limits<double>::infinity();
       barrier -= widths_[s] * elementary::natural_logarithm(1.0 - factors[s]);

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <limits>
+#include <utility>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
@@ -29,8 +29,7 @@ QuantitySizes values_of(const SegmentPeaks& peaks, double CertifiedPeak::*member
 LimitedMotion::LimitedMotion(const Method& method, const Keyframes& keys, const MotionLimits& limits,
                              const StartingTimes& start, Rests rests, OpenEndedWork& work)
     : method_(method), keys_(keys), limits_(limits), start_(start), quantities_(quantities_of(limits)), work_(work) {
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i)
-    is_rest_.push_back(rests == Rests::kept && keys.rests_after(i));
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) is_rest_.push_back(rests == Rests::kept && keys.rests_after(i));
 }
 
 bool LimitedMotion::has_rests() const noexcept { return std::ranges::find(is_rest_, true) != is_rest_.end(); }

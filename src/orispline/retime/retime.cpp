@@ -282,7 +282,8 @@ Method holding_rests(Method method, const Keyframes& keys) {
 Expected<void> check(const RetimeOptions& options) {
   if (auto checked = check_ranges(options); !checked) return checked;
   const MotionLimits& limits = options.limits;
-  if (quantities_of(limits).empty() && !options.duration && !options.shorten_rests)
+  const bool needs_limit = options.slowing == Slowing::fastest_keys || (!options.duration && !options.shorten_rests);
+  if (quantities_of(limits).empty() && needs_limit)
     return failure(ErrorCode::bad_argument,
                    "found no limit, wanted `max_rate`, `max_acceleration`, `max_jerk`, `max_torque`, `max_speed`, "
                    "`max_linear_acceleration` or `duration`");
@@ -308,8 +309,7 @@ Expected<Retiming> retime(const Track& track, const Method& given, const RetimeO
       });
   if (!checked) return tl::unexpected(checked.error());
   const bool is_uniform = options.slowing == Slowing::uniform;
-  OpenEndedWork work(progress,
-                     usual_rounds + (is_uniform ? 0.0 : curves_for_interval_times((*family)->support_keys)));
+  OpenEndedWork work(progress, usual_rounds + (is_uniform ? 0.0 : curves_for_interval_times((*family)->support_keys)));
   const auto start = starting_times(track.keys, options);
   if (!start) return tl::unexpected(start.error());
   const auto retimed_with = [&](Rests rests) {

@@ -45,7 +45,7 @@ struct MotionLimits {
 
 /// Which intervals between keys are slowed.
 enum class Slowing {
-  uniform,      ///< all by one factor s: the same path, ω/s and α/s² everywhere
+  uniform,       ///< all by one factor s: the same path, ω/s and α/s² everywhere
   per_interval,  ///< each by its own: the method's curve through the keys at their new times
   fastest_keys   ///< likewise, and they may get shorter too: the times that were typed do not matter
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <orispline/base/formatted.hpp>
 #include <orispline/retime/motion_limits.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -23,18 +24,16 @@ double change_of(const LimitedQuantity& quantity, const Keyframes& keys, std::si
   }
   const Eigen::Vector3d turned = increment(keys.orientations()[i], keys.orientations()[i + 1]);
   if (!(turned.norm() > rest_angle)) return 0.0;
-  return quantity.size_of(quantity.vector == LimitedQuantity::Vector::torque && inertia
-                              ? Eigen::Vector3d(*inertia * turned)
-                              : turned);
+  return quantity.size_of(
+      quantity.vector == LimitedQuantity::Vector::torque && inertia ? Eigen::Vector3d(*inertia * turned) : turned);
 }
 
 /// 0 where nothing that is limited changes.
 double quick_interval(const Keyframes& keys, std::size_t i, const MotionLimits& limits,
                       const std::vector<LimitedQuantity>& quantities) {
   QuantitySizes changes{};
-  std::ranges::transform(quantities, changes.begin(), [&](const LimitedQuantity& quantity) {
-    return change_of(quantity, keys, i, limits.inertia);
-  });
+  std::ranges::transform(quantities, changes.begin(),
+                         [&](const LimitedQuantity& quantity) { return change_of(quantity, keys, i, limits.inertia); });
   return needed_factor(changes, quantities);
 }
 
@@ -69,6 +68,12 @@ Expected<StartingTimes> starting_times(const Keyframes& keys, const RetimeOption
                        {.key = i});
     }
     start.times[i + 1] = start.times[i] + interval;
+    if (!(start.times[i + 1] - start.times[i] >= shortest_step) || !(interval <= longest_step))
+      return failure(ErrorCode::bad_argument,
+                     formatted("the limits leave {:.3g} s for the step from this key to the next, wanted limits with "
+                               "which times can tell these keys apart, such as `max_rate` for degrees in seconds",
+                               interval),
+                     {.key = i});
   }
   return start;
 }
