@@ -16,6 +16,7 @@
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/number.hpp>
+#include <orispline/retime/even_motion.hpp>
 #include <orispline/retime/interval_times.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -72,6 +73,8 @@ Expected<void> check_motion(const FamilyInfo& family, const Method& method, cons
 Expected<void> check_limits(const FamilyInfo& family, const Method& method, const Keyframes& keys,
                             const RetimeOptions& options) {
   const MotionLimits& limits = options.limits;
+  if (keys.positions().empty() && options.constant_speed)
+    return bad_option("constant_speed", "the keys have no positions, wanted px,py,pz as well");
   if (keys.positions().empty() && limits.speed)
     return bad_option("max_speed", "the keys have no positions, wanted px,py,pz as well");
   if (keys.positions().empty() && limits.linear_acceleration)
@@ -207,6 +210,21 @@ Expected<Slowed> least_slowed(const LimitedMotion& motion, int support_keys, Slo
   return separate && (!uniform || separate->time_scale < (1.0 - least_gain) * uniform->time_scale) ? separate : uniform;
 }
 
+bool is_even(const RetimeOptions& options) { return options.constant_rate || options.constant_speed; }
+
+/// What an even motion is asked for besides. Error: bad_argument.
+Expected<void> check_even(const RetimeOptions& options) {
+  if (options.constant_rate && options.constant_speed)
+    return bad_option("constant_rate", "found `constant_speed` as well, wanted one of them");
+  const std::string_view asked = options.constant_rate ? "constant_rate" : "constant_speed";
+  if (!quantities_of(options.limits).empty() || options.limits.inertia)
+    return bad_option(asked, "it says how fast the motion is everywhere, wanted no limits beside it");
+  if (options.duration) return bad_option(asked, "the duration follows from it, wanted no `duration` beside it");
+  if (options.slowing != Slowing::uniform)
+    return bad_option(asked, "the keys' times follow from it, wanted uniform slowing");
+  return {};
+}
+
 /// At its own times, of which nothing is asked.
 Slowed as_given(const LimitedMotion& motion) { return {motion.starting_times(), 1.0, 0.0, Slowing::uniform, {}}; }
 
@@ -281,12 +299,15 @@ Method holding_rests(Method method, const Keyframes& keys) {
 
 Expected<void> check(const RetimeOptions& options) {
   if (auto checked = check_ranges(options); !checked) return checked;
+  if (is_even(options)) return check_even(options);
+  if (options.ease)
+    return bad_option("ease", "it is of an even motion, wanted `constant_rate` or `constant_speed` as well");
   const MotionLimits& limits = options.limits;
   const bool needs_limit = options.slowing == Slowing::fastest_keys || (!options.duration && !options.shorten_rests);
   if (quantities_of(limits).empty() && needs_limit)
     return failure(ErrorCode::bad_argument,
                    "found no limit, wanted `max_rate`, `max_acceleration`, `max_jerk`, `max_torque`, `max_speed`, "
-                   "`max_linear_acceleration` or `duration`");
+                   "`max_linear_acceleration`, `duration`, `constant_rate` or `constant_speed`");
   if (options.duration && options.slowing != Slowing::uniform)
     return bad_option("duration", "it scales all intervals alike, wanted uniform slowing");
   if (limits.torque && !limits.inertia)
@@ -308,6 +329,7 @@ Expected<Retiming> retime(const Track& track, const Method& given, const RetimeO
         return check_limits(**family, method, track.keys, options);
       });
   if (!checked) return tl::unexpected(checked.error());
+  if (is_even(options)) return evenly_retimed(track, method, options, progress);
   const bool is_uniform = options.slowing == Slowing::uniform;
   OpenEndedWork work(progress, usual_rounds + (is_uniform ? 0.0 : curves_for_interval_times((*family)->support_keys)));
   const auto start = starting_times(track.keys, options);

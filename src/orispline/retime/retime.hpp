@@ -9,6 +9,7 @@
 
 #include <orispline/base/expected.hpp>
 #include <orispline/base/progress.hpp>
+#include <orispline/curve/method.hpp>
 #include <orispline/curve/track.hpp>
 #include <orispline/fields/field_info.hpp>
 #include <orispline/fields/quantity.hpp>
@@ -54,8 +55,11 @@ enum class Slowing {
 struct RetimeOptions {
   MotionLimits limits{};
   Slowing slowing = Slowing::uniform;
-  std::optional<double> duration{};       ///< [s], from the first key to the last; the limits are checked then
-  std::optional<double> shorten_rests{};  ///< [s], what longer rests are cut to; absent: rests keep their duration
+  std::optional<double> duration{};        ///< [s], from the first key to the last; the limits are checked then
+  std::optional<double> shorten_rests{};   ///< [s], what longer rests are cut to; absent: rests keep their duration
+  std::optional<double> constant_rate{};   ///< of the angle travelled along the same path [rad/s]
+  std::optional<double> constant_speed{};  ///< of the distance travelled along the same path [m/s]
+  std::optional<double> ease{};            ///< [s], how long an even motion takes to start and to stop; absent: no time
 };
 
 /// The largest of a quantity on one segment: what was found at a time, and what it is nowhere above.
@@ -67,15 +71,28 @@ struct CertifiedPeak {
 /// The peaks of one segment, one for each quantity.
 using SegmentPeaks = std::vector<CertifiedPeak>;
 
+/// How even a motion is, and how near to the path that it goes along.
+struct Evenness {
+  Method path_method{};               ///< whose curve through the keys that were given is the path
+  double unevenness = 0.0;            ///< the largest difference from the rate or speed asked for, as a share of it
+  double turn = 0.0;                  ///< the largest angle between the orientation and the path's [rad]
+  std::optional<double> shift{};      ///< the largest distance between the position and the path's [m]
+  double largest_rate = 0.0;          ///< |ω| [rad/s]
+  double largest_acceleration = 0.0;  ///< |α| [rad/s²]
+  std::size_t stops = 0;              ///< where the path turns back or bends too sharply for the ease
+  std::size_t slower_stretches = 0;   ///< between stops, too short to get as fast as asked for
+};
+
 /// Keys at later times.
 struct Retiming {
-  Track track{};                      ///< the one given at the new times, the first as it was
-  Method method{};                    ///< the one given, with the settings of the track
-  double time_scale = 1.0;            ///< of the whole duration; below 1 only where rests were shortened
-  double slack = 0.0;                 ///< by which share less slowing might do: what was found is below the limits
-  Slowing slowing{};                  ///< how they were slowed: uniformly where intervals by themselves take longer
-  std::vector<SegmentPeaks> peaks{};  ///< of the slowed curve, segment by segment: no bound above its limit
-  std::vector<std::size_t> rests{};   ///< i where the body rests from key i to the next
+  Track track{};                       ///< the one given at the new times, the first as it was
+  Method method{};                     ///< the one given, with the settings of the track
+  double time_scale = 1.0;             ///< of the whole duration; below 1 only where rests were shortened
+  double slack = 0.0;                  ///< by which share less slowing might do: what was found is below the limits
+  std::optional<Evenness> evenness{};  ///< of an even motion; its keys are others than those given, and many more
+  Slowing slowing{};                   ///< how they were slowed: uniformly where intervals by themselves take longer
+  std::vector<SegmentPeaks> peaks{};   ///< of the slowed curve, segment by segment: no bound above its limit
+  std::vector<std::size_t> rests{};    ///< i where the body rests from key i to the next
   std::vector<Warning>
       warnings{};  ///< `loose_bounds`, `moving_rests`, `longer_rests`; of the inertia, and of the method's curve
 };
