@@ -110,7 +110,7 @@ TEST(FastestKeys, WantLimitsForEveryStep) {
   EXPECT_EQ(refusal({.rate = 1.0, .speed = 1.0}), "none");
   const std::string no_limit =
       "found no limit, wanted `max_rate`, `max_acceleration`, `max_jerk`, `max_torque`, `max_speed`, "
-      "`max_linear_acceleration` or `duration`";
+      "`max_linear_acceleration`, `duration`, `constant_rate` or `constant_speed`";
   EXPECT_EQ(refusal({}), no_limit);
   EXPECT_EQ(refusal({}, {.shorten_rests = 1.0}), no_limit);
   EXPECT_EQ(refusal({.rate = 1.0}, {.duration = 3.0}),

@@ -345,7 +345,7 @@ class Curve(Looks, Orienting):
         self._core.times_at(angles.reshape(-1), seconds.reshape(-1))
         return self._clock.back(seconds) if seconds.ndim else self._clock.time(float(seconds))
 
-    def at_angle(self, angle: ArrayLike) -> NDArray[Any]:
+    def at_angle(self, angle: ArrayLike) -> Array:
         """(..., 4) unit quaternions where the curve has travelled these angles [rad], as of `time_at_angle`: at even angles
         they are evenly spaced along its path, whatever its rate.
 

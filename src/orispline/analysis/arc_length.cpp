@@ -2,6 +2,7 @@
 #include <orispline/analysis/curve_measures.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 #include <orispline/analysis/quadrature.hpp>
 #include <orispline/analysis/rounding.hpp>
@@ -46,39 +47,39 @@ double rounding_of(const AnyPath& path) {
 }  // namespace
 
 template <class C>
-ArcLength<C>::ArcLength(C curve) : curve_(std::move(curve)), rounding_(rounding_of(curve_)) {
-  const auto knots = curve_.knots().times();
-  at_knots_.reserve(knots.size());
-  at_knots_.push_back(0.0);
-  for (std::size_t segment = 0; segment + 1 < knots.size(); ++segment)
-    at_knots_.push_back(at_knots_.back() + within(segment, knots[segment], knots[segment + 1]));
+ArcLength<C>::ArcLength(C curve, std::span<const double> kinks)
+    : curve_(std::move(curve)), rounding_(rounding_of(curve_)), lengths_{0.0} {
+  std::ranges::set_union(curve_.knots().times(), kinks, std::back_inserter(nodes_));
+  for (std::size_t node = 0; node + 1 < nodes_.size(); ++node)
+    lengths_.push_back(lengths_.back() + beyond(node, nodes_[node + 1]));
 }
 
 template <class C>
-double ArcLength<C>::within(std::size_t segment, double start, double end) const {
-  return adaptive_integral<1>(speeds_on(curve_, segment), start, end, Figures<1>(rounding_))[0];
+double ArcLength<C>::beyond(std::size_t node, double end) const {
+  const std::size_t segment = curve_.knots().segment_at(nodes_[node]);
+  return adaptive_integral<1>(speeds_on(curve_, segment), nodes_[node], end, Figures<1>(rounding_))[0];
 }
 
 template <class C>
 double ArcLength<C>::at(double t) const {
-  if (!(t > curve_.knots().front())) return 0.0;
-  if (t >= curve_.knots().back()) return total();
-  const std::size_t segment = curve_.knots().segment_at(t);
-  return at_knots_[segment] + within(segment, curve_.knots().times()[segment], t);
+  if (!(t > nodes_.front())) return 0.0;
+  if (t >= nodes_.back()) return total();
+  const auto node = static_cast<std::size_t>(std::ranges::upper_bound(nodes_, t) - nodes_.begin()) - 1;
+  return lengths_[node] + beyond(node, t);
 }
 
 template <class C>
 double ArcLength<C>::time_at(double length) const {
-  const auto knots = curve_.knots().times();
-  if (!(length > 0.0)) return knots.front();
-  const auto beyond = std::ranges::lower_bound(at_knots_, length);
-  if (beyond == at_knots_.end()) return time_at(total());
-  const auto segment = static_cast<std::size_t>(beyond - at_knots_.begin()) - 1;
-  const double wanted = length - at_knots_[segment], start = knots[segment];
-  double low = start, high = knots[segment + 1];
-  double t = std::lerp(low, high, wanted / (at_knots_[segment + 1] - at_knots_[segment]));
+  if (!(length > 0.0)) return nodes_.front();
+  const auto after = std::ranges::lower_bound(lengths_, length);
+  if (after == lengths_.end()) return time_at(total());
+  const auto node = static_cast<std::size_t>(after - lengths_.begin()) - 1;
+  const std::size_t segment = curve_.knots().segment_at(nodes_[node]);
+  const double wanted = length - lengths_[node];
+  double low = nodes_[node], high = nodes_[node + 1];
+  double t = std::lerp(low, high, wanted / (lengths_[node + 1] - lengths_[node]));
   for (int step = 0; step < most_steps && low < high; ++step) {  // Newton's method, kept between low and high
-    const double excess = within(segment, start, t) - wanted;
+    const double excess = beyond(node, t) - wanted;
     if (std::abs(excess) <= rounding_) return t;
     (excess > 0.0 ? high : low) = t;
     const double next = t - excess / speed_of(curve_, segment, t);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <orispline/curve/curve.hpp>
@@ -61,23 +62,24 @@ struct Peaks {
 template <class C>
 class ArcLength {
  public:
-  explicit ArcLength(C curve);
+  /// `kinks`: times inside its segments at which its speed touches zero, in order [s]; stated, they cost no accuracy.
+  explicit ArcLength(C curve, std::span<const double> kinks = {});
 
   /// Of the whole curve.
-  [[nodiscard]] double total() const noexcept { return at_knots_.back(); }
+  [[nodiscard]] double total() const noexcept { return lengths_.back(); }
   /// From the start to the time t [s], which is held to the domain.
   [[nodiscard]] double at(double t) const;
-  /// From the start to each knot.
-  [[nodiscard]] const std::vector<double>& at_knots() const noexcept { return at_knots_; }
   /// The first time [s] at which the curve has gone so far, which is held to 0 … total().
   [[nodiscard]] double time_at(double length) const;
 
  private:
-  [[nodiscard]] double within(std::size_t segment, double start, double end) const;
+  /// From a node on, to a time before the next one.
+  [[nodiscard]] double beyond(std::size_t node, double end) const;
 
   C curve_;
-  double rounding_;  // of lengths
-  std::vector<double> at_knots_;
+  double rounding_;              // of lengths
+  std::vector<double> nodes_;    // knots and kinks [s]
+  std::vector<double> lengths_;  // from the start to each of them
 };
 
 extern template class ORISPLINE_EXPORT ArcLength<AnyCurve>;

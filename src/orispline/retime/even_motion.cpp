@@ -19,11 +19,12 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-constexpr int places = 8;                // of a step, at which its rate is measured
-constexpr double largest_start = 0.5;    // of a step that is not halved yet, turned [rad]
-constexpr double sharp_share = 0.05;     // of what is gone in an ease at full speed: a bend is passed at rest
-constexpr double least_moves = 4.0;      // of what is taken for a rest
-constexpr double of_usual_keys = 500.0;  // of work
+constexpr int places = 8;                   // of a step, at which its rate is measured
+constexpr double largest_start = 0.5;       // of a step that is not halved yet, turned [rad]
+constexpr double sharp_share = 0.05;        // of what is gone in an ease at full speed: a bend is passed at rest
+constexpr double least_moves = 4.0;         // of what is taken for a rest
+constexpr int most_halvings_of_steps = 12;  // more mend no unevenness
+constexpr double of_usual_keys = 500.0;     // of work
 
 double speed_of(const RetimeOptions& options) {
   return options.constant_rate ? *options.constant_rate : options.constant_speed.value_or(0.0);
@@ -245,7 +246,7 @@ struct DenseKeys {
 };
 
 Expected<DenseKeys> dense_enough(EvenKeys even, OpenEndedWork& work) {
-  while (true) {
+  for (int round = 0;; ++round) {
     if (work.stopped()) return cancellation();
     if (even.size() > most_even_keys)
       return failure(
@@ -258,7 +259,7 @@ Expected<DenseKeys> dense_enough(EvenKeys even, OpenEndedWork& work) {
     if (!curve) return tl::unexpected(std::move(curve.error()));
     work.add(static_cast<double>(even.size()));
     const std::vector<Fault> faults = even.faults_of(*curve);
-    if (even.halve(faults)) continue;
+    if (round < most_halvings_of_steps && even.halve(faults)) continue;
     Fault fault;
     for (const Fault& of_step : faults) fault.add(of_step);
     return DenseKeys{std::move(*keys), std::move(*curve), std::move(method), fault};

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <span>
 #include <string_view>
 
 #include <orispline/base/formatted.hpp>
@@ -158,27 +160,35 @@ Expected<void> check_segment(const C& curve, const PoseCurve& pose, std::size_t 
   return {};
 }
 
+/// Where a curve turns back inside its segments, in order [s].
 template <class C>
-Expected<std::vector<Stretch>> stretches_of(const C& curve, const PoseCurve& pose, const ArcLength<C>& travelled,
-                                            double sharp_bend) {
-  const std::vector<double>& lengths = travelled.at_knots();
-  const Turns turns(curve, sharp_bend);
+std::vector<double> kinks_of(const C& curve, const Turns<C>& turns) {
+  std::vector<double> kinks;
+  for (std::size_t s = 0; s < curve.knots().segments(); ++s)
+    std::ranges::copy(turns.inside(s), std::back_inserter(kinks));
+  return kinks;
+}
+
+template <class C>
+Expected<std::vector<Stretch>> stretches_of(const C& curve, const PoseCurve& pose, const Turns<C>& turns,
+                                            std::span<const double> kinks, const ArcLength<C>& travelled) {
   Stretches stretches(curve.knots().front(), shortest_of(curve));
   bool moved = false;
   for (std::size_t s = 0; s < curve.knots().segments(); ++s) {
     const KnotSpan span = curve.knots().span(s);
-    const bool moves = lengths[s + 1] - lengths[s] > shortest_of(curve);
+    const double before = travelled.at(span.start());
+    const bool moves = travelled.at(span.end()) - before > shortest_of(curve);
     const bool turns_back = moves && moved && turns.is_back(s - 1, s, span.start());
     const bool is_corner = moves && moved && !turns_back && turns.is_corner(s - 1, s, span.start());
     if (auto checked = check_segment(curve, pose, s, !moves, is_corner); !checked)
       return tl::unexpected(std::move(checked.error()));
-    if (!moves) stretches.rest(span.start(), span.end(), lengths[s]);
-    if (turns_back) stretches.stop_at(span.start(), lengths[s]);
-    if (moves)
-      for (const double t : turns.inside(s)) stretches.stop_at(t, travelled.at(t));
+    if (!moves) stretches.rest(span.start(), span.end(), before);
+    if (turns_back) stretches.stop_at(span.start(), before);
+    for (; !kinks.empty() && kinks.front() < span.end(); kinks = kinks.subspan(1))
+      if (moves) stretches.stop_at(kinks.front(), travelled.at(kinks.front()));
     moved = moves;
   }
-  stretches.stop_at(curve.knots().back(), lengths.back());
+  stretches.stop_at(curve.knots().back(), travelled.total());
   return std::move(stretches).all();
 }
 
@@ -186,8 +196,10 @@ Expected<std::vector<Stretch>> stretches_of(const C& curve, const PoseCurve& pos
 
 template <class C>
 Expected<EvenPath> EvenPath::along(const C& curve, const PoseCurve& pose, double sharp_bend) {
-  const ArcLength<C> travelled(curve);
-  return stretches_of(curve, pose, travelled, sharp_bend)
+  const Turns<C> turns(curve, sharp_bend);
+  const std::vector<double> kinks = kinks_of(curve, turns);
+  const ArcLength<C> travelled(curve, kinks);
+  return stretches_of(curve, pose, turns, kinks, travelled)
       .and_then([&](std::vector<Stretch> stretches) -> Expected<EvenPath> {
         if (std::ranges::all_of(stretches, &Stretch::is_rest))
           return bad_option(words_of(curve).option,
