@@ -86,8 +86,7 @@ Json document_of(const RetimeOutcome& outcome) {
   put(json, retiming, {"keys"});
   json["duration_before_s"] = outcome.duration_before();
   put(json, retiming, {"duration_after", "time_scale", "rests", "slack"});
-  if (retiming.evenness)
-    put(json, retiming, {"unevenness", "path_turn", "path_shift", "stops", "largest_rate", "largest_acceleration"});
+  put(json, retiming, {"unevenness", "path_turn", "path_shift", "stops", "largest_rate", "largest_acceleration"});
   for (const Certificate& c : outcome.certificates()) {
     json[c.id_of("limit")] = c.limit / c.in_ids.size;
     json[c.id_of("bound")] = c.bound / c.in_ids.size;

@@ -43,7 +43,7 @@ class EvenPath {
       : travelled_(std::move(travelled)), stretches_(std::move(stretches)) {}
 
   template <class C>
-  static Expected<EvenPath> along(const C& curve, const PoseCurve& pose, double sharp_bend);
+  [[nodiscard]] static Expected<EvenPath> along(const C& curve, const PoseCurve& pose, double sharp_bend);
 
   Travelled travelled_;
   std::vector<Stretch> stretches_;
