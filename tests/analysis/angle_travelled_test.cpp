@@ -68,18 +68,4 @@ TEST(DistanceTravelled, IsThatOfThePositionsAndInvertsItself) {
   EXPECT_NEAR(travelled.time_at(2.5), 0.5, 1e-13);
 }
 
-TEST(AngleTravelled, IsExactBesideAKinkThatIsStated) {
-  const auto keys =
-      Keyframes::make(
-          {.times = {0.0, 1.0, 2.0, 3.0},
-           .orientations = {exp<double>(Eigen::Vector3d(0.0, 0.0, 0.0)), exp<double>(Eigen::Vector3d(1.0, 0.0, 0.0)),
-                            exp<double>(Eigen::Vector3d(1.0, 0.0, 0.0)), exp<double>(Eigen::Vector3d(0.0, 0.0, 0.0))}})
-          .value();
-  const AnyCurve curve = make_curve("timed-c2", keys).value();
-  const std::vector<double> kinks{1.5};  // by symmetry
-  const double turned = increment(curve(0.0), curve(1.5)).norm();
-  EXPECT_NEAR(AngleTravelled(curve, kinks).at(1.5), turned, 1e-13);
-  EXPECT_NEAR(AngleTravelled(curve, kinks).total(), 2.0 * turned, 1e-13);
-}
-
 }}  // namespace orispline

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <orispline/analysis/curve_measures.hpp>
 #include <orispline/retime/even_law.hpp>
 
 #include "retime/retimed_motion.hpp"
