@@ -57,4 +57,15 @@ TEST(AngleTravelled, OfOneKeyIsNone) {
   EXPECT_EQ(travelled.time_at(1.0), 4.0);
 }
 
+TEST(DistanceTravelled, IsThatOfThePositionsAndInvertsItself) {
+  const auto keys = Keyframes::make({.times = {0.0, 1.0, 3.0},
+                                     .orientations = std::vector(3, Eigen::Quaterniond::Identity()),
+                                     .positions = {{0.0, 0.0, 0.0}, {3.0, 4.0, 0.0}, {3.0, 4.0, 12.0}}})
+                        .value();
+  const DistanceTravelled travelled(make_pose_curve("slerp", keys).value().position.value());
+  EXPECT_NEAR(travelled.total(), 17.0, 1e-13);
+  EXPECT_NEAR(travelled.at(2.0), 11.0, 1e-13);
+  EXPECT_NEAR(travelled.time_at(2.5), 0.5, 1e-13);
+}
+
 }}  // namespace orispline

@@ -230,7 +230,7 @@ class Retime(CommandTest):
     def test_refused(self):
         self.assert_fails("retime keys.csv", BAD_USAGE,
                           "found no limit, wanted --max-rate, --max-acceleration, --max-jerk, --max-torque, --max-speed, "
-                          "--max-linear-acceleration or --duration")
+                          "--max-linear-acceleration, --duration, --constant-rate or --constant-speed")
         self.assert_fails("retime keys.csv --max-rate=-1deg/s", BAD_USAGE,
                           "--max-rate: found '-1deg/s', wanted a number greater than 0 with its unit, deg/s, rad/s, mrad/s or arcsec/s, such as "
                           "1deg/s, or three with commas between them, such as 1,2,3deg/s")

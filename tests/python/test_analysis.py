@@ -93,6 +93,8 @@ def test_energies_and_angles_are_those_of_quadrature(curve):
     assert curve.angle_travelled() == pytest.approx(travelled, rel=1e-8)
     t = np.random.default_rng(1).uniform(*curve.domain, 30)
     assert np.allclose(curve.time_at_angle(curve.angle_travelled(t)), t, atol=1e-9)
+    even = curve.at_angle(np.linspace(0, curve.angle_travelled(), 7))
+    assert np.array_equal(even, curve(curve.time_at_angle(np.linspace(0, curve.angle_travelled(), 7))))
     assert np.allclose(curve.torque(t.reshape(5, 6), INERTIA), np.array([torque(x) for x in t]).reshape(5, 6, 3), atol=1e-12)
 
 

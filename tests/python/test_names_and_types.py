@@ -102,7 +102,7 @@ STACK = "ndarray[tuple[int, int], dtype[float64]]"
 TYPES = {"curve(0.5)": SCALAR, "curve(np.float64(0.5))": SCALAR, "curve(1)": SCALAR, "curve(t)": ARRAY, "curve([0.1, 0.2])": ARRAY,
          "curve.angular_velocity(0.5)": SCALAR, "curve.angular_jerk(t, 'world')": ARRAY, "curve.position(t, threads=0)": ARRAY,
          "curve(t, out=np.empty((5, 4)))": STACK, "curve.angular_velocity(t, 'body', np.empty((5, 3)))": STACK,
-         "curve.angle_travelled()": "float", "curve.angle_travelled(0.5)": "float", "curve.angle_travelled(t)": ARRAY,
+         "curve.angle_travelled()": "float", "curve.angle_travelled(0.5)": "float", "curve.angle_travelled(t)": ARRAY, "curve.at_angle([0.1, 0.2])": ARRAY,
          "curve.motion(0.5, 'left').angular_velocity": ARRAY, "curve.bake(1e-9)(0.5)": "ndarray[tuple[int], dtype[Any]]",
          "stack(0.5)": STACK, "stack.angular_velocity(t)": ARRAY, "online(0.5)": SCALAR, "online(t)": ARRAY,
          "spline(0.5, 1)": SCALAR, "spline(t, 2)": ARRAY, "curve.sample(rate=100).times": "ndarray[Any, Any]",

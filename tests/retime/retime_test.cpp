@@ -143,7 +143,7 @@ TEST(Retime, RefusesLimitsThatAreNone) {
   const Keyframes keys = random_keys(1, {4, 1.0});
   EXPECT_EQ(error("auto", keys, {}),
             "found no limit, wanted `max_rate`, `max_acceleration`, `max_jerk`, `max_torque`, `max_speed`, "
-            "`max_linear_acceleration` or `duration`");
+            "`max_linear_acceleration`, `duration`, `constant_rate` or `constant_speed`");
   EXPECT_EQ(error("auto", keys, {.rate = 0.0}), "max_rate: found 0 rad/s, wanted more than 0 rad/s");
   EXPECT_EQ(error("auto", keys, {.acceleration = -2.0}),
             "max_acceleration: found -2 rad/s², wanted more than 0 rad/s²");

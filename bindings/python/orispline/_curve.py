@@ -348,6 +348,18 @@ class Curve(Looks, Orienting):
         self._core.times_at(angles.reshape(-1), seconds.reshape(-1))
         return self._clock.back(seconds) if seconds.ndim else self._clock.time(float(seconds))
 
+    def at_angle(self, angle: ArrayLike) -> Array:
+        """(..., 4) unit quaternions where the curve has travelled these angles [rad], as of `time_at_angle`: at even angles
+        they are evenly spaced along its path, whatever its rate.
+
+        >>> import numpy as np, orispline as ori
+        >>> curve = ori.Curve([0, 1, 9], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
+        >>> q = curve.at_angle(np.linspace(0, curve.angle_travelled(), 5))
+        >>> np.degrees(2 * np.arctan2(q[:, 2], q[:, 3])).round(9).tolist()
+        [0.0, 45.0, 90.0, 135.0, 180.0]
+        """
+        return self(self.time_at_angle(angle))
+
     @overload
     def band(self, t: Time, share: float = ...) -> float: ...
     @overload

@@ -300,6 +300,12 @@ class Retiming(Reported):
     time_scale: float
     rests: int
     slack: float
+    unevenness: float | None
+    path_turn: float | None
+    path_shift: float | None
+    stops: int | None
+    largest_rate: float | None
+    largest_acceleration: float | None
     certificates: dict[str, Certificate]
     _table: ClassVar[str] = "Retiming"
 

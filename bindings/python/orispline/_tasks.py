@@ -210,7 +210,7 @@ def reduce_tracks(tracks: Iterable[Keys], tolerance: Any, *, method: Any = None,
 
 
 @takes("RetimeOptions")
-def retime(keys: Keys, *, method: Any = None, per_interval: bool = False, **options: Any) -> Retiming:
+def retime(keys: Keys, *, method: Any = None, per_interval: bool = False, fastest_keys: bool = False, **options: Any) -> Retiming:
     """The least slowing with which the curve stays within limits everywhere, certified by bounds.
 
     Limits are in the units that stand here, as one number for the length of the vector or three for its components;
@@ -225,6 +225,8 @@ def retime(keys: Keys, *, method: Any = None, per_interval: bool = False, **opti
         rest between equal keys.
     per_interval : bool
         Slow each interval between keys by itself; the same as `slowing="per-interval"`.
+    fastest_keys : bool
+        Let intervals get shorter too, so that the times that were typed do not matter; `slowing="fastest-keys"`.
     {options}
 
     Returns
@@ -253,10 +255,13 @@ def retime(keys: Keys, *, method: Any = None, per_interval: bool = False, **opti
     (True, True)
     """
     checked_keys(keys)
-    if flag("per_interval", per_interval):
-        if options.get("slowing", "per-interval") != "per-interval":
-            raise ArgumentError(f"slowing: found {options['slowing']!r} with per_interval=True, wanted one of them")
-        options["slowing"] = "per-interval"
+    for name, given in (("per_interval", per_interval), ("fastest_keys", fastest_keys)):
+        word = name.replace("_", "-")
+        if not flag(name, given):
+            continue
+        if options.get("slowing", word) != word:
+            raise ArgumentError(f"slowing: found {options['slowing']!r} with {name}=True, wanted one of them")
+        options["slowing"] = word
     arguments = (None if method is None else method_words(method), plain(options))
     core = _core.retime(keys._core, *arguments)
     tell(core.warnings)

@@ -13,6 +13,8 @@ constexpr auto retime_footer = R"(Examples:
   orispline retime keys.csv --max-rate 90deg/s --max-acceleration 200deg/s2 --per-interval -o slow.csv
   orispline retime keys.csv --max-rate 90,60,120deg/s --max-jerk 2000deg/s^3 --max-speed 0.5m/s -o slow.csv
   orispline retime keys.csv --duration 30s -o slow.csv
+  orispline retime keys.csv --max-rate 90deg/s --max-acceleration 200deg/s2 --fastest-keys -o fast.csv
+  orispline retime keys.csv --constant-rate 10deg/s --ease 1s -o even.csv
   orispline retime poses --max-rate 90deg/s --output-folder slow
   orispline retime tuned.csv --method timed-c2 --ends rest --max-rate 90deg/s -o slow.csv
   orispline retime keys.csv --max-torque 0.5Nm --inertia=1,2,2.5 --method timed-c2 -o slow.csv --json
@@ -34,7 +36,9 @@ void add_retime_options(Command& app, RetimeArguments& o) {
   add_method_options(app, o.shape);
   const std::string_view group = "Limits";
   for (const FieldInfo& field : fields_of<orispline::RetimeOptions>())
-    if (field.name == "slowing") add_word_flag(app, o.retiming, field, "per-interval", group);
+    if (field.name == "slowing")
+      for (const std::string_view word : {"per-interval", "fastest-keys"})
+        add_word_flag(app, o.retiming, field, word, group);
     else add_field(app, o.retiming, field, group);
   add_output_options(app, o.output);
   add_report_option(app, o.report);

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <orispline/curve/curve.hpp>
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/path.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -52,26 +54,38 @@ struct Peaks {
 [[nodiscard]] ORISPLINE_EXPORT Peaks peaks(const AnyCurve& curve,
                                            const Eigen::Matrix3d& inertia = Eigen::Matrix3d::Identity());
 
-/// The angle ∫|ω| dt that a curve has travelled [rad]: the arc length of orientations, and its inverse.
+/// How far a curve has gone, its arc length, and the inverse of that: the angle ∫|ω| dt of orientations [rad], the
+/// distance ∫|v| dt of positions [m].
 ///
-/// Made once per curve by adaptive Gauss quadrature, to 1e-10 relative in each segment (less where |ω| touches zero and
-/// has a kink).
-class ORISPLINE_EXPORT AngleTravelled {
+/// Made once per curve by adaptive Gauss quadrature, to 1e-10 relative in each segment (less where the speed touches
+/// zero and has a kink).
+template <class C>
+class ArcLength {
  public:
-  explicit AngleTravelled(AnyCurve curve);
+  /// `kinks`: times inside its segments at which its speed touches zero, in order [s]; stated, they cost no accuracy.
+  explicit ArcLength(C curve, std::span<const double> kinks = {});
 
-  /// Of the whole curve [rad].
-  [[nodiscard]] double total() const noexcept { return at_knots_.back(); }
-  /// From the start to the time t [s], which is held to the domain [rad].
+  /// Of the whole curve.
+  [[nodiscard]] double total() const noexcept { return lengths_.back(); }
+  /// From the start to the time t [s], which is held to the domain.
   [[nodiscard]] double at(double t) const;
-  /// The first time [s] at which the curve has travelled that angle [rad], which is held to 0 … total().
-  [[nodiscard]] double time_at(double angle) const;
+  /// The first time [s] at which the curve has gone so far, which is held to 0 … total().
+  [[nodiscard]] double time_at(double length) const;
 
  private:
-  [[nodiscard]] double within(std::size_t segment, double start, double end) const;
+  /// From a node on, to a time before the next one.
+  [[nodiscard]] double beyond(std::size_t node, double end) const;
 
-  AnyCurve curve_;
-  std::vector<double> at_knots_;  // [rad]
+  C curve_;
+  double rounding_;              // of lengths
+  std::vector<double> nodes_;    // knots and kinks [s]
+  std::vector<double> lengths_;  // from the start to each of them
 };
+
+extern template class ORISPLINE_EXPORT ArcLength<AnyCurve>;
+extern template class ORISPLINE_EXPORT ArcLength<AnyPath>;
+
+using AngleTravelled = ArcLength<AnyCurve>;
+using DistanceTravelled = ArcLength<AnyPath>;
 
 }}  // namespace orispline

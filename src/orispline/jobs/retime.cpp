@@ -10,6 +10,7 @@
 #include <orispline/families/method_text.hpp>
 #include <orispline/fields/field_json.hpp>
 #include <orispline/jobs/words.hpp>
+#include <orispline/math/degrees.hpp>
 #include <orispline/retime/retime.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
@@ -34,6 +35,26 @@ std::string rests_line(const Retiming& retiming) {
   double rested = 0.0;
   for (const std::size_t i : retiming.rests) rested += t[i + 1] - t[i];
   return formatted("{} between equal keys, {:.6g} s in all\n", counted(retiming.rests.size(), "rest"), rested);
+}
+
+/// What is known of an even motion; empty for all others.
+std::string evenness_lines(const RetimeOutcome& outcome) {
+  const RetimeOptions& options = outcome.request.options;
+  const std::optional<Evenness>& even = outcome.retiming.evenness;
+  if (!even) return "";
+  const std::string asked = options.constant_rate ? formatted("{:.6g} deg/s", degrees * *options.constant_rate)
+                                                  : formatted("{:.6g} m/s", *options.constant_speed);
+  const std::string stops =
+      even->stops > 0 ? formatted(", {} where its path turns back", counted(even->stops, "stop")) : "";
+  const std::string eased =
+      options.ease ? formatted(", eased for {:.6g} s where it starts and stops{}", *options.ease, stops) : "";
+  const std::string shift = even->shift ? formatted(" and {:.3g} mm", 1e3 * *even->shift) : "";
+  return formatted(
+      "{} within {:.2g} %{}\n{} on the path of {}, within {:.2g} deg{} of it; largest rate {:.6g} deg/s, acceleration "
+      "{:.6g} deg/s2\n",
+      asked, 100.0 * even->unevenness, eased, counted(outcome.retiming.track.keys.size(), "key"),
+      text_of(even->path_method), degrees * even->turn, shift, degrees * even->largest_rate,
+      degrees * even->largest_acceleration);
 }
 
 }  // namespace
@@ -65,6 +86,7 @@ Json document_of(const RetimeOutcome& outcome) {
   put(json, retiming, {"keys"});
   json["duration_before_s"] = outcome.duration_before();
   put(json, retiming, {"duration_after", "time_scale", "rests", "slack"});
+  put(json, retiming, {"unevenness", "path_turn", "path_shift", "stops", "largest_rate", "largest_acceleration"});
   for (const Certificate& c : outcome.certificates()) {
     json[c.id_of("limit")] = c.limit / c.in_ids.size;
     json[c.id_of("bound")] = c.bound / c.in_ids.size;
@@ -83,7 +105,7 @@ std::string summary_of(const RetimeOutcome& outcome) {
   for (const Certificate& c : outcome.certificates())
     text += formatted("{}: nowhere above {} (limit {:.6g}), largest found {:.6g} at {:.6g} s after the start\n", c.name,
                       c.text_of(c.bound), c.limit / c.shown.size, c.found / c.shown.size, c.time);
-  return text + rests_line(retiming);
+  return text + evenness_lines(outcome) + rests_line(retiming);
 }
 
 std::string line_of(const RetimeOutcome& outcome) {

@@ -49,7 +49,13 @@ std::string title_of(const Track& before, const Retiming& retiming, const std::v
     limits.push_back(formatted("{} {}", joined(numbers, ", "), first.shown.name));
   }
   const std::string within = limits.empty() ? "" : formatted(" within {}", joined(limits, " and "));
-  return formatted("{}{}, {}: slowed {} by {:.6g}", file_name_of(before.name), within, retiming.method.name,
+  if (retiming.evenness)
+    return formatted("{}: an even motion along the path of {}", file_name_of(before.name),
+                     retiming.evenness->path_method.name);
+  const std::string of_what = formatted("{}{}, {}", file_name_of(before.name), within, retiming.method.name);
+  if (retiming.slowing == Slowing::fastest_keys)
+    return formatted("{}: as fast as its limits allow, in {:.6g} times the time", of_what, retiming.time_scale);
+  return formatted("{}: slowed {} by {:.6g}", of_what,
                    retiming.slowing == Slowing::uniform ? "uniformly" : "per interval", retiming.time_scale);
 }
 
@@ -71,15 +77,14 @@ void add_limits(report::Page& page, const MotionLimits& limits, const std::vecto
 /// What both curves have alike.
 struct RetimedKeys {
   CurvePage curves;
-  const Method& method;
   const MotionLimits& limits;
 };
 
 /// The method's curve through the keys; its certificates are `peaks`, or sought where there are none.
-report::PageMethod method_of(const RetimedKeys& retimed, std::string name, const Keyframes& keys,
+report::PageMethod method_of(const RetimedKeys& retimed, std::string name, const Method& made_by, const Keyframes& keys,
                              std::vector<SegmentPeaks> peaks) {
-  auto curve = make_pose_curve(retimed.method, keys);
-  auto measures = measure({.method = retimed.method, .keys = keys}, {keys.times(), keys.orientations()},
+  auto curve = make_pose_curve(made_by, keys);
+  auto measures = measure({.method = made_by, .keys = keys}, {keys.times(), keys.orientations()},
                           {.inertia = retimed.curves.inertia.value_or(Eigen::Matrix3d::Identity())});
   if (!curve || !measures)
     return {.name = std::move(name), .failure = describe(curve ? measures.error() : curve.error())};
@@ -102,14 +107,14 @@ report::Page retime_page(const Track& before, const Retiming& retiming, const Mo
                  .measures = limits.inertia ? measures_of({MeasureGroup::shape, MeasureGroup::torque})
                                             : measures_of({MeasureGroup::shape}),
                  .inertia = limits.inertia},
-      .method = retiming.method,
       .limits = limits};
   const auto certificates = certificates_of(limits, retiming.peaks);
+  const Method& path_method = retiming.evenness ? retiming.evenness->path_method : retiming.method;
   report::Page page = begun_page(title_of(before, retiming, certificates), head, before.epoch, before.keys);
   add_limits(page, limits, certificates);
   page.columns = columns_of(retimed.curves, certificates);
-  page.methods.push_back(method_of(retimed, "after", retiming.track.keys, retiming.peaks));
-  page.methods.push_back(method_of(retimed, "before", before.keys, {}));
+  page.methods.push_back(method_of(retimed, "after", retiming.method, retiming.track.keys, retiming.peaks));
+  page.methods.push_back(method_of(retimed, "before", path_method, before.keys, {}));
   return page;
 }
 

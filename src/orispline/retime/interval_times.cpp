@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <orispline/curve/family.hpp>
 #include <orispline/math/number.hpp>
@@ -16,7 +17,10 @@ namespace {
 constexpr std::size_t most_descents = 60;
 constexpr double near_limit = 1e-6;  // by which a factor may be above 1
 constexpr std::array barrier_weights{0.1, 0.01, 0.001, 0.0};
-constexpr std::size_t sweeps = 4;           // per weight
+constexpr int most_sweeps = 200;            // per weight
+constexpr int last_sweeps = 2;              // so many in a row that gain little end it
+constexpr double little = 1e-4;             // of the duration
+constexpr double usual_sweeps = 40.0;       // of all weights
 constexpr double usual_stretchings = 20.0;  // of stretching, before and after
 
 using Factors = Expected<std::vector<double>> (LimitedMotion::*)(std::vector<double>) const;
@@ -51,10 +55,9 @@ class IntervalDescent {
   IntervalDescent(const LimitedMotion& motion, std::span<const double> times, std::vector<double> factors,
                   std::size_t reach)
       : motion_(motion), first_(times.front()), reach_(reach), factors_(std::move(factors)) {
-    const std::vector<double>& given = motion.given_times();
     const double time_scale = std::max(1.0, std::ranges::max(factors_)) * (1.0 + near_limit);
     for (std::size_t s = 0; s + 1 < times.size(); ++s) {
-      least_.push_back(given[s + 1] - given[s]);
+      least_.push_back(motion.least_interval(s));
       intervals_.push_back((times[s + 1] - times[s]) * (motion.is_rest(s) ? 1.0 : time_scale));
     }
     for (double& factor : factors_) factor /= time_scale;
@@ -65,14 +68,21 @@ class IntervalDescent {
     for (const double weight : barrier_weights) {
       weight_ = weight;
       widths_ = intervals_;
-      for (std::size_t sweep = 0; sweep < sweeps; ++sweep)
+      double before = duration();
+      for (int sweep = 0, last = 0; sweep < most_sweeps && last < last_sweeps; ++sweep) {
         for (std::size_t first = 0; first <= 2 * reach_ && first < intervals_.size(); ++first) move_every(first);
+        const double after = duration();
+        last = std::abs(before - after) < little * after ? last + 1 : 0;
+        before = after;
+      }
     }
     use_the_rest();
     return times_of(first_, intervals_);
   }
 
  private:
+  [[nodiscard]] double duration() const { return std::accumulate(intervals_.begin(), intervals_.end(), 0.0); }
+
   /// What the barrier left free of the limits, as one factor.
   void use_the_rest() {
     const double factor = std::ranges::max(factors_);
@@ -102,7 +112,7 @@ class IntervalDescent {
 
   /// The part of what is minimised that an interval changes.
   [[nodiscard]] double cost(double interval, std::size_t i, std::span<const double> factors) const {
-    double barrier = 0.0;
+    double barrier = -widths_[i] * elementary::natural_logarithm(interval / widths_[i]);
     for (std::size_t s = first_reached(i); s <= last_reached(i); ++s) {
       if (!(factors[s] < 1.0)) return std::numeric_limits<double>::infinity();
       barrier -= widths_[s] * elementary::natural_logarithm(1.0 - factors[s]);
@@ -143,11 +153,11 @@ Expected<Start> within_limits(const LimitedMotion& motion, std::vector<double> t
 
 double curves_for_interval_times(int support_keys) noexcept {
   if (support_keys == all_keys) return usual_stretchings;
-  return usual_stretchings + static_cast<double>(barrier_weights.size() * sweeps * (2 * reach_of(support_keys) + 1));
+  return usual_stretchings + usual_sweeps * static_cast<double>(2 * reach_of(support_keys) + 1);
 }
 
 Expected<std::vector<double>> least_interval_times(const LimitedMotion& motion, int support_keys) {
-  auto times = stretched(motion, motion.given_times(), &LimitedMotion::sampled_factors);
+  auto times = stretched(motion, motion.starting_times(), &LimitedMotion::sampled_factors);
   if (!times) return times;
   if (support_keys != all_keys) {
     auto start = within_limits(motion, std::move(*times));

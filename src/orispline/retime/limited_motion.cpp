@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
@@ -17,21 +18,6 @@ constexpr double at_the_limit = 1.0 - 1e-3;
 /// Bounds above this share of the limits are near enough to tell.
 constexpr double near_the_limit = 1.0 - 1e-2;
 
-/// The root that undoes a power of slowing.
-double root(double x, int order) {
-  if (order == 1) return x;
-  if (order == 2) return std::sqrt(x);
-  if (!(x > 0.0) || std::isinf(x)) return x;
-  // The same bits on every machine: Newton's steps from a power of two, at most a factor of 2 away.
-  int exponent = 0;
-  const double scaled = std::frexp(x, &exponent);
-  const int whole = exponent >= 0 ? exponent / 3 : (exponent - 2) / 3;
-  const double y = std::ldexp(scaled, exponent - 3 * whole);  // in [1/2, 4)
-  double z = 1.0;
-  for (int step = 0; step < 8; ++step) z -= (z * z * z - y) / (3.0 * z * z);
-  return std::ldexp(z, whole);
-}
-
 QuantitySizes values_of(const SegmentPeaks& peaks, double CertifiedPeak::*member) {
   QuantitySizes sizes{};
   std::ranges::transform(peaks, sizes.begin(), [member](const CertifiedPeak& peak) { return peak.*member; });
@@ -40,29 +26,10 @@ QuantitySizes values_of(const SegmentPeaks& peaks, double CertifiedPeak::*member
 
 }  // namespace
 
-double needed_factor(const QuantitySizes& peaks, std::span<const LimitedQuantity> quantities) {
-  double factor = 0.0;
-  for (std::size_t k = 0; k < quantities.size(); ++k)
-    factor = std::max(factor, root(peaks[k] / quantities[k].limit, quantities[k].order()));
-  return factor;
-}
-
 LimitedMotion::LimitedMotion(const Method& method, const Keyframes& keys, const MotionLimits& limits,
-                             std::optional<double> longest_rest, Rests rests, OpenEndedWork& work)
-    : method_(method),
-      keys_(keys),
-      limits_(limits),
-      quantities_(quantities_of(limits)),
-      given_(keys.times().begin(), keys.times().end()),
-      work_(work) {
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i) is_rest_.push_back(keys.rests_after(i));
-  double cut = 0.0;
-  for (std::size_t s = 0; s < is_rest_.size(); ++s) {
-    const double rest = keys.times()[s + 1] - keys.times()[s];
-    if (longest_rest && is_rest_[s] && rest > *longest_rest) cut += rest - *longest_rest;
-    given_[s + 1] -= cut;
-  }
-  if (rests == Rests::slowed) is_rest_.assign(is_rest_.size(), false);
+                             const StartingTimes& start, Rests rests, OpenEndedWork& work)
+    : method_(method), keys_(keys), limits_(limits), start_(start), quantities_(quantities_of(limits)), work_(work) {
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) is_rest_.push_back(rests == Rests::kept && keys.rests_after(i));
 }
 
 bool LimitedMotion::has_rests() const noexcept { return std::ranges::find(is_rest_, true) != is_rest_.end(); }
@@ -75,6 +42,15 @@ std::vector<double> LimitedMotion::lengthened(std::vector<double> times, double 
     if (is_rest_[i - 1]) rested += at - before;
     before = at;
     times[i] = first + factor * ((at - first) - rested) + rested;
+  }
+  return times;
+}
+
+std::vector<double> LimitedMotion::shortened(std::vector<double> times, double factor) const {
+  double before = times.front();
+  for (std::size_t s = 0; s + 1 < times.size(); ++s) {
+    const double interval = times[s + 1] - std::exchange(before, times[s + 1]);
+    times[s + 1] = times[s] + (is_rest(s) ? interval : std::max(least_interval(s), factor * interval));
   }
   return times;
 }

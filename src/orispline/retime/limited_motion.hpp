@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -12,12 +11,9 @@
 #include <orispline/curve/method.hpp>
 #include <orispline/retime/motion_limits.hpp>
 #include <orispline/retime/rate_bounds.hpp>
+#include <orispline/retime/starting_times.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
-
-/// By which factor a segment must be slowed at least, below 1 where it could be faster: each quantity goes with 1/s to
-/// the power of its order.
-[[nodiscard]] double needed_factor(const QuantitySizes& peaks, std::span<const LimitedQuantity> quantities);
 
 /// What becomes of rests between equal keys.
 enum class Rests { kept, slowed };
@@ -25,19 +21,21 @@ enum class Rests { kept, slowed };
 /// A method's curve through keys whose times are free, beside the limits that it shall keep. Refers to its arguments.
 class LimitedMotion {
  public:
-  /// `longest_rest`: what longer rests are cut to [s].
-  LimitedMotion(const Method& method, const Keyframes& keys, const MotionLimits& limits,
-                std::optional<double> longest_rest, Rests rests, OpenEndedWork& work);
-  LimitedMotion(Method&&, const Keyframes&, const MotionLimits&, std::optional<double>, Rests, OpenEndedWork&) = delete;
+  LimitedMotion(const Method& method, const Keyframes& keys, const MotionLimits& limits, const StartingTimes& start,
+                Rests rests, OpenEndedWork& work);
+  LimitedMotion(Method&&, const Keyframes&, const MotionLimits&, const StartingTimes&, Rests, OpenEndedWork&) = delete;
 
-  /// Those of the keys, but for rests that are cut.
-  [[nodiscard]] const std::vector<double>& given_times() const noexcept { return given_; }
+  [[nodiscard]] const std::vector<double>& starting_times() const noexcept { return start_.times; }
+  /// What a segment may be cut to [s].
+  [[nodiscard]] double least_interval(std::size_t segment) const noexcept { return start_.least[segment]; }
   /// Whether the body rests on a segment, which has its duration already.
   [[nodiscard]] bool is_rest(std::size_t segment) const noexcept { return is_rest_[segment]; }
   [[nodiscard]] bool has_rests() const noexcept;
   [[nodiscard]] bool is_limited() const noexcept { return !quantities_.empty(); }
   /// The times with all segments but the rests longer by that factor.
   [[nodiscard]] std::vector<double> lengthened(std::vector<double> times, double factor) const;
+  /// Likewise, where the factor is below 1 and no segment shall get below its least_interval().
+  [[nodiscard]] std::vector<double> shortened(std::vector<double> times, double factor) const;
 
   /// The factor that every segment needs at these times [s], by samples.
   [[nodiscard]] Expected<std::vector<double>> sampled_factors(std::vector<double> times) const;
@@ -65,9 +63,9 @@ class LimitedMotion {
   const Method& method_;
   const Keyframes& keys_;
   const MotionLimits& limits_;
+  const StartingTimes& start_;
   std::vector<LimitedQuantity> quantities_{};
   std::vector<bool> is_rest_{};
-  std::vector<double> given_{};
   OpenEndedWork& work_;  ///< every curve is a piece of it; when it is stopped, none is made any more
 };
 

@@ -42,4 +42,8 @@ inline constexpr std::size_t most_quantities = 16;
 /// A value for each of the quantities of a motion, in their order.
 using QuantitySizes = std::array<double, most_quantities>;
 
+/// By which factor a segment must be slowed at least, below 1 where it could be faster: each quantity goes with 1/s to
+/// the power of its order.
+[[nodiscard]] double needed_factor(const QuantitySizes& peaks, std::span<const LimitedQuantity> quantities);
+
 }}  // namespace orispline

@@ -16,6 +16,7 @@
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/number.hpp>
+#include <orispline/retime/even_motion.hpp>
 #include <orispline/retime/interval_times.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -44,7 +45,7 @@ Expected<void> check_continuity(const FamilyInfo& family, const Method& method, 
   if (family.continuity_uneven >= order)
     return is_smooth_here(" with these settings", formatted("others, with which it is C{}", order));
   if (family.continuity_uniform < order) return refused("", formatted("a method that is C{}, such as auto", order));
-  if (slowing == Slowing::per_interval)
+  if (slowing != Slowing::uniform)
     return refused(" whose times are uneven",
                    formatted("all intervals slowed alike, or a method that is C{} on any, such as auto", order));
   return is_smooth_here(" whose times are uneven, as these are",
@@ -72,6 +73,8 @@ Expected<void> check_motion(const FamilyInfo& family, const Method& method, cons
 Expected<void> check_limits(const FamilyInfo& family, const Method& method, const Keyframes& keys,
                             const RetimeOptions& options) {
   const MotionLimits& limits = options.limits;
+  if (keys.positions().empty() && options.constant_speed)
+    return bad_option("constant_speed", "the keys have no positions, wanted px,py,pz as well");
   if (keys.positions().empty() && limits.speed)
     return bad_option("max_speed", "the keys have no positions, wanted px,py,pz as well");
   if (keys.positions().empty() && limits.linear_acceleration)
@@ -85,7 +88,6 @@ constexpr std::size_t most_slowings = 30;
 constexpr double least_gain = 1e-4;  // of the duration, to which the slowing is the least one, for another path
 constexpr double too_slow = 1e-6;    // so far below their limits, bounds ask for less slowing
 constexpr int most_quickenings = 16;
-constexpr double least = 1.0;             // of factors: nothing gets faster
 constexpr double promised_slack = 2e-4;   // more is worth a warning
 constexpr double usual_rounds = 3.0;      // of slowing all alike
 constexpr double most_time_scale = 1e15;  // thirty million years a second
@@ -106,7 +108,7 @@ struct Scaled {
 };
 
 Expected<Scaled> scaled(const LimitedMotion& motion, std::vector<double> times, double factor) {
-  times = motion.lengthened(std::move(times), factor);
+  times = factor < 1.0 ? motion.shortened(std::move(times), factor) : motion.lengthened(std::move(times), factor);
   return motion.largest_peaks(times).map([&](std::vector<SegmentPeaks> peaks) {
     return Scaled{factor, std::move(times), std::move(peaks)};
   });
@@ -127,9 +129,10 @@ double factor_between(const Tried& too_small, const Tried& enough) {
 }
 
 /// Less slowing where that does as well: the rounding of times loosens the bounds of fast motion, and slowed by them it
-/// is slower than it has to be; and a body that moves in rests, which keep their duration, moves otherwise at other
-/// factors.
-Expected<Scaled> no_slower_than_needed(const LimitedMotion& motion, const std::vector<double>& given, Scaled slow) {
+/// is slower than it has to be; a body that moves in rests, which keep their duration, moves otherwise at other
+/// factors; and what intervals by themselves leave free is for all of them. `least`: of the factors.
+Expected<Scaled> no_slower_than_needed(const LimitedMotion& motion, const std::vector<double>& given, double least,
+                                       Scaled slow) {
   Tried enough{slow.factor, motion.largest_factor(slow.peaks)};
   std::optional<Tried> too_small;
   for (int round = 0; round < most_quickenings && enough.more < 1.0 - too_slow && enough.factor > least; ++round) {
@@ -138,7 +141,7 @@ Expected<Scaled> no_slower_than_needed(const LimitedMotion& motion, const std::v
       factor = round % 3 == 0 ? std::sqrt(too_small->factor * enough.factor) : factor_between(*too_small, enough);
     auto faster = scaled(motion, given, factor);
     if (!faster && faster.error().code == ErrorCode::cancelled) return faster;
-    if (!faster) break;
+    if (!faster || faster->times == slow.times) break;
     const Tried tried{factor, motion.largest_factor(faster->peaks)};
     if (tried.more > 1.0) too_small = tried;
     else enough = tried, slow = std::move(*faster);
@@ -147,13 +150,20 @@ Expected<Scaled> no_slower_than_needed(const LimitedMotion& motion, const std::v
   return slow;
 }
 
-/// All intervals made longer by the factor that is needed still; `found`: the peaks at these times.
-Expected<Slowed> slowed(const LimitedMotion& motion, const std::vector<double>& times, std::vector<SegmentPeaks> found,
-                        Slowing slowing) {
-  const auto time_scale = [&before = motion.given_times()](const std::vector<double>& t) {
+/// Times to be made longer by the factor that is needed still, or shorter by one from `least` on.
+struct Unscaled {
+  std::vector<double> times;
+  std::vector<SegmentPeaks> peaks;  ///< at these times
+  double least;
+  Slowing slowing;
+};
+
+Expected<Slowed> slowed(const LimitedMotion& motion, Unscaled start) {
+  const auto time_scale = [&before = motion.starting_times()](const std::vector<double>& t) {
     return (t.back() - t.front()) / (before.back() - before.front());
   };
-  Expected<Scaled> slow = Scaled{1.0, times, std::move(found)};
+  const std::vector<double>& times = start.times;
+  Expected<Scaled> slow = Scaled{1.0, times, std::move(start.peaks)};
   double more = margin;
   for (std::size_t round = 0; slow && round < most_slowings; ++round, more *= 2.0) {
     const double factor = motion.largest_factor(slow->peaks);
@@ -164,39 +174,59 @@ Expected<Slowed> slowed(const LimitedMotion& motion, const std::vector<double>& 
                                factor * time_scale(slow->times), most_time_scale));
     slow = scaled(motion, times, slow->factor * factor * (1.0 + more));
   }
-  if (slow && slow->factor > 1.0 && slowing == Slowing::uniform)
-    slow = no_slower_than_needed(motion, times, std::move(*slow));
+  if (slow && slow->factor > start.least) slow = no_slower_than_needed(motion, times, start.least, std::move(*slow));
   if (!slow) return tl::unexpected(std::move(slow.error()));
   const double scale = time_scale(slow->times);
   if (motion.largest_factor(slow->peaks) > 1.0)
     return failure(ErrorCode::not_converged, formatted("no slowing up to {:.6g} meets the limits", scale));
   Expected<double> slack = 0.0;
   if (scale > 1.0)
-    slack =
-        slowing == Slowing::uniform ? Expected<double>(motion.slack(slow->peaks)) : motion.largest_slack(slow->times);
+    slack = start.slowing == Slowing::uniform ? Expected<double>(motion.slack(slow->peaks))
+                                              : motion.largest_slack(slow->times);
   if (!slack) return tl::unexpected(std::move(slack.error()));
-  return Slowed{std::move(slow->times), scale, *slack, slowing, std::move(slow->peaks)};
+  return Slowed{std::move(slow->times), scale, *slack, start.slowing, std::move(slow->peaks)};
+}
+
+/// Each interval by itself.
+Expected<Slowed> separately_slowed(const LimitedMotion& motion, int support_keys, Slowing slowing) {
+  return least_interval_times(motion, support_keys).and_then([&](std::vector<double> times) {
+    return motion.largest_peaks(times).and_then([&](std::vector<SegmentPeaks> found) {
+      return slowed(motion, {std::move(times), std::move(found), 0.0, slowing});
+    });
+  });
 }
 
 /// The least slowing of the two, where both are asked for.
 Expected<Slowed> least_slowed(const LimitedMotion& motion, int support_keys, Slowing slowing) {
-  const std::vector<double>& given = motion.given_times();
+  const std::vector<double>& given = motion.starting_times();
+  if (slowing == Slowing::fastest_keys) return separately_slowed(motion, support_keys, slowing);
   auto peaks = motion.largest_peaks(given);
   if (!peaks) return tl::unexpected(std::move(peaks.error()));
   const bool is_slow = !(motion.largest_factor(*peaks) > 1.0);
-  auto uniform = slowed(motion, given, std::move(*peaks), is_slow ? slowing : Slowing::uniform);
+  auto uniform = slowed(motion, {given, std::move(*peaks), 1.0, is_slow ? slowing : Slowing::uniform});
   if (slowing == Slowing::uniform || is_slow) return uniform;
-  auto separate = least_interval_times(motion, support_keys).and_then([&](std::vector<double> times) {
-    return motion.largest_peaks(times).and_then([&](std::vector<SegmentPeaks> found) {
-      return slowed(motion, times, std::move(found), Slowing::per_interval);
-    });
-  });
+  auto separate = separately_slowed(motion, support_keys, slowing);
   if (!separate && separate.error().code == ErrorCode::cancelled) return separate;
   return separate && (!uniform || separate->time_scale < (1.0 - least_gain) * uniform->time_scale) ? separate : uniform;
 }
 
+bool is_even(const RetimeOptions& options) { return options.constant_rate || options.constant_speed; }
+
+/// What an even motion is asked for besides. Error: bad_argument.
+Expected<void> check_even(const RetimeOptions& options) {
+  if (options.constant_rate && options.constant_speed)
+    return bad_option("constant_rate", "found `constant_speed` as well, wanted one of them");
+  const std::string_view asked = options.constant_rate ? "constant_rate" : "constant_speed";
+  if (!quantities_of(options.limits).empty() || options.limits.inertia)
+    return bad_option(asked, "it says how fast the motion is everywhere, wanted no limits beside it");
+  if (options.duration) return bad_option(asked, "the duration follows from it, wanted no `duration` beside it");
+  if (options.slowing != Slowing::uniform)
+    return bad_option(asked, "the keys' times follow from it, wanted uniform slowing");
+  return {};
+}
+
 /// At its own times, of which nothing is asked.
-Slowed as_given(const LimitedMotion& motion) { return {motion.given_times(), 1.0, 0.0, Slowing::uniform, {}}; }
+Slowed as_given(const LimitedMotion& motion) { return {motion.starting_times(), 1.0, 0.0, Slowing::uniform, {}}; }
 
 /// To the six digits that are shown: shown rounded down it would not do.
 double as_shown_or_more(double seconds) {
@@ -207,7 +237,7 @@ double as_shown_or_more(double seconds) {
 /// Exactly that long, all intervals but rests scaled alike. Error (bad_argument): the rests alone are longer; a limit
 /// is exceeded then.
 Expected<Slowed> lasting(const LimitedMotion& motion, double duration) {
-  const std::vector<double>& given = motion.given_times();
+  const std::vector<double>& given = motion.starting_times();
   const double before = given.back() - given.front();
   double rested = 0.0;
   for (std::size_t s = 0; s + 1 < given.size(); ++s)
@@ -269,12 +299,16 @@ Method holding_rests(Method method, const Keyframes& keys) {
 
 Expected<void> check(const RetimeOptions& options) {
   if (auto checked = check_ranges(options); !checked) return checked;
+  if (is_even(options)) return check_even(options);
+  if (options.ease)
+    return bad_option("ease", "it is of an even motion, wanted `constant_rate` or `constant_speed` as well");
   const MotionLimits& limits = options.limits;
-  if (quantities_of(limits).empty() && !options.duration && !options.shorten_rests)
+  const bool needs_limit = options.slowing == Slowing::fastest_keys || (!options.duration && !options.shorten_rests);
+  if (quantities_of(limits).empty() && needs_limit)
     return failure(ErrorCode::bad_argument,
                    "found no limit, wanted `max_rate`, `max_acceleration`, `max_jerk`, `max_torque`, `max_speed`, "
-                   "`max_linear_acceleration` or `duration`");
-  if (options.duration && options.slowing == Slowing::per_interval)
+                   "`max_linear_acceleration`, `duration`, `constant_rate` or `constant_speed`");
+  if (options.duration && options.slowing != Slowing::uniform)
     return bad_option("duration", "it scales all intervals alike, wanted uniform slowing");
   if (limits.torque && !limits.inertia)
     return bad_option("max_torque", "the torque depends on the body, wanted `inertia` as well");
@@ -295,11 +329,13 @@ Expected<Retiming> retime(const Track& track, const Method& given, const RetimeO
         return check_limits(**family, method, track.keys, options);
       });
   if (!checked) return tl::unexpected(checked.error());
-  const bool per_interval = options.slowing == Slowing::per_interval;
-  OpenEndedWork work(progress,
-                     usual_rounds + (per_interval ? curves_for_interval_times((*family)->support_keys) : 0.0));
+  if (is_even(options)) return evenly_retimed(track, method, options, progress);
+  const bool is_uniform = options.slowing == Slowing::uniform;
+  OpenEndedWork work(progress, usual_rounds + (is_uniform ? 0.0 : curves_for_interval_times((*family)->support_keys)));
+  const auto start = starting_times(track.keys, options);
+  if (!start) return tl::unexpected(start.error());
   const auto retimed_with = [&](Rests rests) {
-    const LimitedMotion motion(method, track.keys, limits, options.shorten_rests, rests, work);
+    const LimitedMotion motion(method, track.keys, limits, *start, rests, work);
     if (options.duration) return lasting(motion, *options.duration);
     if (!motion.is_limited()) return Expected<Slowed>(as_given(motion));
     return least_slowed(motion, (*family)->support_keys, options.slowing);
@@ -320,7 +356,7 @@ Expected<Retiming> retime(const Track& track, const Method& given, const RetimeO
                         .slowing = slowed.slowing,
                         .peaks = std::move(slowed.peaks)};
       const auto& keys = retiming.track.keys;
-      if (options.shorten_rests || options.duration)
+      if (options.shorten_rests || options.duration || options.slowing == Slowing::fastest_keys)
         retiming.time_scale =
             (keys.times().back() - keys.times().front()) / (track.keys.times().back() - track.keys.times().front());
       retiming.rests = rests;

@@ -9,6 +9,7 @@
 
 #include <orispline/base/expected.hpp>
 #include <orispline/base/progress.hpp>
+#include <orispline/curve/method.hpp>
 #include <orispline/curve/track.hpp>
 #include <orispline/fields/field_info.hpp>
 #include <orispline/fields/quantity.hpp>
@@ -45,16 +46,20 @@ struct MotionLimits {
 
 /// Which intervals between keys are slowed.
 enum class Slowing {
-  uniform,      ///< all by one factor s: the same path, ω/s and α/s² everywhere
-  per_interval  ///< each by its own: the method's curve through the keys at their new times
+  uniform,       ///< all by one factor s: the same path, ω/s and α/s² everywhere
+  per_interval,  ///< each by its own: the method's curve through the keys at their new times
+  fastest_keys   ///< likewise, and they may get shorter too: the times that were typed do not matter
 };
 
 /// What a motion shall keep, and how it may be slowed for it.
 struct RetimeOptions {
   MotionLimits limits{};
   Slowing slowing = Slowing::uniform;
-  std::optional<double> duration{};       ///< [s], from the first key to the last; the limits are checked then
-  std::optional<double> shorten_rests{};  ///< [s], what longer rests are cut to; absent: rests keep their duration
+  std::optional<double> duration{};        ///< [s], from the first key to the last; the limits are checked then
+  std::optional<double> shorten_rests{};   ///< [s], what longer rests are cut to; absent: rests keep their duration
+  std::optional<double> constant_rate{};   ///< of the angle travelled along the same path [rad/s]
+  std::optional<double> constant_speed{};  ///< of the distance travelled along the same path [m/s]
+  std::optional<double> ease{};            ///< [s], how long an even motion takes to start and to stop; absent: no time
 };
 
 /// The largest of a quantity on one segment: what was found at a time, and what it is nowhere above.
@@ -66,15 +71,28 @@ struct CertifiedPeak {
 /// The peaks of one segment, one for each quantity.
 using SegmentPeaks = std::vector<CertifiedPeak>;
 
+/// How even a motion is, and how near to the path that it goes along.
+struct Evenness {
+  Method path_method{};               ///< whose curve through the keys that were given is the path
+  double unevenness = 0.0;            ///< the largest difference from the rate or speed asked for, as a share of it
+  double turn = 0.0;                  ///< the largest angle between the orientation and the path's [rad]
+  std::optional<double> shift{};      ///< the largest distance between the position and the path's [m]
+  double largest_rate = 0.0;          ///< |ω| [rad/s]
+  double largest_acceleration = 0.0;  ///< |α| [rad/s²]
+  std::size_t stops = 0;              ///< where the path turns back or bends too sharply for the ease
+  std::size_t slower_stretches = 0;   ///< between stops, too short to get as fast as asked for
+};
+
 /// Keys at later times.
 struct Retiming {
-  Track track{};                      ///< the one given at the new times, the first as it was
-  Method method{};                    ///< the one given, with the settings of the track
-  double time_scale = 1.0;            ///< of the whole duration; below 1 only where rests were shortened
-  double slack = 0.0;                 ///< by which share less slowing might do: what was found is below the limits
-  Slowing slowing{};                  ///< how they were slowed: uniformly where intervals by themselves take longer
-  std::vector<SegmentPeaks> peaks{};  ///< of the slowed curve, segment by segment: no bound above its limit
-  std::vector<std::size_t> rests{};   ///< i where the body rests from key i to the next
+  Track track{};                       ///< the one given at the new times, the first as it was
+  Method method{};                     ///< the one given, with the settings of the track
+  double time_scale = 1.0;             ///< of the whole duration; below 1 only where rests were shortened
+  double slack = 0.0;                  ///< by which share less slowing might do: what was found is below the limits
+  std::optional<Evenness> evenness{};  ///< of an even motion; its keys are others than those given, and many more
+  Slowing slowing{};                   ///< how they were slowed: uniformly where intervals by themselves take longer
+  std::vector<SegmentPeaks> peaks{};   ///< of the slowed curve, segment by segment: no bound above its limit
+  std::vector<std::size_t> rests{};    ///< i where the body rests from key i to the next
   std::vector<Warning>
       warnings{};  ///< `loose_bounds`, `moving_rests`, `longer_rests`; of the inertia, and of the method's curve
 };
@@ -126,7 +144,9 @@ struct ORISPLINE_EXPORT Certificate {
 template <>
 inline constexpr std::array words<Slowing>{
     word("uniform", Slowing::uniform, "All intervals between keys are slowed alike"),
-    word("per-interval", Slowing::per_interval, "Each interval between keys is slowed by itself")};
+    word("per-interval", Slowing::per_interval, "Each interval between keys is slowed by itself"),
+    word("fastest-keys", Slowing::fastest_keys,
+         "Each interval takes as little time as the limits allow, whatever it took before")};
 
 template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept;

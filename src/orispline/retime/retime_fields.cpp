@@ -37,6 +37,22 @@ double duration_of(const Track& track) {
   return track.keys.size() == 0 ? 0.0 : track.keys.times().back() - track.keys.times().front();
 }
 
+/// A number of an even motion; absent for all others.
+template <auto Member>
+std::optional<double> of_evenness(const Retiming& retiming) {
+  return retiming.evenness ? std::optional<double>((*retiming.evenness).*Member) : std::nullopt;
+}
+std::optional<double> unevenness_of(const Retiming& r) { return of_evenness<&Evenness::unevenness>(r); }
+std::optional<double> turn_of(const Retiming& r) { return of_evenness<&Evenness::turn>(r); }
+std::optional<double> shift_of(const Retiming& r) { return r.evenness ? r.evenness->shift : std::nullopt; }
+std::optional<std::size_t> stops_of(const Retiming& r) {
+  return r.evenness ? std::optional(r.evenness->stops) : std::nullopt;
+}
+std::optional<double> largest_rate_of(const Retiming& r) { return of_evenness<&Evenness::largest_rate>(r); }
+std::optional<double> largest_acceleration_of(const Retiming& r) {
+  return of_evenness<&Evenness::largest_acceleration>(r);
+}
+
 std::size_t number_of_rests(const Retiming& retiming) { return retiming.rests.size(); }
 
 }  // namespace
@@ -69,6 +85,25 @@ std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept {
                                             .quantity = &quantities::duration,
                                             .range = positive,
                                             .absent = "rests keep their duration"}),
+      field<&RetimeOptions::constant_rate>(
+          {.name = "constant_rate",
+           .sentence = "Go along the same path by this angle each second, through more keys",
+           .quantity = &quantities::rate,
+           .range = positive,
+           .example = "10deg/s"}),
+      field<&RetimeOptions::constant_speed>(
+          {.name = "constant_speed",
+           .sentence = "Go along the same path by this distance of the positions each second, through more keys",
+           .quantity = &quantities::speed,
+           .range = positive,
+           .example = "0.2m/s"}),
+      field<&RetimeOptions::ease>(
+          {.name = "ease",
+           .sentence = "How long such an even motion takes to start and to stop, at the ends and where its path stops",
+           .quantity = &quantities::duration,
+           .range = positive,
+           .example = "0.5s",
+           .absent = "it is as fast at its ends"}),
   };
   return fields;
 }
@@ -89,6 +124,23 @@ std::span<const FieldInfo> fields_of<Retiming>() noexcept {
           {.name = "slack",
            .sentence =
                "Share by which less slowing might be enough, since the largest values found lie below the limits"}),
+      field<&unevenness_of>(
+          {.name = "unevenness",
+           .sentence = "Of an even motion the largest difference from the rate or speed asked for, as a share of it"}),
+      field<&turn_of>({.name = "path_turn",
+                       .sentence = "Of an even motion the largest angle between its orientation and that of the path",
+                       .quantity = &quantities::angle}),
+      field<&shift_of>({.name = "path_shift",
+                        .sentence = "Of an even motion the largest distance between its position and that of the path",
+                        .quantity = &quantities::length}),
+      field<&stops_of>(
+          {.name = "stops", .sentence = "How often an even motion stops where its path turns back, besides its rests"}),
+      field<&largest_rate_of>({.name = "largest_rate",
+                               .sentence = "Of an even motion the largest angular velocity",
+                               .quantity = &quantities::rate}),
+      field<&largest_acceleration_of>({.name = "largest_acceleration",
+                                       .sentence = "Of an even motion the largest angular acceleration",
+                                       .quantity = &quantities::acceleration}),
   };
   return fields;
 }

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/retime/starting_times.hpp>
+
+#include <algorithm>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/retime/motion_limits.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI {
+
+namespace {
+
+/// Of the time in which a step could be the only cause of what is limited: so fast that limits are broken nearly
+/// everywhere, since the way down from there ends lower than that from slow times.
+constexpr double haste = 0.5;
+
+/// What a limited vector would be if the step to the next key took a second and were its only cause. What is within the
+/// rounding of keys at rest does not count.
+double change_of(const LimitedQuantity& quantity, const Keyframes& keys, std::size_t i,
+                 const std::optional<Eigen::Matrix3d>& inertia) {
+  if (quantity.is_of_position()) {
+    const Eigen::Vector3d moved = keys.positions()[i + 1] - keys.positions()[i];
+    return moved.norm() > rest_length ? quantity.size_of(moved) : 0.0;
+  }
+  const Eigen::Vector3d turned = increment(keys.orientations()[i], keys.orientations()[i + 1]);
+  if (!(turned.norm() > rest_angle)) return 0.0;
+  return quantity.size_of(
+      quantity.vector == LimitedQuantity::Vector::torque && inertia ? Eigen::Vector3d(*inertia * turned) : turned);
+}
+
+/// 0 where nothing that is limited changes.
+double quick_interval(const Keyframes& keys, std::size_t i, const MotionLimits& limits,
+                      const std::vector<LimitedQuantity>& quantities) {
+  QuantitySizes changes{};
+  std::ranges::transform(quantities, changes.begin(),
+                         [&](const LimitedQuantity& quantity) { return change_of(quantity, keys, i, limits.inertia); });
+  return needed_factor(changes, quantities);
+}
+
+/// The times of the keys, with what is beyond `longest_rest` cut from rests.
+std::vector<double> with_rests_cut(const Keyframes& keys, const std::optional<double>& longest_rest) {
+  std::vector<double> times(keys.times().begin(), keys.times().end());
+  double cut = 0.0;
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+    const double interval = keys.times()[i + 1] - keys.times()[i];
+    if (longest_rest && interval > *longest_rest && keys.rests_after(i)) cut += interval - *longest_rest;
+    times[i + 1] -= cut;
+  }
+  return times;
+}
+
+}  // namespace
+
+Expected<StartingTimes> starting_times(const Keyframes& keys, const RetimeOptions& options) {
+  StartingTimes start{.times = with_rests_cut(keys, options.shorten_rests), .least = {}};
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) start.least.push_back(start.times[i + 1] - start.times[i]);
+  if (options.slowing != Slowing::fastest_keys) return start;
+  const auto quantities = quantities_of(options.limits);
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+    double interval = start.least[i];
+    if (!keys.rests_after(i)) {
+      start.least[i] = 0.0;
+      interval = haste * quick_interval(keys, i, options.limits, quantities);
+      if (!(interval > 0.0))
+        return failure(ErrorCode::bad_argument,
+                       "no limit concerns the step from this key to the next, which would take no time; wanted a limit "
+                       "of what changes there, such as `max_rate` for a turn or `max_speed` for a shift",
+                       {.key = i});
+    }
+    start.times[i + 1] = start.times[i] + interval;
+    if (!(start.times[i + 1] - start.times[i] >= shortest_step) || !(interval <= longest_step))
+      return failure(ErrorCode::bad_argument,
+                     formatted("the limits leave {:.3g} s for the step from this key to the next, wanted limits with "
+                               "which times can tell these keys apart, such as `max_rate` for degrees in seconds",
+                               interval),
+                     {.key = i});
+  }
+  return start;
+}
+
+}}  // namespace orispline

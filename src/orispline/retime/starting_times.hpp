@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <orispline/base/expected.hpp>
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/retime/retime.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI {
+
+/// What a retiming starts from.
+struct StartingTimes {
+  std::vector<double> times;  ///< of the keys [s]
+  std::vector<double> least;  ///< what the intervals between them may be cut to [s]
+};
+
+/// Those of the keys, with long rests cut, below which no interval may get.
+///
+/// For Slowing::fastest_keys nothing of the times that were typed but the rests: each interval takes half of the
+/// longest (x/L)^(1/k), x what the step to the next key changes of a quantity with the limit L and the order k. Error
+/// (bad_argument, with the key): nothing that is limited changes from a key to the next.
+[[nodiscard]] Expected<StartingTimes> starting_times(const Keyframes& keys, const RetimeOptions& options);
+
+}}  // namespace orispline

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/retime/even_motion.hpp>
+
+#include <gtest/gtest.h>
+
+#include <orispline/analysis/curve_measures.hpp>
+#include <orispline/retime/even_law.hpp>
+
+#include "retime/retimed_motion.hpp"
+#include "support/random_motion.hpp"
+
+namespace orispline { namespace {
+
+TEST(EvenLaw, RisesStaysAndFalls) {
+  const EvenLaw law(10.0, 2.0, 1.5);
+  EXPECT_DOUBLE_EQ(law.duration(), 6.5);
+  EXPECT_TRUE(law.is_reached());
+  EXPECT_EQ(law.at(0.0).speed, 0.0);
+  EXPECT_DOUBLE_EQ(law.at(0.75).speed, 1.0);
+  EXPECT_DOUBLE_EQ(law.at(3.0).speed, 2.0);
+  EXPECT_DOUBLE_EQ(law.at(3.25).length, 5.0);
+  EXPECT_DOUBLE_EQ(law.at(6.5).length, 10.0);
+  for (const double t : {0.2, 1.5, 2.0, 5.5, 6.3}) EXPECT_NEAR(law.time_of(law.at(t).length), t, 1e-12);
+}
+
+TEST(EvenLaw, IsSlowerWhereTheEasesMeet) {
+  const EvenLaw law(1.0, 2.0, 1.0);
+  EXPECT_FALSE(law.is_reached());
+  EXPECT_DOUBLE_EQ(law.duration(), 2.0);
+  EXPECT_DOUBLE_EQ(law.at(1.0).speed, 1.0);
+  EXPECT_DOUBLE_EQ(law.at(1.0).length, 0.5);
+}
+
+TEST(EvenMotion, KeepsTheRateAndThePathOfEveryMethod) {
+  const Keyframes keys = random_keys(7, {9, 1.5, 6.0});
+  for (const std::string_view method : {"auto", "timed-c2", "timed-c1", "global-c2", "squad-timed"}) {
+    const auto even = retime(keys, method, {.constant_rate = 0.5});
+    ASSERT_TRUE(even) << method << ": " << describe(even.error());
+    EXPECT_EQ(even->method.name, "auto");
+    EXPECT_LE(even->evenness->unevenness, largest_unevenness) << method;
+    EXPECT_LE(even->evenness->turn, largest_turn) << method;
+    const AnyCurve curve = curve_of("auto", *even);
+    EXPECT_LE(sampled(curve).rate, 0.5 * (1.0 + 2.0 * largest_unevenness)) << method;
+    const AngleTravelled before(make_curve(method, keys).value()), after(curve);
+    EXPECT_NEAR(after.total() / before.total(), 1.0, 1e-3) << method;
+    EXPECT_NEAR(curve.domain().end - curve.domain().start, before.total() / 0.5, 1e-9) << method;
+  }
+}
+
+}}  // namespace orispline

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/retime/retime.hpp>
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <orispline/families/method_text.hpp>
+
+#include "retime/retimed_motion.hpp"
+#include "support/random_motion.hpp"
+
+namespace orispline { namespace {
+
+double duration_of(const Keyframes& keys) { return keys.times().back() - keys.times().front(); }
+
+Retiming fastest(std::string_view method, const Track& keys, const MotionLimits& limits) {
+  auto retiming = retime(keys, method_from_text(method).value(), {.limits = limits, .slowing = Slowing::fastest_keys});
+  EXPECT_TRUE(retiming) << describe(retiming.error());
+  return retiming.value_or(Retiming{});
+}
+
+/// The intervals between keys by factors: all by one or, with a seed, each by another one from 1/100 to 100 as well.
+Keyframes typed_anew(const Keyframes& keys, double factor, std::optional<unsigned> seed = {}) {
+  std::mt19937 generator(seed.value_or(0));
+  std::uniform_real_distribution<double> exponents(-2.0, 2.0);
+  std::vector<double> times{keys.times().front()};
+  for (std::size_t i = 1; i < keys.size(); ++i)
+    times.push_back(times.back() + (keys.times()[i] - keys.times()[i - 1]) * factor *
+                                       (seed ? std::pow(10.0, exponents(generator)) : 1.0));
+  return at_times(keys, std::move(times));
+}
+
+TEST(FastestKeys, DoNotDependOnTheTimesThatWereTyped) {
+  const Keyframes keys = random_keys(5, {14, 1.8, 10.0});
+  const MotionLimits limits{.rate = 1.5, .acceleration = 2.0};
+  for (const std::string_view method : {"auto", "timed-c2:ends=rest", "bspline", "rotation-spline"}) {
+    const double duration = duration_of(fastest(method, keys, limits).track.keys);
+    for (const Keyframes& typed : {typed_anew(keys, 0.02), typed_anew(keys, 50.0), typed_anew(keys, 1.0, 1U)}) {
+      const Retiming again = fastest(method, typed, limits);
+      EXPECT_NEAR(duration_of(again.track.keys) / duration, 1.0, 1e-9) << method;
+      EXPECT_NEAR(again.time_scale * duration_of(typed) / duration, 1.0, 1e-9) << method;
+    }
+  }
+}
+
+TEST(FastestKeys, KeepTheLimitsAndReachOneOfThem) {
+  const MotionLimits limits{.rate = 1.0, .acceleration = 2.0, .torque = 3.0, .inertia = inertia};
+  unsigned seed = 70;
+  for (const std::string_view method : {"auto", "timed-c1", "timed-c3", "bspline"})
+    for (const RandomKeys how : {RandomKeys{12, 2.9, 100.0}, RandomKeys{3, 1.0}, RandomKeys{2, 3.0}}) {
+      const Retiming fast = fastest(method, random_keys(++seed, how), limits);
+      const MotionSizes peaks = sampled(curve_of(method, fast));
+      EXPECT_LE(std::max({peaks.rate, peaks.acceleration / 2.0, peaks.torque / 3.0}), 1.0) << method;
+      EXPECT_GE(std::max({peaks.rate, peaks.acceleration / 2.0, peaks.torque / 3.0}), 1.0 - 3e-4) << method;
+      EXPECT_EQ(fast.slowing, Slowing::fastest_keys);
+      EXPECT_LE(fast.slack, 2e-4) << method;
+    }
+}
+
+TEST(FastestKeys, AreNoSlowerThanIntervalsThatAreSlowedByThemselves) {
+  for (unsigned seed = 80; seed < 90; ++seed)
+    for (const std::string_view method : {"auto", "timed-c2", "timed-c3"}) {
+      const Keyframes keys = typed_anew(random_keys(seed, {20, 2.0, 4.0}), 0.02);
+      const MotionLimits limits{.rate = 1.5, .acceleration = 2.0};
+      const double slowed = duration_of(retimed(method, keys, limits, Slowing::per_interval).track.keys);
+      EXPECT_LE(duration_of(fastest(method, keys, limits).track.keys), 1.01 * slowed) << method << ", " << seed;
+    }
+}
+
+TEST(FastestKeys, OfGeodesicsTakeTheAngleOverTheLimit) {
+  const Keyframes keys = random_keys(4, {40, 2.5, 30.0});
+  double least = 0.0;
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i)
+    least += increment(keys.orientations()[i], keys.orientations()[i + 1]).norm() / 0.7;
+  const double duration = duration_of(fastest("slerp", keys, {.rate = 0.7}).track.keys);
+  EXPECT_GE(duration, least);
+  EXPECT_LE(duration, least * 1.002);
+}
+
+TEST(FastestKeys, KeepTheDurationOfRests) {
+  KeyframeData data{.times = {0.0, 5.0, 7.5, 12.0}};
+  for (const double angle : {0.0, 1.0, 1.0, 0.3})
+    data.orientations.push_back(exp<double>(angle * Eigen::Vector3d::UnitX()));
+  const Keyframes keys = Keyframes::make(std::move(data)).value();
+  const Retiming fast = fastest("auto:hold=1", keys, {.rate = 1.0, .acceleration = 4.0});
+  const auto times = fast.track.keys.times();
+  EXPECT_NEAR(times[2] - times[1], 2.5, 1e-14);
+  EXPECT_LT(times[1], 4.0);
+}
+
+/// What is said of keys that turn, shift and turn again by a tenth of a radian and of a metre.
+std::string refusal(const MotionLimits& limits, const RetimeOptions& others = {}) {
+  KeyframeData data{.times = {0.0, 1.0, 2.0, 3.0}, .positions = {{0, 0, 0}, {0, 0, 0}, {0.1, 0, 0}, {0.1, 0, 0}}};
+  for (const double angle : {0.0, 0.1, 0.1, 0.2})
+    data.orientations.push_back(exp<double>(angle * Eigen::Vector3d::UnitX()));
+  RetimeOptions options = others;
+  options.limits = limits;
+  options.slowing = Slowing::fastest_keys;
+  const auto retiming = retime(Keyframes::make(std::move(data)).value(), std::string_view("auto"), options);
+  return retiming ? "none" : describe(retiming.error());
+}
+
+TEST(FastestKeys, WantLimitsForEveryStep) {
+  const std::string wanted =
+      "no limit concerns the step from this key to the next, which would take no time; wanted a limit of what changes "
+      "there, such as `max_rate` for a turn or `max_speed` for a shift";
+  EXPECT_EQ(refusal({.speed = 1.0}), "key 0: " + wanted);
+  EXPECT_EQ(refusal({.rate = 1.0}), "key 1: " + wanted);
+  EXPECT_EQ(refusal({.rate = 1.0, .speed = 1.0}), "none");
+  const std::string no_limit =
+      "found no limit, wanted `max_rate`, `max_acceleration`, `max_jerk`, `max_torque`, `max_speed`, "
+      "`max_linear_acceleration`, `duration`, `constant_rate` or `constant_speed`";
+  EXPECT_EQ(refusal({}), no_limit);
+  EXPECT_EQ(refusal({}, {.shorten_rests = 1.0}), no_limit);
+  EXPECT_EQ(refusal({.rate = 1.0}, {.duration = 3.0}),
+            "duration: it scales all intervals alike, wanted uniform slowing");
+  EXPECT_EQ(
+      refusal({.rate = 1e30, .speed = 1e30}),
+      "key 0: the limits leave 5e-32 s for the step from this key to the next, wanted limits with which times can "
+      "tell these keys apart, such as `max_rate` for degrees in seconds");
+}
+
+}}  // namespace orispline
