@@ -106,10 +106,14 @@ TEST(FreeRates, DoNotHideThatTheOthersContradictTheKeys) {
 }
 
 TEST(FreeRates, AreNoneOfAGyro) {
-  const auto refused = smooth(keyframes(walk_with_free_rates()), {.gyro = true});
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().message, "the angular velocity is left free, wanted that of the gyro at every sample");
-  EXPECT_EQ(refused.error().where.key, 1u);
+  const KeyframeData data = walk_with_free_rates();
+  const auto gyro = gyro_rates_in(keyframes(data));
+  ASSERT_TRUE(gyro) << describe(gyro.error());
+  EXPECT_EQ(gyro->times, (std::vector{data.times[0], data.times[2], data.times[5]}));
+  EXPECT_EQ(gyro->rates[1], data.angular_velocities[2]);
+  KeyframeData all_free = data;
+  all_free.angular_velocities.assign(data.times.size(), free_rate());
+  EXPECT_FALSE(gyro_rates_in(keyframes(all_free)));
 }
 
 }}  // namespace orispline

@@ -116,9 +116,9 @@ struct ReadOptions {
   bool inner_quaternions = false;             ///< read `a_qw,…` and `b_qw,…` where they are there
   FreeRates free_rates = FreeRates::allowed;  ///< what a rate without numbers in its cells is
   UnposedRows unposed_rows = UnposedRows::refused;
-  bool drop_duplicates = false;               ///< of equal times keep the first
-  bool drop_invalid = false;                  ///< drop rows where a cell that is needed is empty, NaN or infinite
-  bool sort = false;                          ///< by time; rows of equal time keep their order
+  bool drop_duplicates = false;  ///< of equal times keep the first
+  bool drop_invalid = false;     ///< drop rows where a cell that is needed is empty, NaN or infinite
+  bool sort = false;             ///< by time; rows of equal time keep their order
   /// The rows are a set, not a motion: a column of times is not needed, what it has does not count, and the n-th key
   /// has the time n [s], from 0.
   bool count_rows = false;
