@@ -145,6 +145,8 @@ Expected<void> near_to_samples(double noise) {
                            noise * degrees));
 }
 
+constexpr double noisy_freedom =
+    0.2;  // of the samples: a curve with more of it follows bends that could be taken for noise
 constexpr double doubtful_noise = 1.2;  // between neighbours, over a stated one
 
 /// The weights of samples over that of one with the usual noise; empty where they are all alike.
@@ -226,6 +228,8 @@ class Smoother {
     const bool is_open =
         result_.noises.empty() && !options_.noise && !options_.smoothing_time && options_.loss != Loss::l2;
     if (!is_open || search_->finding().edge == LambdaChoice::Edge::shortest) return {};
+    const SmoothingSearch::Freedom of = search_->freedom();
+    if (of.trace > noisy_freedom * of.observations) return {};
     std::vector<double> noises = changing_noise(recording_);
     if (noises.empty()) return {};
     const double usual = std::exchange(usual_noise_, median(noises));
