@@ -29,7 +29,7 @@ def results():
                                           ("tune", ori.Tuning), ("align", ori.Alignment)])
 def test_fields_are_those_of_the_library(task, result):
     told, = (entry for entry in json.loads(run("tasks", "--json")[0]) if entry["task"] == task)
-    units = "(_(rad|s|hz|deg|m|rad_s))?$"
+    units = "(_(rad|s|hz|deg|m|rad_s|rad_s2))?$"
     names = {field.name.rstrip("_") for field in dataclasses.fields(result)}
     for field in told["results"]:
         name = field["name"]

@@ -48,6 +48,7 @@ class Calls:
             "reduce": (ori.reduce, {"keys": recording, "tolerance": "1deg"}),
             "reduce_tracks": (ori.reduce_tracks, {"tracks": [recording], "tolerance": "1deg"}),
             "retime": (ori.retime, {"keys": keys, "max_rate": 1}), "tune": (ori.tune, {"keys": keys, "method": "quintic"}),
+            "Rates": (ori.Rates, {"times": T, "rates": np.zeros((3, 3))}),
             "align": (ori.align, {"a": recording, "b": recording}),
             "compare": (ori.compare, {"keys": recording, "methods": ["slerp"]}), "mean": (ori.mean, {"rotations": Q}), "plot_sphere": (ori.plot_sphere, {"curves": curve}),
             "plot_comparison": (ori.plot_comparison, {"curves": curve})}
@@ -56,7 +57,7 @@ class Calls:
             "RotationSpline": ori.RotationSpline(T, rotations), "Slerp": ori.Slerp(T, rotations), "Samples": stack.sample(rate=2),
             "Scene": scene, "Smoothing": ori.smooth(recording, smoothing_time=0.1), "Reduction": ori.reduce(recording, "1deg"),
             "Retiming": ori.retime(keys, max_rate=1), "Tuning": ori.tune(keys, "quintic"), "Mean": ori.mean(Q[:2]), "Comparison": ori.compare(recording, ["slerp"]),
-            "Alignment": ori.align(recording, recording, body_rotation=False)}
+            "Rates": ori.Rates(T, np.zeros((3, 3))), "Alignment": ori.align(recording, recording, body_rotation=False)}
         self.clock = 0.0
 
     def __iter__(self):

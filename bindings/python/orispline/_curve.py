@@ -353,7 +353,7 @@ class Curve(Looks, Orienting):
         they are evenly spaced along its path, whatever its rate.
 
         >>> import numpy as np, orispline as ori
-        >>> curve = ori.Curve([0, 1, 9], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
+        >>> curve = ori.Curve([0, 1, 9], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]], "slerp")
         >>> q = curve.at_angle(np.linspace(0, curve.angle_travelled(), 5))
         >>> np.degrees(2 * np.arctan2(q[:, 2], q[:, 3])).round(9).tolist()
         [0.0, 45.0, 90.0, 135.0, 180.0]
