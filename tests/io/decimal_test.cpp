@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <io/exact_number.hpp>
 
-namespace orispline::io { namespace {
+namespace orispline { namespace {
 
 using test::decimal;
 
@@ -208,4 +208,4 @@ TEST(Decimal, RoundsToTheNearestWholeNumber) {
   EXPECT_FALSE(Decimal::parse("1.05e1")->is_whole());
 }
 
-}}  // namespace orispline::io
+}}  // namespace orispline

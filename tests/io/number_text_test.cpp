@@ -16,7 +16,7 @@
 
 #include <orispline/base/decimal.hpp>
 
-namespace orispline::io { namespace {
+namespace orispline { namespace {
 
 std::string text_of(double value) {
   std::array<char, shortest_text_room> text;
@@ -83,4 +83,4 @@ TEST(ShortestDecimal, DoesNotEndInAZero) {
   }
 }
 
-}}  // namespace orispline::io
+}}  // namespace orispline

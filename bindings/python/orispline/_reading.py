@@ -28,7 +28,8 @@ def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, s
          epoch: str | datetime.date | np.datetime64 | None = None, clip: str | None = None, joint: str | None = None,
          space: str | None = None, conjugate: bool = False, signs: str | None = None,
          ignore_recipe: bool = False, normalise: bool = False, normalize: bool = False, drop_duplicates: bool = False, drop_invalid: bool = False,
-         sort: bool = False, scalar_first: bool = False) -> Keys:
+         sort: bool = False, session: int | str | None = None, gap: Number | None = None, no_positions: bool = False,
+         scalar_first: bool = False) -> Keys:
     """The keyframes of a file: CSV, TUM or EuRoC, told by its name and its content; of a glTF or BVH file one joint.
 
     Times of the keys are seconds since the first one; `Keys.epoch` has the time of that, with all its digits. So
@@ -77,9 +78,10 @@ def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, s
     name, scalar_first = path_text(path), flag("scalar_first", scalar_first)
     normalise = one_spelling(normalize, normalise)
     named = {"input_format": input_format, "order": order, "input_orientation": input_orientation, "euler": euler,
-             "angle_unit": angle_unit, "time_scale": time_scale, "fps": fps, "epoch": epoch, "clip": clip, "joint": joint, "space": space, "signs": signs}
+             "angle_unit": angle_unit, "time_scale": time_scale, "fps": fps, "epoch": epoch, "clip": clip, "joint": joint, "space": space, "signs": signs,
+             "session": session, "gap": gap}
     mending = {"normalise": normalise, "drop_duplicates": drop_duplicates, "drop_invalid": drop_invalid, "sort": sort}
-    set_or_not = {"conjugate": conjugate, "ignore_recipe": ignore_recipe}
+    set_or_not = {"conjugate": conjugate, "ignore_recipe": ignore_recipe, "no_positions": no_positions}
     if name.lower().endswith(".npy") and input_format in (None, "npy"):
         _check_none({**named, "input_format": None, "signs": None}, set_or_not)
         return read_npy(name, columns, signs="shortest" if signs is None else signs, scalar_first=scalar_first, **mending)

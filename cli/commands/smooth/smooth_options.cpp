@@ -25,6 +25,7 @@ void add_smooth_options(Command& app, SmoothArguments& o) {
   add_several_inputs(app, o.inputs, "keys");
   add_input_threads(app, o.inputs);
   add_reading_options(app, o.input);
+  app.remove("--gap");  // which it has for itself
   add_smoothing_options(app, o.smoothness);
   app.add_option("--rate", o.rate, "Write samples at so many per second instead of keys")
       ->type_name("HZ")

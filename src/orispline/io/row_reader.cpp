@@ -14,10 +14,16 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 KeyRow RowReader::key(const KeyColumns& columns) {
   KeyRow key{.time = time(columns)};
   set_orientation(key, columns);
+  const std::size_t of_orientation = missing_;
   if (columns.position) key.position = vector(*columns.position);
+  const std::size_t of_position = missing_ - of_orientation;
   for (std::size_t k = 0; k < columns.rates.size(); ++k)
     if (columns.rates[k]) key.rates[k] = rate(columns.rates[k]->columns);
   for (const ParameterColumn& column : columns.parameters) key.parameters.push_back(number({column.index}));
+  if (columns.position && missing_ == columns.orientation.size() && of_orientation == missing_)
+    key.lacks = KeyRow::Lacks::orientation;
+  if (columns.position && missing_ == columns.position->size() && of_position == missing_)
+    key.lacks = KeyRow::Lacks::position;
   return key;
 }
 
@@ -34,18 +40,26 @@ std::optional<Error> RowReader::not_finite() const {
 Decimal RowReader::time(const KeyColumns& columns) {
   const std::string_view cell = table_.cells()[columns.time];
   if (looks_like_iso_time(cell) && !columns.whole_times) return iso_time(columns);
-  const auto time = decimal_of(cell);
+  auto time = decimal_of(cell);
   if (!time) refuse(columns.time, time.error());
   else if (!*time) note_not_finite(columns.time);
+  else if (columns.rest_of_time) **time = **time + rest_of_time(*columns.rest_of_time);
   else if (columns.whole_times && !(*time)->is_whole())
     refuse(columns.time, {ErrorCode::bad_data, formatted("found {}, wanted whole nanoseconds", in_quotes(cell)), {}});
   return time.value_or(std::nullopt).value_or(Decimal());
 }
 
+Decimal RowReader::rest_of_time(const RestOfTime& column) {
+  const auto rest = decimal_of(table_.cells()[column.index]);
+  if (!rest) refuse(column.index, rest.error());
+  else if (!*rest) note_not_finite(column.index);
+  return column.unit.of(rest.value_or(std::nullopt).value_or(Decimal()));
+}
+
 Decimal RowReader::iso_time(const KeyColumns& columns) {
   const auto time = parse_iso_time(table_.cells()[columns.time]);
   if (!time) refuse(columns.time, time.error());
-  return time.value_or(Decimal()) - clock_.zero;
+  return time.value_or(Decimal()) - options_.clock.zero;
 }
 
 double RowReader::number(const NumberColumn& column) {
@@ -62,10 +76,11 @@ Eigen::Vector3d RowReader::vector(const VectorColumns& columns) {
 }
 
 Eigen::Vector3d RowReader::rate(const VectorColumns& columns) {
-  if (free_rates_ == FreeRates::refused) return vector(columns);
+  if (options_.free_rates == FreeRates::refused) return vector(columns);
   const auto before = not_finite_;
+  const std::size_t missing = missing_;
   const Eigen::Vector3d rate = vector(columns);
-  if (is_free(rate)) not_finite_ = before;
+  if (is_free(rate)) not_finite_ = before, missing_ = missing;
   else if (!before && rate.hasNaN()) not_finite_in_rate_ = true;
   return rate;
 }
@@ -74,6 +89,13 @@ void RowReader::set_orientation(KeyRow& key, const KeyColumns& columns) {
   OrientationNumbers numbers(static_cast<Eigen::Index>(columns.orientation.size()));
   std::ranges::transform(columns.orientation, numbers.begin(), [this](const auto& column) { return number(column); });
   if (!numbers.allFinite()) return;
+  if (columns.form.representation == Representation::matrix && options_.norms == Norms::any) {
+    const auto nearest = nearest_rotation(numbers);
+    if (!nearest) return refuse(std::nullopt, nearest.error());
+    key.orientation = nearest->orientation;
+    key.matrix_distance = nearest->distance;
+    return;
+  }
   const auto orientation = orientation_from(numbers, columns.form);
   if (!orientation) return refuse(std::nullopt, orientation.error());
   key.orientation = *orientation;
@@ -86,6 +108,7 @@ void RowReader::refuse(std::optional<std::size_t> index, Error error) {
 }
 
 void RowReader::note_not_finite(std::size_t index) {
+  ++missing_;
   if (!not_finite_) not_finite_ = index;
 }
 

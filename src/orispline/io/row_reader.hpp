@@ -7,6 +7,7 @@
 
 #include <orispline/io/clock.hpp>
 #include <orispline/io/key_columns.hpp>
+#include <orispline/io/key_file.hpp>
 #include <orispline/math/eigen.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
@@ -19,13 +20,15 @@ struct KeyRow {
   Eigen::Vector3d position{};
   std::array<Eigen::Vector3d, 3> rates{};  ///< in the frames of the columns
   std::vector<double> parameters{};
+  double matrix_distance = 0.0;  ///< from a rotation, of a matrix that was made one; by Frobenius' norm
+  /// What a row has no number of, where it has all else.
+  enum class Lacks { nothing, orientation, position } lacks = Lacks::nothing;
 };
 
 /// Reads the cells of one row; remembers the first that is no number and the first that is not finite.
 class RowReader {
  public:
-  RowReader(const TextTable& table, const Clock& clock, FreeRates free_rates)
-      : table_(table), clock_(clock), free_rates_(free_rates) {}
+  RowReader(const TextTable& table, const ReadOptions& options) : table_(table), options_(options) {}
 
   [[nodiscard]] KeyRow key(const KeyColumns& columns);
 
@@ -36,6 +39,7 @@ class RowReader {
 
  private:
   [[nodiscard]] Decimal time(const KeyColumns& columns);
+  [[nodiscard]] Decimal rest_of_time(const RestOfTime& column);
   [[nodiscard]] Decimal iso_time(const KeyColumns& columns);
   [[nodiscard]] double number(const NumberColumn& column);
   [[nodiscard]] Eigen::Vector3d vector(const VectorColumns& columns);
@@ -45,10 +49,10 @@ class RowReader {
   void note_not_finite(std::size_t index);
 
   const TextTable& table_;
-  const Clock& clock_;
-  FreeRates free_rates_;
+  const ReadOptions& options_;
   std::optional<Error> refused_;
   std::optional<std::size_t> not_finite_;
+  std::size_t missing_ = 0;          // cells that are not finite
   bool not_finite_in_rate_ = false;  // which could be free
 };
 

@@ -128,6 +128,7 @@ std::string SmoothOutcome::result() const {
 
 Expected<SmoothOutcome> smooth(SmoothRequest request, const Progress& progress) {
   const Track& recording = *request.recording;
+  if (!request.options.gap && !request.options.gyro) request.options.gap = recording.recipe.gap;
   auto smoothing = orispline::smooth(recording, request.options, progress);
   if (!smoothing) return tl::unexpected(placed(recording, std::move(smoothing.error())));
   std::vector<Warning> warnings;

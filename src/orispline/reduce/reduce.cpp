@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <utility>
+#include <vector>
 
+#include <orispline/analysis/curve_in_stretches.hpp>
 #include <orispline/base/counted_work.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
@@ -115,10 +119,114 @@ Expected<Reduction> certified(const LocalMethod& local, const ToleranceCheck& re
   return Reduction{std::move(reduced), method, std::move(found.samples), *deviation};
 }
 
+/// The interval from which on those between these keys are gaps and no others; absent where there is none such.
+std::optional<double> telling_gap(const Keyframes& keys, std::span<const Stretch> stretches, double gap) {
+  const auto t = keys.times();
+  double longest = 0.0, shortest_gap = std::numeric_limits<double>::infinity();
+  for (const auto& [first, count] : stretches) {
+    for (std::size_t i = first + 1; i < first + count; ++i) longest = std::max(longest, t[i] - t[i - 1]);
+    if (first > 0) shortest_gap = std::min(shortest_gap, t[first] - t[first - 1]);
+  }
+  if (longest <= gap) return gap;
+  const double between = std::midpoint(longest, shortest_gap);
+  const bool tells = longest < shortest_gap && stretches_between_gaps(t, between).has_value();
+  return tells ? std::optional(between) : std::nullopt;
+}
+
+Expected<Reduction> reduced(const Track& track, const Method& method, const ReduceOptions& options,
+                            const Progress& progress);
+
+/// A stretch of one sample stays as it is.
+Expected<Reduction> reduced_stretch(const Track& track, const Method& method, const ReduceOptions& options,
+                                    const Stretch& stretch, const Progress& progress) {
+  std::vector<std::size_t> samples(stretch.count);
+  std::iota(samples.begin(), samples.end(), stretch.first);
+  auto own = keys_of_stretch(track.keys, stretch);
+  if (!own) return tl::unexpected(std::move(own.error()));
+  Track part = track.at(samples).with_keys(*own);
+  if (stretch.count == 1) return Reduction{.track = std::move(part), .samples = {0}};
+  part.recipe.signs = track.recipe.signs;
+  return reduced(part, method_for_stretch(method, stretch, track.keys.size()), options, progress);
+}
+
+KeyframeData data_of(const Keyframes& keys) {
+  const auto copied = [](const auto& span) { return std::vector(span.begin(), span.end()); };
+  return {.times = copied(keys.times()),
+          .orientations = copied(keys.orientations()),
+          .positions = copied(keys.positions()),
+          .angular_velocities = copied(keys.angular_velocities()),
+          .angular_accelerations = copied(keys.angular_accelerations()),
+          .angular_jerks = copied(keys.angular_jerks())};
+}
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/// The worse of two deviations, the second of which is of samples from that one on.
+Deviation worse(Deviation one, const Deviation& other, std::size_t first) {
+  if (other.angle > one.angle) one.angle = other.angle, one.angle_at = first + other.angle_at;
+  if (other.position && !(*other.position <= one.position.value_or(-1.0)))
+    one.position = other.position, one.position_at = first + other.position_at;
+  return one;
+}
+
+/// The keys of several stretches in one track; a key that stands alone has no rates of its own.
+void append_keys(KeyframeData& all, const Reduction& one, bool have_rates) {
+  const KeyframeData more = data_of(one.track.keys);
+  append(all.times, more.times);
+  append(all.orientations, more.orientations);
+  append(all.positions, more.positions);
+  if (!have_rates) return;
+  if (one.samples.size() > 1) append(all.angular_velocities, more.angular_velocities);
+  else all.angular_velocities.emplace_back(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
+}
+
+/// Each stretch by itself, and all their keys in one track, the recipe of which states the gaps where one length can.
+Expected<Reduction> reduced_in_stretches(const Track& track, const Method& method, const ReduceOptions& options,
+                                         const Progress& progress) {
+  const auto stretches = stretches_between_gaps(track.keys.times(), *track.recipe.gap);
+  if (!stretches) return tl::unexpected(stretches.error());
+  const auto local = local_method(method, track);
+  if (!local) return tl::unexpected(local.error());
+  std::vector<Reduction> each;
+  Reduction all;
+  for (const Stretch& stretch : *stretches) {
+    auto one = reduced_stretch(track, method, options, stretch, progress);
+    if (!one) return one;
+    all.stretches.push_back({all.samples.size(), one->samples.size()});
+    for (const std::size_t sample : one->samples) all.samples.push_back(stretch.first + sample);
+    all.deviation = worse(all.deviation, one->deviation, stretch.first);
+    each.push_back(std::move(*one));
+  }
+  const bool have_rates = std::ranges::any_of(each, [](const Reduction& one) {
+    return one.samples.size() > 1 && !one.track.keys.angular_velocities().empty();
+  });
+  KeyframeData data;
+  for (const Reduction& one : each) append_keys(data, one, have_rates);
+  auto keys = Keyframes::make(std::move(data), Signs::as_given);
+  if (!keys) return tl::unexpected(std::move(keys.error()));
+  all.method = local->method.at(all.samples, track.keys.size());
+  all.track = track.at(all.samples).with_keys(*keys);
+  all.track.settings = settings_per_key(all.method, all.samples.size());
+  all.track.recipe = recipe_for(all.method, all.track);
+  all.track.recipe.gap = telling_gap(all.track.keys, all.stretches, *track.recipe.gap);
+  return all;
+}
+
 }  // namespace
 
 Expected<Reduction> reduce(const Track& track, const Method& method, const ReduceOptions& options,
                            const Progress& progress) {
+  return track.recipe.gap ? reduced_in_stretches(track, method, options, progress)
+                          : reduced(track, method, options, progress);
+}
+
+namespace {
+
+Expected<Reduction> reduced(const Track& track, const Method& method, const ReduceOptions& options,
+                            const Progress& progress) {
   const auto local = local_method(method, track);
   if (!local) return tl::unexpected(local.error());
   if (const auto checked = check(track.keys, options.tolerance); !checked) return tl::unexpected(checked.error());
@@ -135,6 +243,8 @@ Expected<Reduction> reduce(const Track& track, const Method& method, const Reduc
         return reduction;
       });
 }
+
+}  // namespace
 
 std::vector<Expected<std::vector<Reduction>>> reduce_tracks(std::span<const Track> tracks,
                                                             std::span<const Method> methods,
@@ -156,6 +266,11 @@ std::vector<Expected<std::vector<Reduction>>> reduce_tracks(std::span<const Trac
   return of_tracks;
 }
 
+Expected<PoseCurve> curve_of(const Reduction& reduction) {
+  return reduction.stretches.empty() ? make_pose_curve(reduction.method, reduction.track.keys)
+                                     : curve_in_stretches(reduction.method, reduction.track.keys, reduction.stretches);
+}
+
 Expected<DistanceStatistics> distance_of(const Reduction& reduction, const Keyframes& samples,
                                          std::span<const std::size_t> left_out) {
   std::vector<std::size_t> kept;
@@ -167,8 +282,8 @@ Expected<DistanceStatistics> distance_of(const Reduction& reduction, const Keyfr
     times.push_back(samples.times()[i]);
     orientations.push_back(samples.orientations()[i]);
   }
-  return make_curve(reduction.method, reduction.track.keys).map([&](const AnyCurve& curve) {
-    DistanceStatistics distance = distance_to_reference(curve, {times, orientations});
+  return curve_of(reduction).map([&](const PoseCurve& curve) {
+    DistanceStatistics distance = distance_to_reference(curve.orientation, {times, orientations});
     if (distance.count > 0) distance.largest_at = kept[distance.largest_at];
     return distance;
   });
@@ -176,7 +291,7 @@ Expected<DistanceStatistics> distance_of(const Reduction& reduction, const Keyfr
 
 Expected<DistanceStatistics> position_distance_of(const Reduction& reduction, const Keyframes& samples,
                                                   std::span<const std::size_t> left_out) {
-  return make_pose_curve(reduction.method, reduction.track.keys).map([&](const PoseCurve& curve) {
+  return curve_of(reduction).map([&](const PoseCurve& curve) {
     std::vector<std::size_t> kept;
     std::vector<double> distances;
     for (std::size_t i = 0; i < samples.size(); ++i) {

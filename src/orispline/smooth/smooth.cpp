@@ -303,6 +303,7 @@ Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options,
         if (!made) return tl::unexpected(std::move(made.error()));
         smoothing.track = recording.at(smoothing.keys).with_keys(*made);
         smoothing.track.recipe = recipe_for(smoothing.method, recording);
+        smoothing.track.recipe.gap = options.gap;
         if (progress.stopped()) return cancellation();
         smoothing.distances = distances_of(smoothing, keys, CountedSamples::all);
         smoothing.accepted_distances = distances_of(smoothing, keys, CountedSamples::accepted);

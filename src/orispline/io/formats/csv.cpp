@@ -27,7 +27,8 @@ Expected<TableLayout> layout_of_header(const TextTable& table, const ReadOptions
   const HeaderReading reading{.names = options.columns,
                               .parameters = options.parameters,
                               .rates = rate_reading(options),
-                              .orientation = options.orientation};
+                              .orientation = options.orientation,
+                              .positions = !options.no_positions};
   return located(table, columns_of_header(table.cells(), reading)).map([&](KeyColumns columns) {
     std::vector<std::string> names(table.cells().begin(), table.cells().end());
     names.resize(columns.width);
