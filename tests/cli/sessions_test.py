@@ -231,6 +231,26 @@ class Gaps(Recordings):
         self.output_of("smooth keys.csv -o again.csv")
         self.assertIn(" gap=0.5", self.read("again.csv").splitlines()[0])
 
+    def test_reduce_and_compare_keep_to_the_stretches(self):
+        times = [k / 100 for k in range(900) if not 300 < k < 500 and not 700 < k < 750]
+        self.write("turns.csv", "t,qw,qx,qy,qz\n" + "".join(
+            f"{t},{math.cos(0.5 * math.sin(t) + 0.1 * t)!r},0,0,{math.sin(0.5 * math.sin(t) + 0.1 * t)!r}\n" for t in times))
+        for method in ("auto", "timed-c2", "slerp"):
+            self.output_of(f"reduce turns.csv --gap 0.1 --method {method} --tolerance 0.05deg -o keys_of.csv")
+            self.assertIn(" gap=", self.read("keys_of.csv").splitlines()[0], method)
+            report = self.summary("sample keys_of.csv --times turns.csv --truth turns.csv -o out.csv")
+            self.assertLessEqual(report["truth"]["distance_max_deg"], 0.05)
+            self.assertEqual((report["samples"], report["gap_samples"]), (len(times), 0))
+            sampled = [row[0] for row in rows_of(self.output_of("sample keys_of.csv --rate 100 --derivatives 0"))]
+            self.assertFalse([t for t in sampled if 3.001 < t < 4.999 or 7.001 < t < 7.499], method)
+        apart = json.loads(self.output_of("compare turns.csv --gap 0.1 --keep-every 10 --methods timed-c2 --json"))[0]
+        bridged = json.loads(self.output_of("compare turns.csv --keep-every 10 --methods slerp --json"))[0]
+        self.assertLess(apart["max_deg"], 0.1)
+        self.assertGreater(bridged["max_deg"], 1)
+        for task in ("tune turns.csv", "retime turns.csv --max-rate 10deg/s", "compare turns.csv --keep-every 10 --tune"):
+            self.assert_fails(f"{task} --gap 0.1{'' if 'compare' in task else ' -o out.csv'}", BAD_USAGE,
+                              "--gap: found gaps longer than 0.1 s, wanted one curve through all keys")
+
     def test_plot_and_inspect_keep_to_the_stretches(self):
         self.output_of("plot gaps.csv --gap 1 -o out.svg")
         self.assertNotIn("nan", self.read("out.svg").lower())

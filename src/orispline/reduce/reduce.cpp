@@ -119,26 +119,58 @@ Expected<Reduction> certified(const LocalMethod& local, const ToleranceCheck& re
   return Reduction{std::move(reduced), method, std::move(found.samples), *deviation};
 }
 
+/// [s]; infinite where there is none.
+double shortest_gap(const Keyframes& keys, std::span<const Stretch> stretches) {
+  const auto t = keys.times();
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Stretch& stretch : stretches.subspan(1))
+    shortest = std::min(shortest, t[stretch.first] - t[stretch.first - 1]);
+  return shortest;
+}
+
 /// The interval from which on those between these keys are gaps and no others; absent where there is none such.
 std::optional<double> telling_gap(const Keyframes& keys, std::span<const Stretch> stretches, double gap) {
   const auto t = keys.times();
-  double longest = 0.0, shortest_gap = std::numeric_limits<double>::infinity();
-  for (const auto& [first, count] : stretches) {
+  double longest = 0.0;
+  for (const auto& [first, count] : stretches)
     for (std::size_t i = first + 1; i < first + count; ++i) longest = std::max(longest, t[i] - t[i - 1]);
-    if (first > 0) shortest_gap = std::min(shortest_gap, t[first] - t[first - 1]);
-  }
-  if (longest <= gap) return gap;
-  const double between = std::midpoint(longest, shortest_gap);
-  const bool tells = longest < shortest_gap && stretches_between_gaps(t, between).has_value();
+  if (longest <= gap || stretches.size() == 1) return gap;
+  const double shortest = shortest_gap(keys, stretches), between = std::midpoint(longest, shortest);
+  const bool tells = longest < shortest && stretches_between_gaps(t, between).has_value();
   return tells ? std::optional(between) : std::nullopt;
 }
 
 Expected<Reduction> reduced(const Track& track, const Method& method, const ReduceOptions& options,
                             const Progress& progress);
 
+/// Samples among which no two neighbours are as far apart as the limit [s]; those in between are as late as may be.
+std::vector<std::size_t> nearer_than(double limit, std::span<const double> t, const std::vector<std::size_t>& samples) {
+  std::vector<std::size_t> nearer{samples.front()};
+  for (const std::size_t next : samples) {
+    for (std::size_t i = nearer.back() + 1; i < next; ++i)
+      if (t[i + 1] - t[nearer.back()] >= limit) nearer.push_back(i);
+    if (next > nearer.back()) nearer.push_back(next);
+  }
+  return nearer;
+}
+
+/// With as many samples more as it takes that no interval looks like a gap, where the curve keeps to the tolerance.
+Reduction told_from_gaps(Reduction reduction, const Track& track, const Method& method, const ReduceOptions& options,
+                         double shortest_gap) {
+  const auto samples = nearer_than(shortest_gap, track.keys.times(), reduction.samples);
+  const bool are_samples = options.values == KeyValues::sampled && reduction.track.keys.angular_velocities().empty();
+  if (!are_samples || samples.size() == reduction.samples.size()) return reduction;
+  const auto local = local_method(method, track);
+  if (!local) return reduction;
+  OpenEndedWork work({}, usual_curves);
+  const ToleranceCheck recording(track.keys, options.tolerance, work);
+  auto denser = certified(*local, recording, track, recording.keys_at(samples));
+  return denser ? std::move(*denser) : std::move(reduction);
+}
+
 /// A stretch of one sample stays as it is.
 Expected<Reduction> reduced_stretch(const Track& track, const Method& method, const ReduceOptions& options,
-                                    const Stretch& stretch, const Progress& progress) {
+                                    const Stretch& stretch, double shortest_gap, const Progress& progress) {
   std::vector<std::size_t> samples(stretch.count);
   std::iota(samples.begin(), samples.end(), stretch.first);
   auto own = keys_of_stretch(track.keys, stretch);
@@ -146,7 +178,10 @@ Expected<Reduction> reduced_stretch(const Track& track, const Method& method, co
   Track part = track.at(samples).with_keys(*own);
   if (stretch.count == 1) return Reduction{.track = std::move(part), .samples = {0}};
   part.recipe.signs = track.recipe.signs;
-  return reduced(part, method_for_stretch(method, stretch, track.keys.size()), options, progress);
+  const Method for_stretch = method_for_stretch(method, stretch, track.keys.size());
+  return reduced(part, for_stretch, options, progress).map([&](Reduction reduction) {
+    return told_from_gaps(std::move(reduction), part, for_stretch, options, shortest_gap);
+  });
 }
 
 KeyframeData data_of(const Keyframes& keys) {
@@ -190,10 +225,11 @@ Expected<Reduction> reduced_in_stretches(const Track& track, const Method& metho
   if (!stretches) return tl::unexpected(stretches.error());
   const auto local = local_method(method, track);
   if (!local) return tl::unexpected(local.error());
+  const double shortest = shortest_gap(track.keys, *stretches);
   std::vector<Reduction> each;
   Reduction all;
   for (const Stretch& stretch : *stretches) {
-    auto one = reduced_stretch(track, method, options, stretch, progress);
+    auto one = reduced_stretch(track, method, options, stretch, shortest, progress);
     if (!one) return one;
     all.stretches.push_back({all.samples.size(), one->samples.size()});
     for (const std::size_t sample : one->samples) all.samples.push_back(stretch.first + sample);
