@@ -47,9 +47,9 @@ def test_curves_bridge_no_gap(file, tmp_path):
     path = file("t,qw,qx,qy,qz\n" + "".join(f"{t},{np.cos(t / 2)},0,0,{np.sin(t / 2)}\n" for t in (0, 0.5, 1, 4, 4.5, 5)))
     keys = ori.read(path, gap=1)
     curve = keys.curve("slerp")
-    assert np.isnan(curve.rotation([1.5, 3.9])).all() and not np.isnan(curve.rotation([0, 1, 4, 5])).any()
+    assert np.isnan(curve([1.5, 3.9])).all() and not np.isnan(curve([0, 1, 4, 5])).any()
     curve.keys.write(tmp_path / "out.csv")
-    assert np.isnan(ori.read(tmp_path / "out.csv").curve("slerp").rotation([1.5])).all()
+    assert np.isnan(ori.read(tmp_path / "out.csv").curve("slerp")([1.5])).all()
 
 
 def test_turns_are_counted_and_run_on(file, tmp_path):

@@ -100,7 +100,8 @@ Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, 
 /// A time of 0 that no clock said, as far as the rows behind it are known.
 bool KeyRows::is_zero_stamp() const {
   const auto is_zero = [](const Decimal& time) { return time == Decimal(); };
-  return is_zero(unrising_->time) && unrising_->time < latest_ && std::ranges::all_of(unrising_->after, is_zero);
+  return is_zero(unrising_->time) && is_far_from_zero(first_, latest_, taken_ + file_.data.times.size()) &&
+         std::ranges::all_of(unrising_->after, is_zero);
 }
 
 /// What is wrong with the row whose time does not rise.
@@ -121,7 +122,8 @@ Error KeyRows::out_of_order() const {
   times.insert(times.end(), after.begin(), after.end());
   const bool begins = session_starts(times).size() > 1;
   const std::string later = formatted("time {} comes after {}", text, latest_.to_string());
-  const bool is_zero = time == Decimal() && (after.empty() || after.front() == time || after.front() >= latest_);
+  const bool is_zero = time == Decimal() && is_far_from_zero(first_, latest_, taken_ + file_.data.times.size()) &&
+                       (after.empty() || after.front() == time || after.front() >= latest_);
   if (is_zero) return error("drop_invalid", later + ", wanted increasing times: no clock said 0 there");
   if (!begins) return error("sort", later + ", wanted increasing times");
   return error("session", later + ", and the rows go on from there: a second recording begins, wanted one");

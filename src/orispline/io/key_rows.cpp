@@ -214,7 +214,8 @@ Expected<void> KeyRows::take_two_tracks() {
       {.code = "two_tracks",
        .message = formatted("orientations and positions stand in different rows: they are taken for two tracks on one "
                             "clock, {} and {}; the keys are those with an orientation",
-                            counted(with_orientation, "orientation"), counted(apart.times.size(), "position")),
+                            counted(static_cast<std::size_t>(with_orientation), "orientation"),
+                            counted(apart.times.size(), "position")),
        .where = {.file = file_.path}});
   return {};
 }

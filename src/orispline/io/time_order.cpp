@@ -53,8 +53,20 @@ bool would_interleave(std::span<const Decimal> times, std::span<const std::size_
          spans.end();
 }
 
+bool is_far_from_zero(const Decimal& first, const Decimal& last, std::size_t count) {
+  constexpr double many_steps = 10.0;
+  if (count < fewest_of_session || first <= Decimal()) return false;
+  return first * Decimal::from_double(static_cast<double>(count - 1)) >
+         (last - first) * Decimal::from_double(many_steps);
+}
+
 std::vector<bool> zero_stamps(std::span<const Decimal> times) {
   std::vector<bool> are_zero(times.size(), false);
+  std::vector<Decimal> others(times.begin(), times.end());
+  std::erase(others, Decimal());
+  if (others.empty()) return are_zero;
+  const auto [least, most] = std::ranges::minmax_element(others);
+  if (!is_far_from_zero(*least, *most, others.size())) return are_zero;
   TimeOrder order;
   Decimal latest;
   for (std::size_t i = 0; i < times.size(); ++i) {

@@ -39,6 +39,9 @@ class TimeOrder {
 /// rise in succession are none.
 [[nodiscard]] bool would_interleave(std::span<const Decimal> times, std::span<const std::size_t> starts);
 
+/// Whether a time of 0 is far from so many others, which go from the first to the last: many steps of theirs away.
+[[nodiscard]] bool is_far_from_zero(const Decimal& first, const Decimal& last, std::size_t count);
+
 /// Rows with a time of 0 between rows of other times, which no clock said: not those that begin a recording.
 [[nodiscard]] std::vector<bool> zero_stamps(std::span<const Decimal> times);
 
