@@ -24,6 +24,7 @@ AngleTravelled::AngleTravelled(AnyCurve curve) : curve_(std::move(curve)) {
 }
 
 double AngleTravelled::within(std::size_t segment, double start, double end) const {
+  if (is_gap(curve_, segment)) return 0.0;
   SegmentMotions motions(curve_, segment);
   const auto speed = [&](std::span<const double> times, std::span<Figures<1>> values) {
     motions.evaluate(times);
