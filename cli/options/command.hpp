@@ -55,6 +55,9 @@ struct Command {
   Option& option(std::string_view names) { return *std::ranges::find(options, names, &Option::names); }
   /// The one that the user types by this name; null if there is none.
   [[nodiscard]] const Option* find(std::string_view typed) const;
+  void remove(std::string_view names) {
+    std::erase_if(options, [names](const Option& option) { return option.names == names; });
+  }
   Option* add(Option option) { return &options.emplace_back(std::move(option)); }
   template <class T>
   Option* add_option(std::string names, T& typed, std::string sentence) {

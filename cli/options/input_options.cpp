@@ -5,6 +5,8 @@ namespace orispline::cli {
 
 namespace {
 
+constexpr std::string_view session_option = "session";
+
 Expected<io::Reading> reading_in(const InputOptions& options) {
   io::Reading reading;
   for (const auto& option : io::reading_options()) {
@@ -58,6 +60,22 @@ Expected<InputRequest> input_request(const InputOptions& options) {
       return InputRequest{.path = options.path, .read = std::move(reading.options), .signs = reading.signs};
     });
   });
+}
+
+bool asks_for_all_sessions(const InputOptions& options) {
+  const auto typed = options.reading.find(session_option);
+  return typed != options.reading.end() && typed->second.once == "all";
+}
+
+Expected<std::size_t> sessions_in(const InputOptions& options) {
+  InputOptions one = options;
+  choose_session(one, "1");
+  return input_request(one).and_then(
+      [](const InputRequest& request) { return io::sessions_in(request.path, request.read); });
+}
+
+void choose_session(InputOptions& options, const std::string& session) {
+  options.reading.find(session_option)->second.once = session;
 }
 
 }  // namespace orispline::cli

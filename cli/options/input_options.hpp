@@ -45,6 +45,12 @@ struct InputRequest {
 
 [[nodiscard]] Expected<InputRequest> input_request(const InputOptions& options);
 
+/// Whether each recording of a file is to be an input of its own.
+[[nodiscard]] bool asks_for_all_sessions(const InputOptions& options);
+/// How many there are.
+[[nodiscard]] Expected<std::size_t> sessions_in(const InputOptions& options);
+void choose_session(InputOptions& options, const std::string& session);
+
 /// The one of these formats that is named.
 [[nodiscard]] Expected<const io::FormatInfo*> format_in(OptionText option,
                                                         std::span<const io::FormatInfo* const> formats);

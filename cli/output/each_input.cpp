@@ -2,6 +2,7 @@
 #include "output/each_input.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -128,17 +129,43 @@ Expected<void> make_room_for(std::size_t outputs) {
                 outputs, files.rlim_cur - others));
 }
 
+/// Each recording in the place of its file, `walk-2.tum` of `walk.tum`; their numbers.
+Expected<std::vector<std::string>> split_by_session(InputFiles& inputs, const WorkOnEach& each) {
+  std::vector<InputFile> files;
+  std::vector<std::string> sessions;
+  for (const InputFile& file : inputs.files) {
+    const auto count = each.sessions(file.path);
+    if (!count) return tl::unexpected(count.error());
+    const std::filesystem::path name = file.name;
+    for (std::size_t session = 1; session <= *count; ++session) {
+      sessions.push_back(std::to_string(session));
+      auto numbered = name;
+      numbered.replace_filename(formatted("{}-{}{}", name.stem().string(), session, name.extension().string()));
+      files.push_back({file.path, numbered.string()});
+    }
+  }
+  inputs.files = std::move(files);
+  return sessions;
+}
+
 Expected<std::vector<InputTurn>> turns_of(const SeveralInputs& inputs, const WorkOnEach& each, std::size_t threads) {
   if (inputs.folder->empty()) return usage_failure("--output-folder: found an empty name, wanted FOLDER");
   auto found = files_of(inputs);
   if (!found) return tl::unexpected(std::move(found.error()));
+  std::vector<std::string> sessions(found->files.size());
+  if (each.sessions) {
+    auto split = split_by_session(*found, each);
+    if (!split) return tl::unexpected(std::move(split.error()));
+    sessions = std::move(*split);
+  }
   auto outputs = outputs_in(*inputs.folder, found->files, each.extension, inputs.list, each.scenes);
   if (!outputs) return tl::unexpected(std::move(outputs.error()));
   warn(found->warnings);
   std::vector<InputTurn> turns;
   const std::string threads_of_each = std::to_string(std::max<std::size_t>(1, threads / outputs->size()));
   for (std::size_t i = 0; i < outputs->size(); ++i)
-    turns.push_back({std::move(found->files[i].path), std::move((*outputs)[i]), threads_of_each});
+    turns.push_back(
+        {std::move(found->files[i].path), std::move((*outputs)[i]), threads_of_each, std::move(sessions[i])});
   return turns;
 }
 

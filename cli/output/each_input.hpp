@@ -8,6 +8,8 @@
 
 #include <orispline/base/expected.hpp>
 
+#include "options/input_options.hpp"
+#include "options/option_text.hpp"
 #include "options/output_options.hpp"
 #include "options/several_inputs.hpp"
 #include "options/summary_options.hpp"
@@ -19,6 +21,7 @@ namespace orispline::cli {
 struct InputTurn {
   std::string input, output;  ///< paths
   std::string threads;        ///< as `--threads` would have them
+  std::string session{};      ///< as `--session` would have it, where each recording of an input is one
 };
 
 /// What a command does with several inputs.
@@ -28,6 +31,8 @@ struct WorkOnEach {
   std::string_view extension{};  ///< of the outputs; empty: those of the inputs
   bool wants_report = false;     ///< which shows one of them
   SceneOutputs scenes = SceneOutputs::rows;
+  /// How many recordings there are in a file, each of which is an input. Null: files are.
+  std::function<Expected<std::size_t>(const std::string&)> sessions{};
 };
 
 /// Works on each input in threads, and says what there is to say in their order. A bad input does not stop the others.
@@ -50,6 +55,9 @@ struct CommandOnInput {
 /// Calls it with the only input, or with each of several that go into an output folder.
 template <class Options>
 [[nodiscard]] Expected<void> on_inputs(const Options& options, const CommandOnInput<Options>& command) {
+  const bool each_session = asks_for_all_sessions(options.input);
+  if (each_session && !options.inputs.folder)
+    return usage_failure("--session: found all without --output-folder, wanted that too, or the number of a recording");
   if (!options.inputs.folder)
     return only_input(options.inputs, command.written).and_then([&](std::string path) {
       Options one = options;
@@ -65,12 +73,19 @@ template <class Options>
     one.output.path = turn.output;
     one.output.option = "--output-folder";
     one.inputs.threads = turn.threads;
+    if (!turn.session.empty()) choose_session(one.input, turn.session);
     return one;
   };
   WorkOnEach each{.check = [&](const InputTurn& turn) { return command.check(on(turn)); },
                   .work = [&](const InputTurn& turn) { return command.work(on(turn)); },
                   .extension = *extension,
                   .scenes = command.scenes};
+  if (each_session)
+    each.sessions = [&](const std::string& path) {
+      InputOptions one = options.input;
+      one.path = path;
+      return sessions_in(one);
+    };
   if constexpr (requires { options.report; }) each.wants_report = options.report.path.has_value();
   return work_on_each(options.inputs, options.summary, each);
 }

@@ -16,7 +16,7 @@ CONTENT = (  # text of bad.csv, options, message
                                             "(--drop-duplicates keeps the first)"),
     (HEADER + "0,1,0,0,0\n1,2,0,0,0\n", "", "bad.csv:3: key 1: the quaternion has norm 2, wanted 1 within 0.02 (--normalise takes any norm but 0)"),
     ("# note\n" + HEADER + "0,1,0,0,0\n1,0,0,0,0\n", "",
-     "bad.csv:4: key 1: the quaternion is zero, wanted a rotation"),
+     "bad.csv:4: key 1: the quaternion is zero, wanted a rotation (--drop-invalid drops such rows)"),
     (HEADER + "0,1,0,0,0\n1,1,0,0,0\n", "--method timed-c2 --ends quadratic",
      "bad.csv: timed-c2: ends 'quadratic' need 3 keys, found 2"),
     ("t,qw,qx,qy,qz,tension\n0,1,0,0,0,0.5\n1,1,0,0,0,101\n", "--method timed-c2",
@@ -52,9 +52,11 @@ class BadContent(CommandTest):
         self.assert_fails("inspect -", BAD_DATA, "-: empty: no keys", input="")
 
     def test_inspect_refuses_what_no_repair_can_mend(self):
+        self.write("bad.csv", HEADER + "0,0,0,0,0\n")
+        self.assert_fails("inspect bad.csv", BAD_DATA, "bad.csv: empty: no keys (all 1 rows were dropped as invalid)")
         self.write("bad.csv", HEADER + "0,1,0,0,0\n1,0,0,0,0\n")
-        self.assert_fails("inspect bad.csv", BAD_DATA,
-                          "bad.csv:3: key 1: the quaternion has norm 0, wanted 1 within 0.001")
+        self.assertIn("defect        bad.csv:3: key 1: the quaternion is zero, wanted a rotation (--drop-invalid drops such rows)",
+                      self.output_of("inspect bad.csv"))
 
 
 class BadAccess(CommandTest):

@@ -43,7 +43,7 @@ CASES = (
     ("sample keys.csv --count 2 --from 1 --to 1", "--count: found 2 and a range that is the single time 1, wanted 1"),
     ("sample keys.csv --times keys.csv --to 2", "--times: its file says which times to sample; wanted neither --from nor --to"),
     ("sample keys.csv --rate 1 --to 4 --extrapolate error", "time 4 is outside the curve, wanted 0 to 3"),
-    ("sample keys.csv --rate 1 --extrapolate bend", "--extrapolate: found 'bend', wanted hold|error|nan|rate|segment"),
+    ("sample keys.csv --rate 1 --extrapolate bend", "--extrapolate: found 'bend', wanted hold|error|nan|rate|segment|leave-out"),
     ("sample - --times -", "found '-' for several of INPUT, --times and --truth, wanted it for one at most"),
     # the shape of the curve
     ("sample keys.csv --rate 1 --method timed-c2 --tension high",
@@ -93,7 +93,7 @@ CASES = (
     ("plot keys.csv --method quintic:tension=0.3,0.7,slerp",
      "--method: found '0.7' between commas, wanted a method; one whose settings have commas is given by an option of its own"),
     ("inspect keys.csv --tension 1", "found options that shape a curve, but no curve; wanted --method as well"),
-    ("sample keys.csv --rate 1 --signs long", "--signs: found 'long', wanted shortest|as-given"),
+    ("sample keys.csv --rate 1 --signs long", "--signs: found 'long', wanted shortest|as-given|as-typed"),
     ("sample keys.csv --rate 1 --input-format json", "--input-format: found 'json', wanted csv|tum|euroc|bvh|gltf"),
     ("sample keys.csv --rate 1 --order zyxw", "--order: found 'zyxw', wanted wxyz|xyzw"),
     ("sample keys.csv --rate 1 --time-scale 0", "--time-scale: found '0', wanted a number greater than 0, or a "

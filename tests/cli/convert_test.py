@@ -129,7 +129,8 @@ class Content(CommandTest):
         self.assertEqual(json.loads(self.output_of("convert keys.csv -o out.tum --json")),
                          {"input": "keys.csv", "input_format": "csv", "output": "out.tum", "output_format": "tum",
                           "keys": 2, "start_s": "0", "end_s": "1.5", "sign_flips": 1, "non_unit_keys": 0,
-                          "duplicates_dropped": 0, "invalid_dropped": 0, "rows_moved": 0, "normalised": 0, "rates_left_free": 0, "dropped_columns": ["mode"], "warnings": []})
+                          "duplicates_dropped": 0, "invalid_dropped": 0, "rows_moved": 0, "normalised": 0, "rates_left_free": 0, "rows_between": 0,
+                          "largest_matrix_distance": 0, "largest_duplicate_deg": 0, "largest_duplicate_m": 0, "dropped_columns": ["mode"], "warnings": []})
 
 
 if __name__ == "__main__":

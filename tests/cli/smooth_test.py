@@ -141,7 +141,8 @@ class Smooth(CommandTest):
         in_gap = [e for t, e in zip(page["methods"][0]["samples"]["error_t"], page["methods"][0]["samples"]["error_deg"])
                   if 2.98 < t < 6]
         self.assertEqual(in_gap, [None])
-        whole = json.loads(self.output_of("compare smooth.csv --reference smooth.csv --methods hermite-c2 --json"))[0]
+        of_all = "compare smooth.csv --reference smooth.csv --methods hermite-c2 --json"
+        whole, kept = (json.loads(self.output_of(words))[0] for words in (f"{of_all} --ignore-recipe", of_all))
         parts = 0.0
         rows = table_of(self.read("smooth.csv"))
         for name, part in (("a.csv", rows[:151]), ("b.csv", rows[:1] + rows[151:])):
@@ -150,6 +151,7 @@ class Smooth(CommandTest):
             parts += measures["energy"]
         self.assertAlmostEqual(page["methods"][0]["measures"]["energy"], parts, delta=1e-4 * parts)
         self.assertGreater(whole["energy"], 1.05 * parts)
+        self.assertAlmostEqual(kept["energy"], parts, delta=1e-9 * parts)
 
     @with_pages
     def test_the_report_of_very_many_samples_stays_small(self):

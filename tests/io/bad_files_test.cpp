@@ -89,7 +89,7 @@ TEST(BadFile, WithoutAUsableHeaderSaysWhatIsMissing) {
       {"0 1 2 3 0 0 1\n", "keys.txt:1: " + two_ways, "keys.txt"},
       {"t,qw,qx,qz\n" + key, "keys.csv:1: no column qy, found 't,qw,qx,qz'" + advice},
       {"sclk,q0,q1,q2,q3\n" + key, "keys.csv:1: no column t, qw, qx, qy, qz, found 'sclk,q0,q1,q2,q3'" + advice},
-      {"T,QW,QX,QY,QZ\n" + key, "keys.csv:1: no column t, qw, qx, qy, qz, found 'T,QW,QX,QY,QZ'" + advice},
+      {"T,W,X,Y,Z\n" + key, "keys.csv:1: no column qw, qx, qy, qz, found 'T,W,X,Y,Z'" + advice},
       {"t_min,qw,qx,qy,qz\n" + key, "keys.csv:1: no column t, found 't_min,qw,qx,qy,qz'" + advice},
       {"t:qw:qx:qy:qz\n" + key, "keys.csv:1: no column t, qw, qx, qy, qz, found 't:qw:qx:qy:qz'" + advice},
       {"hello world\n", "keys.txt:1: no column t, qw, qx, qy, qz, found 'hello,world'" + advice, "keys.txt"},

@@ -146,7 +146,7 @@ TEST(NormsOfFiles, FartherOffAreRefusedUnlessAnyIsWanted) {
   EXPECT_EQ(as_they_are.data.orientations[1].x(), 0.6);
   for (const Norms norms : {Norms::near_one, Norms::any})
     EXPECT_EQ(refusal_of("t,qw,qx,qy,qz\n0,0,0,0,0\n", {.norms = norms}),
-              "keys.csv:2: key 0: the quaternion is zero, wanted a rotation");
+              "keys.csv:2: key 0: the quaternion is zero, wanted a rotation (option drop_invalid)");
 }
 
 // What Euler angles say of turns.

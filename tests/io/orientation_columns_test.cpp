@@ -110,7 +110,7 @@ TEST(MatrixColumns, MustHoldARotation) {
   const std::string header = "t,r11,r12,r13,r21,r22,r23,r31,r32,r33\n";
   EXPECT_EQ(orientation_refusal(header + "0,1,0,0,0,1,0,0,0,1\n1,1,0.01,0,0,1,0,0,0,1\n"),
             "keys.csv:3: key 1: the matrix is no rotation: its transpose times itself is off by 0.01 from 1, wanted at "
-            "most 0.001");
+            "most 0.001; `normalise` takes the nearest rotation");
   EXPECT_EQ(orientation_refusal(header + "0,1,0,0,0,1,0,0,0,-1\n"),
             "keys.csv:2: key 0: the matrix is a reflection: its determinant is -1, wanted 1");
   EXPECT_EQ(

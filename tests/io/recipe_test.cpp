@@ -21,8 +21,7 @@ using test::TextFile;
 constexpr std::string_view recipe_rows = "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.6,0,0.8,0\n";
 constexpr std::string_view what_is_wanted =
     " in the comment that names the method of the keys, wanted method=NAME, and signs=as-given or signs=shortest, "
-    "each "
-    "once";
+    "and gap=SECONDS, each once";
 
 TEST(RecipeLine, IsReadAsItWasWritten) {
   for (const Signs signs : {Signs::shortest, Signs::as_given}) {
@@ -36,6 +35,10 @@ TEST(RecipeLine, IsReadAsItWasWritten) {
   }
   EXPECT_EQ(recipe_line({.method = "squad", .signs = Signs::as_given}), "# orispline: method=squad signs=as-given\n");
   EXPECT_EQ(recipe_line({.signs = Signs::as_given}), "");
+  EXPECT_EQ(recipe_line({.signs = Signs::as_given, .counts_turns = true}), "# orispline: signs=as-given\n");
+  EXPECT_EQ(recipe_line({.method = "slerp", .gap = 0.5}), "# orispline: method=slerp gap=0.5\n");
+  EXPECT_EQ(recipe_in("# orispline: gap=0.5 method=slerp").value()->gap, 0.5);
+  EXPECT_EQ(recipe_in("# orispline: signs=as-given").value()->signs, Signs::as_given);
 }
 
 TEST(RecipeLine, LeavesCommentsOfOthersAlone) {
@@ -46,7 +49,8 @@ TEST(RecipeLine, LeavesCommentsOfOthersAlone) {
 
 TEST(RecipeLine, RefusesWordsThatItDoesNotKnow) {
   const auto refused = [](std::string_view words) { return recipe_in("# orispline: " + std::string(words)).error(); };
-  for (const std::string_view word : {"method=", "signs=", "signs=both", "band=0.9", "slerp"})
+  for (const std::string_view word :
+       {"method=", "signs=", "signs=both", "gap=", "gap=0", "gap=-1", "band=0.9", "slerp"})
     EXPECT_EQ(refused("method=auto " + std::string(word)).message,
               "found '" + std::string(word) + "'" + std::string(what_is_wanted));
   EXPECT_EQ(refused("method=auto method=auto").message, "found 'method=auto'" + std::string(what_is_wanted));

@@ -62,7 +62,8 @@ def test_an_example_is_what_its_lines_say():
     assert np.allclose(keys.rotations[:, [3, 0, 1, 2]], rows[:, 1:5], atol=1e-9)
     assert np.array_equal(keys.positions, rows[:, 5:8]) and keys.angular_velocities is None
     assert keys.repairs == {"duplicates_dropped": 0, "invalid_dropped": 0, "rows_moved": 0, "normalised": 0,
-                            "rates_left_free": 0, "largest_norm_error": 0.0}
+                            "rates_left_free": 0, "largest_norm_error": 0.0, "rows_between": 0, "largest_matrix_distance": 0.0,
+                            "largest_duplicate_turn": 0.0, "largest_duplicate_distance": 0.0}
     assert ori.Keys(rows[:, 0], rows[:, [2, 3, 4, 1]]).repairs == {}
     first = ori.read(EXAMPLES / "flight_keys.csv", scalar_first=True)
     assert np.array_equal(first.rotations, keys.rotations[:, [3, 0, 1, 2]])
@@ -90,7 +91,8 @@ def test_options_of_reading(file):
     assert keys.epoch == 1 and keys.times.tolist() == [0, 1, 1.5]
     assert np.allclose(keys.rotations, [[0, 0, -0.6, 0.8], [0, 0, 0, 1], [0, 0, -0.8, 0.6]], atol=1e-15)
     assert keys.repairs == {"duplicates_dropped": 1, "invalid_dropped": 1, "rows_moved": 2, "normalised": 1,
-                            "rates_left_free": 0, "largest_norm_error": 4.0}
+                            "rates_left_free": 0, "largest_norm_error": 4.0, "rows_between": 0, "largest_matrix_distance": 0.0,
+                            "largest_duplicate_turn": np.pi, "largest_duplicate_distance": 0.0}
     plain = file("0 0 0 0.6 0.8", "1 0 0 0 1", name="plain.csv")
     assert np.allclose(ori.read(plain, order="xyzw").rotations[0], [0, 0, 0.6, 0.8])
     angles = file("t,roll,pitch,yaw", "0,0,0,0", "1,0,0,90", name="angles.csv")

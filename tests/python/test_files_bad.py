@@ -43,7 +43,7 @@ OPTIONS = [
     ({"fps": -24}, ori.ArgumentError, "fps: found '-24'"),
     ({"epoch": "yesterday"}, ori.ArgumentError, "epoch: found 'yesterday', wanted a time of ISO 8601"),
     ({"epoch": 5}, ori.ArgumentError, "epoch: found '5'"),
-    ({"signs": "long"}, ori.ArgumentError, "signs: found 'long', wanted shortest|as-given"),
+    ({"signs": "long"}, ori.ArgumentError, "signs: found 'long', wanted shortest|as-given|as-typed"),
     ({"columns": {"t": "clock"}}, ori.DataError, "clock"),
     ({"columns": {"time": "t"}}, ori.ArgumentError, "time"),
     ({"columns": "t=clock"}, TypeError, "columns: found 't=clock', wanted names of columns"),

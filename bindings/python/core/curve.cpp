@@ -8,6 +8,7 @@
 
 #include <orispline/analysis.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/jobs.hpp>
 
 #include "arrays.hpp"
 #include "errors.hpp"
@@ -28,7 +29,7 @@ PythonCurve::PythonCurve(Keys keys, const MethodText& stated)
       }()),
       pose_([this] {
         const nb::gil_scoped_release release;
-        return make_pose_curve(method_, keys_.track->keys);
+        return jobs::curve_through(method_, *keys_.track);
       }()) {
   if (pose_) return;
   const bool has_columns = method_.options.parameters.size() > stated.method().options.parameters.size();
@@ -103,10 +104,12 @@ void add_curve(nb::module_& module) {
       .def_prop_ro("has_positions", [](const PythonCurve& curve) { return curve.pose().position.has_value(); })
       .def_prop_ro("domain",
                    [](const PythonCurve& curve) { return std::pair(curve.domain().start, curve.domain().end); })
-      .def("continuity", [](const PythonCurve& curve) {
-        return continuity_at_keys(curve.pose().orientation, curve.method().options.loop ? Seam::closed : Seam::open)
-            .order();
-      })
+      .def("continuity",
+           [](const PythonCurve& curve) {
+             return continuity_at_keys(curve.pose().orientation,
+                                       curve.method().options.loop ? Seam::closed : Seam::open)
+                 .order();
+           })
       .def("one", &one, "what"_a, "t"_a, "world"_a, "beyond"_a)
       .def("rates_before", &rates_before, "t"_a, "world"_a)
       .def("many", &many<double>, "what"_a, "times"_a, "out"_a.noconvert(), "world"_a, "beyond"_a, "threads"_a)

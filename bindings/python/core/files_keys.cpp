@@ -35,7 +35,14 @@ Keys part_of(const Keys& keys, const std::vector<std::size_t>& indices) {
   Track part = track.at(indices);
   if (track.recipe.signs == Signs::as_given) part.keys = std::move(some);
   part.recipe.signs = track.recipe.signs;
+  part.recipe.gap = track.recipe.gap;
   return shared(std::move(part));
+}
+
+std::vector<double> flat(const std::vector<Eigen::Vector3d>& vectors) {
+  std::vector<double> numbers;
+  for (const Eigen::Vector3d& v : vectors) numbers.insert(numbers.end(), v.begin(), v.end());
+  return numbers;
 }
 
 /// What keys have beside their numbers: where they are from, for pickle.
@@ -47,7 +54,8 @@ nb::tuple origin_of(const Keys& keys) {
   return nb::make_tuple(track.name, track.epoch.to_string(), track.lines, exact_times,
                         as_read ? nb::object(array_of(as_read, track.as_read.size(), 4)) : nb::object(nb::none()),
                         track.recipe.method, track.recipe.signs == Signs::as_given, track.recipe.line, track.is_dated,
-                        track.recipe.blending ? io::blending_json(*track.recipe.blending) : "");
+                        track.recipe.blending ? io::blending_json(*track.recipe.blending) : "", track.recipe.gap,
+                        track.positions_apart.times, flat(track.positions_apart.positions));
 }
 
 std::vector<Decimal> decimals_in(std::string_view lines) {
@@ -61,7 +69,8 @@ std::vector<Decimal> decimals_in(std::string_view lines) {
 
 Keys from(const Keys& keys, const std::string& name, const std::string& epoch, const std::vector<std::uint32_t>& lines,
           const std::string& exact_times, const std::optional<Rows4>& as_read, const std::string& method,
-          bool signs_as_given, std::size_t line, bool is_dated, const std::string& blending) {
+          bool signs_as_given, std::size_t line, bool is_dated, const std::string& blending, std::optional<double> gap,
+          const std::vector<double>& times_apart, const std::vector<double>& positions_apart) {
   Track track = *keys.track;
   track.name = name;
   track.epoch = value_of(Decimal::parse(epoch));
@@ -72,6 +81,10 @@ Keys from(const Keys& keys, const std::string& name, const std::string& epoch, c
   track.recipe = {.method = method, .signs = signs_as_given ? Signs::as_given : Signs::shortest, .line = line};
   if (!blending.empty())
     track.recipe.blending = std::make_shared<const BlendingData>(value_of(io::blending_from_json(blending)));
+  track.recipe.gap = gap;
+  track.positions_apart.times = times_apart;
+  for (std::size_t i = 0; i + 2 < positions_apart.size(); i += 3)
+    track.positions_apart.positions.emplace_back(Eigen::Map<const Eigen::Vector3d>(&positions_apart[i]));
   return shared(std::move(track));
 }
 
@@ -140,7 +153,8 @@ void add_key_origins(nb::module_& module) {
   module.def("part_of_keys", &part_of, "keys"_a, "indices"_a);
   module.def("origin_of_keys", &origin_of, "keys"_a);
   module.def("keys_from", &from, "keys"_a, "name"_a, "epoch"_a, "lines"_a, "exact_times"_a, "as_read"_a.none(),
-             "method"_a, "signs_as_given"_a, "line"_a, "is_dated"_a, "blending"_a = "");
+             "method"_a, "signs_as_given"_a, "line"_a, "is_dated"_a, "blending"_a = "", "gap"_a.none() = nb::none(),
+             "times_apart"_a = std::vector<double>(), "positions_apart"_a = std::vector<double>());
   module.def("keys_in_axes", &in_axes, "keys"_a, "stated"_a);
   module.def("keys_since", &since, "keys"_a, "epoch"_a, "is_dated"_a);
   module.def("method_for_keys", &method_for, "keys"_a, "names"_a, "otherwise"_a, "ends"_a.none());

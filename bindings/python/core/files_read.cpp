@@ -119,6 +119,10 @@ nb::dict repairs_of(const io::RepairReport& repairs) {
   result["normalised"] = repairs.normalised;
   result["rates_left_free"] = repairs.rates_left_free;
   result["largest_norm_error"] = repairs.largest_norm_error;
+  result["largest_matrix_distance"] = repairs.largest_matrix_distance;
+  result["largest_duplicate_turn"] = repairs.largest_duplicate_turn;
+  result["largest_duplicate_distance"] = repairs.largest_duplicate_distance;
+  result["rows_between"] = repairs.rows_between;
   return result;
 }
 

@@ -15,6 +15,35 @@ STAMPS = {"M": "datetime64", "m": "timedelta64"}  # by NumPy's kinds
 LARGEST_PLAIN_INTEGER = 10**14  # larger ones can hardly be seconds
 
 
+class SecondsSince(np.ndarray[Any, Any]):
+    """Seconds that remember what they count from, exact, so that keys of them stand where those were which they are from."""
+
+    epoch: str
+
+    @classmethod
+    def of(cls, seconds: Array, epoch: str) -> np.ndarray[Any, Any]:
+        """Plain seconds where they count from 0."""
+        if epoch == "0":
+            return seconds
+        times = seconds.view(cls)
+        times.epoch = epoch
+        return times
+
+    def __array_finalize__(self, other: Any) -> None:
+        self.epoch = getattr(other, "epoch", "0")
+
+    def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
+        if array.ndim == 0:
+            return array[()]
+        return SecondsSince.of(array, self.epoch) if array.dtype.kind == "f" else np.asarray(array)
+
+    def __repr__(self) -> str:
+        return repr(np.asarray(self))
+
+    def __reduce__(self) -> Any:
+        return SecondsSince.of, (np.asarray(self), self.epoch)
+
+
 @dataclasses.dataclass(frozen=True)
 class Clock:
     """How a caller has times: as seconds, or counted in whole units from an origin, which may be those of NumPy's stamps."""

@@ -10,7 +10,7 @@ import numpy as np
 from . import _core
 from ._arrays import Array, array_of, numbers, same
 from ._checks import flag, index_of, wrong_type
-from ._clock import Clock, times_of_keys
+from ._clock import Clock, SecondsSince, times_of_keys
 from ._columns import INNER, PARTS, Columns, arguments_of, as_arrow, as_pandas, columns_of, named
 from ._errors import ArgumentError, DataError, tell
 from ._files import Options, Writable, stated, write
@@ -63,7 +63,8 @@ class Keys(Writable):
     angle_unit : {"rad", "deg", "mrad", "arcsec"}, optional
         Of these angles; without it rad.
     drop_invalid : bool
-        Drop keys with NaN or infinite numbers, but whole rows of rates and inner quaternions, and with NaT.
+        Drop keys with NaN or infinite numbers, but whole rows of rates and inner quaternions, with NaT, and with a
+        quaternion of zeros.
     drop_duplicates : bool
         Of keys at equal times keep the first.
     sort : bool
@@ -112,9 +113,10 @@ class Keys(Writable):
         parts = {name: None if rows is None else numbers(name, rows, (None, len(PARTS[name]))) for name, rows in given.items()}
         if scalar_first:
             parts |= {name: None if parts[name] is None else _xyzw(parts[name]) for name in INNER}
+        epoch = times.epoch if isinstance(times, SecondsSince) else "0"
         times = array_of("times", times)
         count = _check_lengths(times, {"rotations": orientations, **parts})
-        kept, repairs = mending.rows(times, [orientations, parts["positions"]], [parts[name] for name in parts if name != "positions"])
+        kept, repairs = mending.rows(times, orientations, parts["positions"], [parts[name] for name in parts if name != "positions"])
         if kept is not None:
             times, orientations = times[kept], orientations[kept]
             parts = {name: None if rows is None else rows[kept] for name, rows in parts.items()}
@@ -127,6 +129,8 @@ class Keys(Writable):
                                 signs=signs)
         if self._clock.origin:
             self._core = _core.keys_since(self._core, self._clock.epoch, self._clock.is_calendar)
+        elif epoch != "0" and self._clock == Clock():
+            self._core = _core.keys_since(self._core, epoch, False)
 
     @classmethod
     def from_pandas(cls, frame: Any, *, columns: Mapping[str, str] | None = None, **options: Any) -> Keys:
@@ -186,8 +190,10 @@ class Keys(Writable):
 
     @property
     def times(self) -> np.ndarray[Any, Any]:
-        """(n,) as they were given, in seconds, in another unit or as datetime64."""
-        return self._clock.back(self._core.times)
+        """(n,) as they were given, in seconds, in another unit or as datetime64. Seconds since the `epoch` of a file remember it:
+        keys that are made of them have it too."""
+        times = self._clock.back(self._core.times)
+        return SecondsSince.of(times, _core.epoch_of_keys(self._core)) if self._clock == Clock() else times
 
     @property
     def rotations(self) -> Array:

@@ -31,14 +31,15 @@ class Mending:
         return cls(one_spelling(normalize, normalise), flag("drop_invalid", drop_invalid), flag("drop_duplicates", drop_duplicates),
                    flag("sort", sort))
 
-    def rows(self, stamps: Column, needed: list[Array | None], free: list[Array | None]) -> tuple[Indices | None, dict[str, float]]:
+    def rows(self, stamps: Column, orientations: Array, positions: Array | None,
+             free: list[Array | None]) -> tuple[Indices | None, dict[str, float]]:
         """Indices of the rows that are kept, in their order, None for all as they are; and what was done.
 
-        Of columns that are needed every number counts, of `free` ones a row of NaN is none.
+        A quaternion of zeros is none; of `free` columns a row of NaN is.
         """
         if not (self.drop_invalid or self.drop_duplicates or self.sort):
             return None, {}
-        kept: Indices = np.flatnonzero(_valid(stamps, needed, free)) if self.drop_invalid else np.arange(len(stamps))
+        kept: Indices = np.flatnonzero(_valid(stamps, [orientations, positions], free) & orientations.any(axis=1)) if self.drop_invalid else np.arange(len(stamps))
         repairs: dict[str, float] = {"invalid_dropped": len(stamps) - len(kept), "rows_moved": 0, "duplicates_dropped": 0}
         if self.sort and len(kept):
             repairs["rows_moved"] = int((stamps[kept] < np.maximum.accumulate(stamps[kept])).sum())

@@ -30,7 +30,8 @@ def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, s
          space: str | None = None, conjugate: bool = False, inverse_poses: bool = False, world_axes: str | None = None,
          body_axes: str | None = None, world_rotation: Any = None, body_rotation: Any = None, signs: str | None = None,
          ignore_recipe: bool = False, normalise: bool = False, normalize: bool = False, drop_duplicates: bool = False, drop_invalid: bool = False,
-         sort: bool = False, scalar_first: bool = False) -> Keys:
+         sort: bool = False, session: int | str | None = None, gap: Number | None = None, no_positions: bool = False,
+         scalar_first: bool = False) -> Keys:
     """The keyframes of a file: CSV, TUM or EuRoC, told by its name and its content; of a glTF or BVH file one joint.
 
     Times of the keys are seconds since the first one; `Keys.epoch` has the time of that, with all its digits. So
@@ -81,9 +82,9 @@ def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, s
     named = {"input_format": input_format, "order": order, "input_orientation": input_orientation, "euler": euler,
              "angle_unit": angle_unit, "time_scale": time_scale, "fps": fps, "epoch": epoch, "clip": clip, "joint": joint, "space": space,
              "world_axes": world_axes, "body_axes": body_axes, "world_rotation": rotation_text("world_rotation", world_rotation),
-             "body_rotation": rotation_text("body_rotation", body_rotation), "signs": signs}
+             "body_rotation": rotation_text("body_rotation", body_rotation), "signs": signs, "session": session, "gap": gap}
     mending = {"normalise": normalise, "drop_duplicates": drop_duplicates, "drop_invalid": drop_invalid, "sort": sort}
-    set_or_not = {"conjugate": conjugate, "inverse_poses": inverse_poses, "ignore_recipe": ignore_recipe}
+    set_or_not = {"conjugate": conjugate, "inverse_poses": inverse_poses, "ignore_recipe": ignore_recipe, "no_positions": no_positions}
     if name.lower().endswith(".npy") and input_format in (None, "npy"):
         _check_none({**named, "input_format": None, "signs": None}, set_or_not)
         return read_npy(name, columns, signs="shortest" if signs is None else signs, scalar_first=scalar_first, **mending)

@@ -27,18 +27,17 @@ Expected<io::TrackFile> open_source(InputRequest request, const io::OrientationF
   request.read.keep_as_read = form.representation == io::Representation::quaternion;
   auto input = io::KeyInput::open(request.path, request.read);
   if (!input) return tl::unexpected(std::move(input.error()));
-  Recipe recipe = input->recipe();
-  const auto method = method_of(recipe, request.path);
+  const Recipe stated = input->recipe();
+  const auto method = method_of(stated, request.path);
   if (!method) return tl::unexpected(method.error());
   if (*method) {
     request.read.parameters = open_parameters(**method);
     request.read = with_columns_of(**method, std::move(request.read));
     request.read.world_rates = jobs::family_of(**method).rate_orders > 0;
   }
-  recipe.signs = request.signs.value_or(recipe.signs);
   return io::read_track(std::move(*input), request.read, request.signs.value_or(Signs::as_given))
       .map([&](io::TrackFile file) {
-        file.track.recipe = recipe;
+        file.track.recipe.signs = request.signs.value_or(stated.signs);
         return file;
       });
 }

@@ -19,12 +19,23 @@ namespace orispline::cli {
 
 namespace {
 
-/// Read with every repair, so that a faulty file is reported instead of refused.
-Expected<io::KeyFile> read_leniently(const InputRequest& input) {
+/// A file read with every repair, so that a faulty one is reported instead of refused; of several recordings the first.
+struct LenientFile {
+  io::KeyFile file;
+  std::optional<Error> several{};  ///< recordings, of which a task wants one
+};
+
+Expected<LenientFile> read_leniently(const InputRequest& input) {
   io::ReadOptions read = input.read;
   read.drop_duplicates = read.drop_invalid = read.sort = true;
   read.norms = io::Norms::as_they_are;
-  return io::read_keys(input.path, read);
+  auto file = io::read_keys(input.path, read);
+  const auto alone = [](io::KeyFile found) { return LenientFile{std::move(found)}; };
+  if (file || file.error().remedy != "session" || input.path == io::standard_stream) return std::move(file).map(alone);
+  read.session = 1;
+  return io::read_keys(input.path, read).map([&](io::KeyFile found) {
+    return LenientFile{std::move(found), std::move(file.error())};
+  });
 }
 
 /// What stands in the way of `sample` in a file that needed repairs; standard input cannot be read twice.
@@ -67,8 +78,9 @@ struct InspectedFile {
 };
 
 Expected<InspectedFile> inspected_file(const InputRequest& input) {
-  auto file = read_leniently(input);
-  if (!file) return tl::unexpected(std::move(file.error()));
+  auto lenient = read_leniently(input);
+  if (!lenient) return tl::unexpected(std::move(lenient.error()));
+  io::KeyFile* const file = &lenient->file;
   if (input.signs) file->recipe.signs = *input.signs;
   auto scaled = scaled_to_unit(std::exchange(file->data, {}));
   auto keys = Keyframes::make(std::move(scaled.data), file->recipe.signs);
@@ -79,7 +91,9 @@ Expected<InspectedFile> inspected_file(const InputRequest& input) {
                          .invalid_rows = read.repairs.invalid_dropped,
                          .wrong_norms = scaled.wrong_norms,
                          .largest_norm_error = scaled.largest_norm_error,
-                         .defect = defect_in(input, read.repairs, scaled.wrong_norms)};
+                         .defect = lenient->several
+                                       ? std::optional(describe(with_reading_flags(std::move(*lenient->several))))
+                                       : defect_in(input, read.repairs, scaled.wrong_norms)};
   if (!faults.defect && scaled.first_error) faults.defect = describe(read.track.located(*scaled.first_error));
   return InspectedFile{
       .format = read.format,

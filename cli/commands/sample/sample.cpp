@@ -100,12 +100,20 @@ Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader 
     if (!distance) return tl::unexpected(std::move(distance.error()));
     report.outcome.truth = std::move(*distance);
   }
-  const Sampling sampling{shaped.curve,          times,           columns,
-                          request.extrapolation, request.threads, band ? &*band : nullptr};
+  const Sampling sampling{.curve = shaped.curve,
+                          .times = times,
+                          .columns = columns,
+                          .extrapolation = request.extrapolation,
+                          .outside = request.outside,
+                          .gaps = !file.track.recipe.gap ? GapRows::none
+                                  : request.mark_gaps    ? GapRows::empty
+                                                         : GapRows::left_out,
+                          .threads = request.threads,
+                          .band = band ? &*band : nullptr};
   return open_samples(request.output, columns, times.size())
       .and_then([&](Noted<io::SampleWriter> output) {
-        return write_samples(output.file, sampling, request.progress).and_then([&](std::size_t held) {
-          report.outcome.held_samples = held;
+        return write_samples(output.file, sampling, request.progress).and_then([&](const RowCounts& counts) {
+          count_rows(report.outcome, request, counts);
           return put_in_place(std::move(output));
         });
       })
@@ -115,7 +123,9 @@ Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader 
 /// The curve through all keys as cubics, or its samples, in a file of skeletons.
 Expected<void> sample_into_scene(const SampleArguments& options, const SampleRequest& request, io::KeyReader keys) {
   return open_source(request, std::move(keys)).and_then([&](const Source& source) {
-    return write_curve_scene(options, request, {source.file.track.keys.size(), source.shaped.curve, source.times});
+    return jobs::check_without_gaps(source.file.track).and_then([&] {
+      return write_curve_scene(options, request, {source.file.track.keys.size(), source.shaped.curve, source.times});
+    });
   });
 }
 
@@ -132,8 +142,10 @@ Expected<void> sample_one(const SampleArguments& options) {
       .and_then([&](io::KeyReader keys) -> Expected<void> {
         if (is_scene(request->output)) return sample_into_scene(options, *request, std::move(keys));
         request->columns = columns_for(options, keys.format());
-        return (goes_in_pieces(*request, keys) ? sample_in_pieces(*request, std::move(keys))
-                                               : sample_whole(*request, std::move(keys)))
+        const auto two_tracks = keys.holds_two_tracks();
+        if (!two_tracks) return tl::unexpected(two_tracks.error());
+        return (!*two_tracks && goes_in_pieces(*request, keys) ? sample_in_pieces(*request, std::move(keys))
+                                                               : sample_whole(*request, std::move(keys)))
             .and_then([&](const SampleReport& report) { return summarise(options.summary, report); });
       })
       .map_error([](Error error) { return or_all_of_them(std::move(error), "--output-folder without --method"); });

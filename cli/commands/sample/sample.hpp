@@ -24,11 +24,14 @@ struct SampleArguments {
   MethodOptions shape;
   TimeOptions times;
   OutputOptions output;
-  std::optional<std::string> derivatives, frame, extrapolate, truth, band;
+  std::optional<std::string> derivatives, frame, extrapolate, outside, truth, band;
   std::optional<std::string> tolerance, position_tolerance;  ///< of a file of skeletons
-  bool align = false;
+  bool align = false, mark_gaps = false;
   SummaryOptions summary;
 };
+
+/// What --outside and --extrapolate take beside the words of Extrapolation.
+inline constexpr std::string_view leave_out = "leave-out";
 
 /// Keyframes in, samples of the curve through them out, for each input.
 [[nodiscard]] Expected<void> sample(const SampleArguments& options);

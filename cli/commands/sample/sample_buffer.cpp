@@ -54,17 +54,21 @@ io::Sample SampleBuffer::sample(std::size_t k) const {
 void BufferRows::make(const SampleBuffer& samples, std::size_t begin, std::size_t end, const TimeOrigin& origin,
                       const Domain& domain) {
   rows_.clear();
-  held_ = 0;
+  counts_ = {};
   made_ = {};
   for (std::size_t k = begin; k < end && made_; ++k) {
-    if (!domain.contains(samples.time(k))) ++held_;
+    const bool is_outside = !domain.contains(samples.time(k));
+    const bool is_in_gap = policy_.gaps != GapRows::none && !is_outside && !samples.has_sample(k);
+    counts_ += {is_outside ? 1U : 0U, is_in_gap ? 1U : 0U};
+    if (is_in_gap && policy_.gaps == GapRows::empty) rows_.append_empty(origin, samples.offset(k));
+    if (is_in_gap || (is_outside && policy_.outside == LeftOut::yes)) continue;
     made_ = rows_.append(origin, samples.offset(k), samples.sample(k));
   }
 }
 
-Expected<std::size_t> BufferRows::write(io::SampleWriter& writer) const {
+Expected<RowCounts> BufferRows::write(io::SampleWriter& writer) const {
   auto written = writer.write(rows_).and_then([this] { return made_; });
-  return written.map([this] { return held_; });
+  return written.map([this] { return counts_; });
 }
 
 }  // namespace orispline::cli

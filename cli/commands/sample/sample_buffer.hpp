@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,7 @@ class SampleBuffer {
   [[nodiscard]] double time(std::size_t k) const noexcept { return times_[k]; }
   [[nodiscard]] double offset(std::size_t k) const noexcept { return offsets_[k]; }
   [[nodiscard]] io::Sample sample(std::size_t k) const;
+  [[nodiscard]] bool has_sample(std::size_t k) const noexcept { return !std::isnan(orientations_[4 * k]); }
 
  private:
   io::SampleColumns columns_;
@@ -34,21 +36,50 @@ class SampleBuffer {
       positions_, velocities_, accelerations_, bands_;
 };
 
+/// Samples that there is no row for.
+enum class LeftOut { no, yes };
+/// What stands for samples in gaps of the keys.
+enum class GapRows {
+  none,  ///< the keys have no gaps
+  left_out,
+  empty
+};
+
+struct RowPolicy {
+  io::MissingSamples missing = io::MissingSamples::refused;
+  LeftOut outside = LeftOut::no;
+  GapRows gaps = GapRows::none;
+};
+
+/// Samples of which something else than a plain row was made.
+struct RowCounts {
+  std::size_t outside = 0;  ///< the curve
+  std::size_t in_gaps = 0;
+
+  RowCounts& operator+=(const RowCounts& more) noexcept {
+    outside += more.outside;
+    in_gaps += more.in_gaps;
+    return *this;
+  }
+};
+
 /// Rows of some samples of a buffer, as one thread makes them.
 class BufferRows {
  public:
-  explicit BufferRows(const io::SampleColumns& columns, io::MissingSamples missing = io::MissingSamples::refused)
-      : rows_(columns, missing) {}
+  explicit BufferRows(const io::SampleColumns& columns, const RowPolicy& policy = {})
+      : rows_(columns, policy.missing), policy_(policy) {}
 
-  /// Makes those of samples `begin` to before `end`.
+  /// Makes those of samples `begin` to before `end`, of which those without an orientation within the domain lie in
+  /// gaps.
   void make(const SampleBuffer& samples, std::size_t begin, std::size_t end, const TimeOrigin& origin,
             const Domain& domain);
-  /// Writes what was made; the number of samples outside the curve.
-  [[nodiscard]] Expected<std::size_t> write(io::SampleWriter& writer) const;
+  /// Writes what was made.
+  [[nodiscard]] Expected<RowCounts> write(io::SampleWriter& writer) const;
 
  private:
   io::SampleRows rows_;
-  std::size_t held_ = 0;
+  RowPolicy policy_;
+  RowCounts counts_;
   Expected<void> made_;
 };
 

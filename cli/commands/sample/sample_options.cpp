@@ -75,12 +75,17 @@ void add_sample_options(Command& app, SampleArguments& o) {
   add_time_options(app, o.times);
   app.add_option("--extrapolate", o.extrapolate,
                  "What samples outside the curve do: hold the end orientation, fail, be NaN, keep the rate "
-                 "of the end, or follow the formula of the end segment [hold]")
-      ->type_name(one_of(words<Extrapolation>))
+                 "of the end, or follow the formula of the end segment [hold]; or they are left out")
+      ->type_name(formatted("{}|{}", one_of(words<Extrapolation>), leave_out))
+      ->group("Times (one of --rate, --count, --times)");
+  app.add_option("--outside", o.outside, "The same as --extrapolate")
+      ->type_name(formatted("{}|{}", one_of(words<Extrapolation>), leave_out))
       ->group("Times (one of --rate, --count, --times)");
   o.output.scenes = {&scenes::gltf_format};
   add_output_options(app, o.output);
   const std::string group = "Output";
+  app.add_flag("--mark-gaps", o.mark_gaps, "Write rows with a time and empty cells for samples in gaps of the keys")
+      ->group(group);
   app.add_flag("--yes", o.times.yes, "Write any number of samples, above 1e9 too")->group(group);
   app.add_option("--derivatives", o.derivatives, "Highest order of the rates [2 for CSV and npy, else 0]")
       ->type_name("0|1|2|3")

@@ -29,6 +29,15 @@ Json names_of(const io::SampleColumns& columns) {
 
 }  // namespace
 
+void count_rows(jobs::SampleOutcome& outcome, const SampleRequest& request, const RowCounts& counts) {
+  outcome.held_samples = counts.outside;
+  outcome.leaves_out = request.outside == LeftOut::yes;
+  if (outcome.leaves_out) outcome.samples -= counts.outside;
+  outcome.gap_samples = counts.in_gaps;
+  outcome.marks_gaps = request.mark_gaps;
+  if (!outcome.marks_gaps) outcome.samples -= counts.in_gaps;
+}
+
 std::string text_of(const SampleReport& report) {
   std::string text = summary_of(in_words(report));
   if (could_be_measured(report.outcome))

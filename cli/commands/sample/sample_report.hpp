@@ -7,6 +7,7 @@
 #include <orispline/io/sample_writer.hpp>
 #include <orispline/jobs/sample.hpp>
 
+#include "commands/sample/sample_request.hpp"
 #include "output/json_document.hpp"
 
 namespace orispline::cli {
@@ -19,6 +20,9 @@ struct SampleReport {
   io::SampleColumns columns{};
   bool keys_held = false;  ///< all at once, in memory
 };
+
+/// Says of samples without a plain row what became of them.
+void count_rows(jobs::SampleOutcome& outcome, const SampleRequest& request, const RowCounts& counts);
 
 /// A few lines for people.
 [[nodiscard]] std::string text_of(const SampleReport& report);

@@ -54,6 +54,10 @@ Expected<io::SampleColumns> columns_in(const SampleArguments& options, const io:
   return read;
 }
 
+bool words_have(std::string_view text) {
+  return std::ranges::find(words<Extrapolation>, text, &Word::word) != words<Extrapolation>.end();
+}
+
 bool names_times(const TimeOptions& times) { return times.rate || times.count || times.list; }
 
 constexpr std::string_view default_cubic_tolerance = "0.01deg";
@@ -73,9 +77,10 @@ Expected<void> check_into_scene(const SampleArguments& options) {
   const bool cubics = !names_times(options.times);
   if (cubics && (options.times.from || options.times.to || options.times.include_end))
     return usage_failure("--from and --to: found cubics of the whole curve, wanted --rate or --count as well");
-  if (options.extrapolate && *options.extrapolate != "hold" && *options.extrapolate != "error")
-    return usage_failure(
-        formatted("--extrapolate: found '{}' with a file of skeletons, wanted hold or error", *options.extrapolate));
+  for (const auto& [name, typed] :
+       {std::pair("--extrapolate", options.extrapolate), std::pair("--outside", options.outside)})
+    if (typed && *typed != "hold" && *typed != "error")
+      return usage_failure(formatted("{}: found '{}' with a file of skeletons, wanted hold or error", name, *typed));
   if (options.truth) return usage_failure("--truth: found a file of skeletons as the output, wanted one of samples");
   if (options.derivatives || options.frame || options.band)
     return usage_failure(formatted("{}: found a file of skeletons, which has no columns for it, wanted a CSV file",
@@ -125,6 +130,33 @@ Progress::Show progress_for(const SampleArguments& options) {
   return in_the_way ? Progress::Show::never : Progress::Show::on_terminal;
 }
 
+/// What samples outside the curve do, as either of two options has it.
+Expected<std::optional<Extrapolation>> extrapolation_in(const SampleArguments& options) {
+  if (options.extrapolate && options.outside)
+    return usage_failure("--outside: found --extrapolate too, which says the same, wanted one of them");
+  const auto& typed = options.outside ? options.outside : options.extrapolate;
+  if (!typed) return std::nullopt;
+  if (*typed == leave_out) return Extrapolation::hold;
+  const OptionText option{options.outside ? "--outside" : "--extrapolate", *typed};
+  if (words_have(*typed))
+    return word_in<Extrapolation>(option).map([](Extrapolation how) { return std::optional(how); });
+  return wanted(option, formatted("{}|{}", one_of(words<Extrapolation>), leave_out));
+}
+
+bool leaves_out(const SampleArguments& options) {
+  return options.outside.value_or(options.extrapolate.value_or("")) == leave_out;
+}
+
+Expected<bool> mark_gaps_in(const SampleArguments& options) {
+  if (!options.mark_gaps) return false;
+  if (is_scene(options.output.path)) return usage_failure("--mark-gaps: found a file of skeletons, wanted rows");
+  return output_columns(options.output).and_then([](const io::SampleColumns& columns) -> Expected<bool> {
+    if (columns.format->holds.forms) return true;
+    return usage_failure(
+        formatted("--mark-gaps: found {}, which has no empty rows, wanted a CSV or NumPy file", columns.format->file));
+  });
+}
+
 /// Standard input can be read once only.
 bool reads_standard_input_twice(const SampleArguments& options) {
   const int readers = (options.input.path == io::standard_stream) + (options.times.list == io::standard_stream) +
@@ -137,22 +169,22 @@ bool reads_standard_input_twice(const SampleArguments& options) {
 Expected<SampleRequest> sample_request(const SampleArguments& options) {
   if (auto fits = check_into_scene(options); !fits) return tl::unexpected(std::move(fits.error()));
   FirstError checked;
-  SampleRequest request{
-      .input = checked(input_request(options.input)),
-      .named = checked(named_method(options.method, options.shape)),
-      .shape = options.shape,
-      .times = checked(times_in(options)),
-      .columns = is_scene(options.output.path) ? io::SampleColumns() : checked(columns_in(options)),
-      .extrapolation =
-          checked(if_given("--extrapolate", options.extrapolate, word_in<Extrapolation>)).value_or(Extrapolation::hold),
-      .threads = checked(threads_in(options.inputs.threads)),
-      .output = options.output.path,
-      .truth = options.truth,
-      .align = options.align,
-      .band = checked(if_given("--band", options.band, share_in)),
-      .tolerance = checked(tolerance_in(options)),
-      .position_tolerance = checked(position_tolerance_in(options)),
-      .progress = progress_for(options)};
+  SampleRequest request{.input = checked(input_request(options.input)),
+                        .named = checked(named_method(options.method, options.shape)),
+                        .shape = options.shape,
+                        .times = checked(times_in(options)),
+                        .columns = is_scene(options.output.path) ? io::SampleColumns() : checked(columns_in(options)),
+                        .extrapolation = checked(extrapolation_in(options)).value_or(Extrapolation::hold),
+                        .outside = leaves_out(options) ? LeftOut::yes : LeftOut::no,
+                        .mark_gaps = checked(mark_gaps_in(options)),
+                        .threads = checked(threads_in(options.inputs.threads)),
+                        .output = options.output.path,
+                        .truth = options.truth,
+                        .align = options.align,
+                        .band = checked(if_given("--band", options.band, share_in)),
+                        .tolerance = checked(tolerance_in(options)),
+                        .position_tolerance = checked(position_tolerance_in(options)),
+                        .progress = progress_for(options)};
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
   if (auto* const list = std::get_if<TimesFile>(&read->times.spacing)) list->reading = read->input.read;

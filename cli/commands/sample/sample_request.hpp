@@ -2,6 +2,7 @@
 #pragma once
 
 #include "commands/sample/sample.hpp"
+#include "commands/sample/sample_buffer.hpp"
 #include "output/progress.hpp"
 
 #include <orispline/curve/extrapolation.hpp>
@@ -18,6 +19,8 @@ struct SampleRequest {
   TimeRequest times;
   io::SampleColumns columns;
   Extrapolation extrapolation = Extrapolation::hold;
+  LeftOut outside = LeftOut::no;  ///< samples outside the curve
+  bool mark_gaps = false;
   std::size_t threads = 1;
   std::string output;
   std::optional<std::string> truth;

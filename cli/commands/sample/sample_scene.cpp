@@ -89,11 +89,16 @@ Expected<SampleReport> write_joint(const SampleRequest& request, const JointSamp
                       .output = request.output,
                       .columns = with_positions(request.columns, curve.position.has_value()),
                       .keys_held = true};
-  const Sampling sampling{curve, times, report.columns, request.extrapolation, request.threads, nullptr};
+  const Sampling sampling{.curve = curve,
+                          .times = times,
+                          .columns = report.columns,
+                          .extrapolation = request.extrapolation,
+                          .outside = request.outside,
+                          .threads = request.threads};
   return open_samples(request.output, report.columns, times.size())
       .and_then([&](Noted<io::SampleWriter> output) {
-        return write_samples(output.file, sampling, request.progress).and_then([&](std::size_t held) {
-          report.outcome.held_samples = held;
+        return write_samples(output.file, sampling, request.progress).and_then([&](const RowCounts& counts) {
+          count_rows(report.outcome, request, counts);
           return put_in_place(std::move(output));
         });
       })

@@ -176,14 +176,17 @@ class PiecewiseSampling {
     if (auto taken = sampler_->take(buffer_.room(), buffer_.times(), {.threads = threads}); !taken)
       return tl::unexpected(placed(std::move(taken.error())));
     for (std::size_t k = 0; k < count; ++k) buffer_.offsets()[k] = sampler_->grid()->offset(first + k);
-    rows_.resize(std::clamp<std::size_t>(request_.threads, 1, (count + 1023) / 1024), BufferRows(columns_));
+    // Angles that run on know those of the row before.
+    const std::size_t parts = columns_.form.runs_on() ? 1 : request_.threads;
+    rows_.resize(std::clamp<std::size_t>(parts, 1, (count + 1023) / 1024),
+                 BufferRows(columns_, {.outside = request_.outside}));
     const auto begin = [&](std::size_t i) { return count * i / rows_.size(); };
     parallel_for(rows_.size(), threads,
                  [&](std::size_t i) { rows_[i].make(buffer_, begin(i), begin(i + 1), origin, domain()); });
     for (const BufferRows& rows : rows_) {
-      const auto held = rows.write(output_->file);
-      if (!held) return tl::unexpected(held.error());
-      held_ += *held;
+      const auto counts = rows.write(output_->file);
+      if (!counts) return tl::unexpected(counts.error());
+      held_ += counts->outside;
     }
     samples_ += count;
     return {};
@@ -215,8 +218,9 @@ class PiecewiseSampling {
                         .inner_quaternions = std::ranges::any_of(keys_.columns()->inner, has),
                         .start = epoch_ + Decimal::from_double(domain().start),
                         .end = epoch_ + Decimal::from_double(domain().end),
-                        .samples = samples_,
-                        .held_samples = held_},
+                        .samples = samples_ - (request_.outside == LeftOut::yes ? held_ : 0),
+                        .held_samples = held_,
+                        .leaves_out = request_.outside == LeftOut::yes},
             .input = request_.input.path,
             .output = request_.output,
             .repairs = repairs_,
@@ -255,7 +259,8 @@ bool goes_in_pieces(const SampleRequest& request, const io::KeyReader& keys) {
   // A header that counts the rows stands before them; in a pipe that cannot be done later.
   const bool counts_later = !request.columns.format->writing.counts_rows || !io::is_stream(request.output);
   if (!keys.columns() || !is_rate || !only_held || !counts_later || request.truth || request.band ||
-      request.input.read.sort || can_overwind(request.method) || writes_into_input(request))
+      request.input.read.sort || request.input.read.session || keys.recipe().gap || can_overwind(request.method) ||
+      writes_into_input(request))
     return false;
   const auto sampler = TrackSampler::make(with_columns(request.method, *keys.columns()), {});
   return sampler && !sampler->is_global();

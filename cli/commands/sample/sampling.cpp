@@ -7,8 +7,6 @@
 #include <orispline/base/parallel.hpp>
 #include <orispline/batch/sample.hpp>
 
-#include "commands/sample/sample_buffer.hpp"
-
 namespace orispline::cli {
 
 namespace {
@@ -24,7 +22,8 @@ io::MissingSamples missing_samples_of(Extrapolation extrapolation) {
 class Chunk {
  public:
   explicit Chunk(const Sampling& sampling)
-      : samples_(sampling.columns), rows_(sampling.columns, missing_samples_of(sampling.extrapolation)) {}
+      : samples_(sampling.columns),
+        rows_(sampling.columns, {missing_samples_of(sampling.extrapolation), sampling.outside, sampling.gaps}) {}
 
   /// Makes the samples from `begin` to before `end`.
   void make(const Sampling& sampling, std::size_t begin, std::size_t end) {
@@ -41,8 +40,8 @@ class Chunk {
     if (made_) rows_.make(samples_, 0, end - begin, sampling.times.origin(), sampling.curve.orientation.domain());
   }
 
-  /// Writes what was made; the number of samples outside the curve.
-  [[nodiscard]] Expected<std::size_t> write(io::SampleWriter& writer) const {
+  /// Writes what was made.
+  [[nodiscard]] Expected<RowCounts> write(io::SampleWriter& writer) const {
     return made_.and_then([&] { return rows_.write(writer); });
   }
 
@@ -54,13 +53,15 @@ class Chunk {
 
 }  // namespace
 
-Expected<std::size_t> write_samples(io::SampleWriter& writer, const Sampling& sampling, Progress::Show show) {
+Expected<RowCounts> write_samples(io::SampleWriter& writer, const Sampling& sampling, Progress::Show show) {
   const std::size_t size = sampling.times.size();
   const auto chunk_begin = [size](std::size_t index) { return std::min(index * chunk_size, size); };
   const std::size_t chunks = (size + chunk_size - 1) / chunk_size;
-  std::vector<Chunk> made(std::clamp<std::size_t>(chunks, 1, sampling.threads), Chunk(sampling));
+  // Angles that run on know those of the row before.
+  const std::size_t threads = sampling.columns.form.runs_on() ? 1 : sampling.threads;
+  std::vector<Chunk> made(std::clamp<std::size_t>(chunks, 1, threads), Chunk(sampling));
   Progress progress(size, show);
-  std::size_t held = 0;
+  RowCounts counts;
   for (std::size_t first = 0; first < chunks; first += made.size()) {
     const std::size_t count = std::min(made.size(), chunks - first);
     parallel_for(count, static_cast<unsigned>(count),
@@ -68,11 +69,11 @@ Expected<std::size_t> write_samples(io::SampleWriter& writer, const Sampling& sa
     for (std::size_t i = 0; i < count; ++i) {
       const auto written = made[i].write(writer);
       if (!written) return tl::unexpected(written.error());
-      held += *written;
+      counts += *written;
     }
     progress.advance_to(chunk_begin(first + count));
   }
-  return held;
+  return counts;
 }
 
 }  // namespace orispline::cli

@@ -5,6 +5,7 @@
 #include <orispline/families/motion_band.hpp>
 #include <orispline/io/sample_writer.hpp>
 
+#include "commands/sample/sample_buffer.hpp"
 #include "options/method_options.hpp"
 #include "options/sample_times.hpp"
 #include "output/progress.hpp"
@@ -17,14 +18,16 @@ struct Sampling {
   const SampleTimes& times;
   io::SampleColumns columns;
   Extrapolation extrapolation = Extrapolation::hold;
+  LeftOut outside = LeftOut::no;
+  GapRows gaps = GapRows::none;
   std::size_t threads = 1;
   const MotionBand* band = nullptr;  ///< where the columns have one
 };
 
-/// Writes every sample, the same on any number of threads; the number of those outside the curve.
+/// Writes every sample, the same on any number of threads; the number of those outside the curve and in gaps.
 ///
 /// Memory does not grow with the number of samples.
-[[nodiscard]] Expected<std::size_t> write_samples(io::SampleWriter& writer, const Sampling& sampling,
-                                                  Progress::Show show);
+[[nodiscard]] Expected<RowCounts> write_samples(io::SampleWriter& writer, const Sampling& sampling,
+                                                Progress::Show show);
 
 }  // namespace orispline::cli

@@ -26,6 +26,7 @@ void add_smooth_options(Command& app, SmoothArguments& o) {
   add_several_inputs(app, o.inputs, "keys");
   add_input_threads(app, o.inputs);
   add_reading_options(app, o.input);
+  app.remove("--gap");  // which it has for itself
   add_smoothing_options(app, o.smoothness);
   app.add_option("--gyro-file", o.gyro_file,
                  "Use the rates t, wx, wy, wz of this file as those of a gyro, with a clock of its own")

@@ -190,6 +190,8 @@ Expected<Track> aligned(const Track& moved, const Track& fixed, const Alignment&
   if (alignment.translation)
     for (Eigen::Vector3d& p : data.positions) p = *alignment.scale * p + *alignment.translation;
   for (Decimal& time : turned->exact_times) time = time - alignment.offset;
+  for (double& time : turned->positions_apart.times)
+    time = (moved.epoch + Decimal::from_double(time) - alignment.offset - fixed.epoch).to_double();
   turned->as_read.clear();
   turned->epoch = fixed.epoch;
   turned->is_dated = fixed.is_dated;

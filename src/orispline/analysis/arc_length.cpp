@@ -57,6 +57,7 @@ ArcLength<C>::ArcLength(C curve, std::span<const double> kinks)
 template <class C>
 double ArcLength<C>::beyond(std::size_t node, double end) const {
   const std::size_t segment = curve_.knots().segment_at(nodes_[node]);
+  if (is_gap(curve_, segment)) return 0.0;
   return adaptive_integral<1>(speeds_on(curve_, segment), nodes_[node], end, Figures<1>(rounding_))[0];
 }
 

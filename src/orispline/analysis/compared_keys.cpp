@@ -25,14 +25,29 @@ Expected<void> check_two_keys(const Track& track) {
   return failure(ErrorCode::bad_data, "found 1 key, wanted 2 at least to compare curves", {.file = track.name});
 }
 
+/// The recording cut at its gaps; none where it states none.
+Expected<std::vector<Stretch>> stretches_of(const Track& track) {
+  return track.recipe.gap ? stretches_between_gaps(track.keys.times(), *track.recipe.gap) : std::vector<Stretch>();
+}
+
+/// Those of each stretch by themselves.
 Expected<ComparedKeys> kept(const Track& recording, const Decimation& decimation) {
-  const auto samples = kept_samples(decimation, recording.keys.size());
+  const auto all = stretches_of(recording);
+  if (!all) return tl::unexpected(all.error());
+  std::vector<std::size_t> samples;
+  std::vector<Stretch> stretches;
+  for (const Stretch& stretch : *all) {
+    stretches.push_back({samples.size(), 0});
+    for (const std::size_t sample : kept_samples(decimation, stretch.count)) samples.push_back(stretch.first + sample);
+    stretches.back().count = samples.size() - stretches.back().first;
+  }
+  if (all->empty()) samples = kept_samples(decimation, recording.keys.size());
   if (samples.size() < 2)
     return failure(ErrorCode::bad_data,
                    formatted("`keep_every` {} leaves 1 of the {} samples, wanted 2 keys at least",
                              decimation.keep_every, recording.keys.size()),
                    {.file = recording.name});
-  return ComparedKeys{decimation, recording.at(samples), samples.back() + 1};
+  return ComparedKeys{decimation, recording.at(samples), samples.back() + 1, std::move(stretches)};
 }
 
 /// The times of a recording as they are for the keys.
@@ -108,11 +123,13 @@ Expected<ComparedData> beside_recording(const Track& keys, const Track& recordin
   std::vector<double> times = times_beside(keys, recording);
   const std::size_t compared = times_within(times, {keys.keys.times().front(), keys.keys.times().back()}).count;
   if (compared == 0) return tl::unexpected(far_apart(keys, recording, times));
+  auto stretches = stretches_of(keys);
+  if (!stretches) return tl::unexpected(std::move(stretches.error()));
   ComparedData data{.reference = recording.name,
                     .epoch = keys.epoch,
                     .samples = recording.keys,
                     .times = std::move(times),
-                    .key_sets = {{std::nullopt, keys, compared}}};
+                    .key_sets = {{std::nullopt, keys, compared, std::move(*stretches)}}};
   if (!any_between_keys(data.times, keys.keys.times())) data.warnings.push_back(not_denser(recording));
   return data;
 }

@@ -28,7 +28,8 @@ ORISPLINE_EXPORT void sort_by(const MeasureInfo& measure, std::vector<ComparedMe
 struct ComparedKeys {
   std::optional<Decimation> decimation{};  ///< absent: nothing was left out
   Track track{};
-  std::size_t compared = 0;  ///< samples of the recording between the first and the last key
+  std::size_t compared = 0;          ///< samples of the recording between the first and the last key
+  std::vector<Stretch> stretches{};  ///< of these keys, where gaps are stated
 };
 
 /// What is compared with what.

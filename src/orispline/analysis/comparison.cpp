@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include <orispline/analysis/curve_in_stretches.hpp>
 #include <orispline/analysis/curve_measures.hpp>
 #include <orispline/analysis/decimation.hpp>
 #include <orispline/analysis/sampled.hpp>
@@ -91,6 +92,11 @@ std::vector<std::size_t> first_of_equal(std::span<const Candidate> candidates) {
 
 }  // namespace
 
+Expected<PoseCurve> curve_of(const Candidate& candidate) {
+  return candidate.stretches.empty() ? make_pose_curve(candidate.method, candidate.keys)
+                                     : curve_in_stretches(candidate.method, candidate.keys, candidate.stretches);
+}
+
 Expected<Measures> measure(const Candidate& candidate, const RecordedMotion& recording, const MeasureOptions& options,
                            const Progress& progress) {
   ORISPLINE_EXPECT(recording.times.size() == recording.orientations.size());
@@ -99,7 +105,9 @@ Expected<Measures> measure(const Candidate& candidate, const RecordedMotion& rec
   if (!truth) return tl::unexpected(truth.error());
   Measures measures;
   const Clock::time_point start = Clock::now();
-  const auto curve = make_curve(candidate.method, candidate.keys);
+  const auto curve = candidate.stretches.empty()
+                         ? make_curve(candidate.method, candidate.keys)
+                         : curve_of(candidate).map([](const PoseCurve& pose) { return pose.orientation; });
   if (!curve) return tl::unexpected(curve.error());
   if (progress.stopped()) return cancellation();
   measures.build_seconds = seconds_since(start);
@@ -108,9 +116,9 @@ Expected<Measures> measure(const Candidate& candidate, const RecordedMotion& rec
       sampled(*curve, truth->times, has_rates ? Sampled::orientations_and_rates : Sampled::orientations);
   measures.seconds = seconds_since(start);
   measure_errors(measures, samples, *truth);
-  measures.inside_band = inside_band(candidate, samples, *truth);
+  if (candidate.stretches.empty()) measures.inside_band = inside_band(candidate, samples, *truth);
   measure_shape(measures, *curve, options, progress);
-  if (options.leave_out == LeaveOut::yes && !progress.stopped())
+  if (options.leave_out == LeaveOut::yes && candidate.stretches.empty() && !progress.stopped())
     if (const auto error = leave_out_error(candidate.keys, candidate.method)) measures.leave_out = *error;
   if (progress.stopped()) return cancellation();
   return measures;
@@ -130,7 +138,8 @@ Comparison compare(std::span<const Candidate> candidates, const RecordedMotion& 
   parallel_for(candidates.size(), threads, [&](std::size_t i) {
     comparison.measures[i] = progress.stopped() ? Expected<Measures>(cancellation())
                                                 : measure(candidates[i], recording, options, {.stop = progress.stop});
-    if (options.least_energy && firsts[i] == i && !progress.stopped()) least[i] = least_energy(candidates[i].keys);
+    if (options.least_energy && candidates[i].stretches.empty() && firsts[i] == i && !progress.stopped())
+      least[i] = least_energy(candidates[i].keys);
     work.add_part();
   });
   for (std::size_t i = 0; i < candidates.size(); ++i)

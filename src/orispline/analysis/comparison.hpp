@@ -13,6 +13,8 @@
 #include <orispline/base/warning.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
+#include <orispline/curve/path.hpp>
+#include <orispline/curve/stretches.hpp>
 #include <orispline/fields/field_info.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -28,7 +30,11 @@ struct RecordedMotion {
 struct Candidate {
   Method method;
   Keyframes keys;
+  std::vector<Stretch> stretches{};  ///< of the keys, each with a curve of its own; empty: one curve
 };
+
+/// Its curve, in stretches where there are some. Errors: those of make_pose_curve().
+[[nodiscard]] ORISPLINE_EXPORT Expected<PoseCurve> curve_of(const Candidate& candidate);
 
 enum class LeaveOut { no, yes };
 

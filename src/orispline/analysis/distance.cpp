@@ -22,16 +22,21 @@ double percentile(std::span<const double> rising, double part) {
 }  // namespace
 
 DistanceStatistics distance_statistics(std::vector<double> distances, std::size_t first) {
-  if (distances.empty()) return {};
-  DistanceStatistics statistics{.count = distances.size()};
+  const auto is_absent = [](double distance) { return std::isnan(distance); };
+  const auto any = std::ranges::find_if_not(distances, is_absent);
+  if (any == distances.end()) return {};
+  auto largest = any;
+  for (auto distance = any; distance != distances.end(); ++distance)
+    if (*distance > *largest) largest = distance;
+  DistanceStatistics statistics{.largest = *largest,
+                                .largest_at = first + static_cast<std::size_t>(largest - distances.begin())};
+  std::erase_if(distances, is_absent);
+  statistics.count = distances.size();
   double sum = 0.0, sum_of_squares = 0.0;
   for (const double distance : distances) {
     sum += distance;
     sum_of_squares += distance * distance;
   }
-  const auto largest = std::ranges::max_element(distances);
-  statistics.largest = *largest;
-  statistics.largest_at = first + static_cast<std::size_t>(largest - distances.begin());
   const auto count = static_cast<double>(statistics.count);
   statistics.mean = sum / count;
   statistics.rms = std::sqrt(sum_of_squares / count);
@@ -61,7 +66,7 @@ DistanceStatistics rate_statistics(std::span<const Eigen::Vector3d> found, std::
   std::vector<double> errors;
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (is_free(logged[i])) continue;
+    if (is_free(logged[i]) || found[i].hasNaN()) continue;  // not logged, or in a gap
     errors.push_back((found[i] - logged[i]).norm());
     places.push_back(first + i);
   }

@@ -26,7 +26,8 @@ struct DistanceStatistics {
   return 0.5 * angular_distance(p, q);
 }
 
-/// Of distances that are not NaN, the first of them at index `first` of the reference.
+/// Of distances, the first of them at index `first` of the reference. Those that are NaN, such as in gaps, do not
+/// count.
 [[nodiscard]] ORISPLINE_EXPORT DistanceStatistics distance_statistics(std::vector<double> distances,
                                                                       std::size_t first = 0);
 

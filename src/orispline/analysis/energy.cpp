@@ -24,6 +24,7 @@ Energies energies(const AnyCurve& curve, const Eigen::Matrix3d& inertia) {
   const bool is_unit = inertia == Eigen::Matrix3d::Identity();  // whose torque is α
   Figures<3> sum = Figures<3>::Zero();
   for (std::size_t segment = 0; segment + 1 < knots.size(); ++segment) {
+    if (is_gap(curve, segment)) continue;
     SegmentMotions motions(curve, segment);
     const auto integrands = [&](std::span<const double> times, std::span<Figures<3>> values) {
       motions.evaluate(times);

@@ -6,6 +6,7 @@
 #include <span>
 
 #include <orispline/analysis/continuity.hpp>
+#include <orispline/curve/stretched_curve.hpp>
 
 // The places where segments of a curve meet, with the rates on both sides, and what lies between them.
 
@@ -50,6 +51,7 @@ template <class Look>
 [[nodiscard]] OrientationJump look_between_keys(const AnyCurve& curve, Look&& look) {
   OrientationJump largest;
   for (std::size_t i = 0; i < curve.knots().segments(); ++i) {
+    if (is_gap(curve, i)) continue;
     const auto probes = probes_of(curve, i);
     for (const TimedMotion& probe : probes) look(probe.motion);
     const OrientationJump found = jump_between(probes, curve, i);

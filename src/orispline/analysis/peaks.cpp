@@ -91,6 +91,7 @@ Peaks peaks(const AnyCurve& curve, const Eigen::Matrix3d& inertia) {
   if (knots.size() < 2) return {{0.0, knots.front()}, {0.0, knots.front()}, {0.0, knots.front()}};
   std::array<Search, 3> searches;
   for (std::size_t segment = 0; segment + 1 < knots.size(); ++segment) {
+    if (is_gap(curve, segment)) continue;
     const Steps times = steps_between(knots[segment], knots[segment + 1]);
     SegmentMotions motions(curve, segment);
     motions.evaluate(times);

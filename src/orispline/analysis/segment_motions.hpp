@@ -7,6 +7,7 @@
 #include <orispline/batch/compiled_curve.hpp>
 #include <orispline/curve/curve.hpp>
 #include <orispline/curve/motion.hpp>
+#include <orispline/curve/stretched_curve.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

@@ -190,6 +190,8 @@ Expected<Track> in_frames(const Track& track, const FrameChange& change) {
   return Keyframes::make(in_frames(track.keys.data(), frames), track.recipe.signs).map([&](const Keyframes& turned) {
     Track result = track.with_keys(turned);
     for (Eigen::Quaterniond& q : result.as_read) q = frames.orientation(q);
+    if (!frames.change_nothing())
+      for (Eigen::Vector3d& p : result.positions_apart.positions) p = frames.in_world(p);
     result.recipe = in_frames(track.recipe, frames);
     return result;
   });

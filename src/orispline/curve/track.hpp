@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,8 +32,18 @@ struct Recipe {
   Signs signs = Signs::shortest;  ///< how the signs of the keys are to be read
   std::size_t line = 0;           ///< of the file, from 1; 0: not from a file
   std::shared_ptr<const BlendingData> blending{};  ///< of the method, where it is one of one's own
+  std::optional<double> gap{};  ///< intervals between keys longer than this [s] are gaps, which no curve bridges
+  bool counts_turns = false;    ///< the signs are those of turns that were typed, which keys state without a method too
 
   [[nodiscard]] bool is_empty() const noexcept { return method.empty(); }
+};
+
+/// Positions at times of their own, beside orientations at others: two tracks on one clock.
+struct PositionTrack {
+  std::vector<double> times{};               ///< [s], since the epoch of the orientations
+  std::vector<Eigen::Vector3d> positions{};  ///< [m]
+
+  [[nodiscard]] bool is_empty() const noexcept { return times.empty(); }
 };
 
 /// Keyframes with where they come from: what tasks take and give back, and what files hold.
@@ -47,8 +59,9 @@ struct ORISPLINE_EXPORT Track {
   /// Values of a method's parameters, one per key, by their names: `tension`, `bias`, …
   std::map<std::string, std::vector<double>, std::less<>> settings{};
   std::vector<Eigen::Quaterniond> as_read{};  ///< with the norms and signs of the file; only if asked for
-  KeyTable table{};  ///< all columns of the file, while they state these keys; only if asked for
-  Recipe recipe{};   ///< the curve that the keys are for, as their file or the task that made them says
+  KeyTable table{};                 ///< all columns of the file, while they state these keys; only if asked for
+  PositionTrack positions_apart{};  ///< of keys without positions, where their file has them at other times
+  Recipe recipe{};                  ///< the curve that the keys are for, as their file or the task that made them says
 
   Track() = default;
   Track(Keyframes keyframes) : keys(std::move(keyframes)) {}  // NOLINT: keys are a track

@@ -217,7 +217,8 @@ Recipe recipe_for(const Method& method, const Track& track) {
   const BlendingData* const blending = blending_of(method);
   return {.method = text_of(shared),
           .signs = track.recipe.signs,
-          .blending = blending ? std::make_shared<const BlendingData>(*blending) : nullptr};
+          .blending = blending ? std::make_shared<const BlendingData>(*blending) : nullptr,
+          .gap = track.recipe.gap};
 }
 
 Expected<std::optional<Method>> method_of(const Recipe& recipe, std::string_view file) {

@@ -62,7 +62,8 @@ class ColumnSearch {
   [[nodiscard]] std::string_view name(std::size_t column) const noexcept { return header_[column]; }
   /// Whether a column of that plain name was mapped to another meaning.
   [[nodiscard]] bool is_mapped(std::string_view plain_name) const;
-  /// The name with a unit in brackets as a suffix: `time (us)` is `time_us`.
+  /// The name as it is compared: with a unit in brackets as a suffix, in small letters and without blanks, `Time (us)`
+  /// as `time_us`; what others call the parts of a pose by our names, `pose.orientation.x` as `qx`.
   [[nodiscard]] std::string_view plain_name(std::size_t column) const noexcept { return plain_names_[column]; }
 
   /// The column of a canonical name: the one that was mapped, else the only one whose name is accepted and that was
@@ -70,14 +71,22 @@ class ColumnSearch {
   template <class Accepts>
   [[nodiscard]] Expected<std::optional<std::size_t>> column(std::string_view canonical, Accepts accepts) const {
     const auto mapping = mapped_.find(canonical);
-    if (mapping == mapped_.end())
-      return only_column(canonical, plain_names_,
-                         [&](std::string_view name) { return accepts(name) && !is_mapped(name); });
+    if (mapping == mapped_.end()) {
+      const auto is_one = [&](std::string_view name) { return accepts(name) && !is_mapped(name); };
+      const auto as_written = only_column(canonical, written_names_, is_one);
+      return !as_written || *as_written ? as_written : only_column(canonical, plain_names_, is_one);
+    }
     const std::string& name = mapping->second;
     auto found = only_column(canonical, header_, [&name](std::string_view column) { return column == name; });
-    if (found && !*found) return not_there(canonical, name);
-    return found;
+    if (!found || *found) return found;
+    if (const auto alike = index_of(name)) return alike;
+    return not_there(canonical, name);
   }
+
+  /// The column that a caller names, by its very name, else as names are compared.
+  [[nodiscard]] std::optional<std::size_t> index_of(std::string_view name) const;
+  /// Of a name that a caller states.
+  [[nodiscard]] tl::unexpected<Error> not_there(std::string_view canonical, std::string_view name) const;
 
   /// The columns of the canonical names with one of the accepted units; a mapped name may end in any of the known ones.
   [[nodiscard]] Expected<ColumnGroup> group(std::span<const std::string_view> names, std::span<const Unit> accepted,
@@ -115,11 +124,10 @@ class ColumnSearch {
     }
     return found;
   }
-  [[nodiscard]] tl::unexpected<Error> not_there(std::string_view canonical, std::string_view name) const;
   [[nodiscard]] tl::unexpected<Error> two_columns(std::string_view canonical, std::size_t one, std::size_t other) const;
 
   std::span<const std::string_view> header_;
-  std::vector<std::string> plain_names_;
+  std::vector<std::string> written_names_, plain_names_;  // with the letters of the header, and as they are compared
   const ColumnNames& mapped_;
 };
 

@@ -26,6 +26,8 @@ Expected<void> check_time_scale(const ReadOptions& options) {
   if (options.clock.frames_per_second && !options.clock.frames_per_second->is_positive())
     return bad_option("fps", formatted("found {} frames per second, wanted a number greater than 0",
                                        options.clock.frames_per_second->to_string()));
+  if (options.count_turns && options.sort)
+    return bad_option("signs", "found as-typed with `sort`, wanted rows that stand in the order of their turns");
   if (!options.time_scale || options.time_scale->is_positive()) return {};
   return bad_option("time_scale",
                     formatted("the time scale is {}, wanted a number greater than 0", options.time_scale->to_string()));
@@ -69,6 +71,14 @@ Expected<Source> source_in(const FormatInfo& format, TextTable table, const Read
       return failure(ErrorCode::bad_data, std::move(*kind), {.file = table.path()});
     return tl::unexpected(std::move(layout.error()));
   }
+  KeyColumns& columns = layout->columns;
+  if (options.no_positions) columns.position.reset();
+  if (options.count_turns && columns.form.representation != Representation::euler)
+    return bad_option(
+        "signs", formatted("found as-typed for {} without Euler angles, wanted as-given or shortest", format.file));
+  if (options.time_scale && columns.rest_of_time)
+    return bad_option("time_scale",
+                      "found it with two columns of times, wanted their units at the ends of their names");
   if (options.time_scale) {
     layout->columns.time_unit = *options.time_scale;
     layout->columns.states_time_unit = true;

@@ -197,17 +197,21 @@ Expected<void> check_mappings(const HeaderReading& reading) {
 struct RequiredColumns {
   std::optional<std::size_t> time;
   OrientationColumns orientation;
+  std::optional<TimeColumns> two_of_time{};
 };
 
 Expected<RequiredColumns> required_columns(const ColumnSearch& search, const HeaderReading& reading) {
-  auto time = search.column(time_name, [](std::string_view name) { return time_unit_of(name).has_value(); });
+  const auto two = two_time_columns(search, reading.names);
+  if (!two) return tl::unexpected(two.error());
+  auto time = *two ? Expected<std::optional<std::size_t>>((*two)->index)
+                   : search.column(time_name, [](std::string_view name) { return time_unit_of(name).has_value(); });
   if (time && !*time) time = search.column(time_name, counts_frames);
   if (!time) return tl::unexpected(time.error());
   auto orientation = orientation_columns(search, reading.orientation);
   if (!orientation) return tl::unexpected(std::move(orientation.error()));
   auto missing = orientation->group.missing;
   if (!*time && !reading.count_rows) missing.insert(missing.begin(), time_name);
-  if (missing.empty()) return RequiredColumns{*time, std::move(*orientation)};
+  if (missing.empty()) return RequiredColumns{*time, std::move(*orientation), *two};
   return mended_by("columns", formatted("no column {}, found {}", joined(missing, ", "), search.found_names()));
 }
 
@@ -259,6 +263,7 @@ std::vector<std::string> ignored_names(std::span<const std::string_view> header,
     for (const auto& column : numbers) is_read[column.index] = true;
   };
   if (!columns.counts_rows) is_read[columns.time] = true;
+  if (columns.rest_of_time) is_read[columns.rest_of_time->index] = true;
   mark(columns.orientation);
   if (columns.position) mark(*columns.position);
   for (const auto& rate : columns.rates)
@@ -321,6 +326,28 @@ Expected<RateColumns> rate_columns(const ColumnSearch& search, const RateReading
   return columns;
 }
 
+Expected<std::optional<TimeColumns>> two_time_columns(const ColumnSearch& search, const ColumnNames& names) {
+  const auto stated = names.find(time_name);
+  if (stated == names.end() || search.index_of(stated->second)) return std::nullopt;
+  const std::string_view text = stated->second;
+  const std::size_t plus = text.find('+');
+  if (plus == std::string_view::npos) return std::nullopt;
+  std::array<std::size_t, 2> found{};
+  std::array<TimeUnit, 2> units{};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::string_view name = i == 0 ? text.substr(0, plus) : text.substr(plus + 1);
+    const auto index = search.index_of(name);
+    if (!index) return search.not_there(time_name, name);
+    found[i] = *index;
+    units[i] = time_unit_at_end_of(search.plain_name(*index));
+  }
+  if (!units[1].is_stated)
+    return bad_option("columns", formatted("found t={}, wanted a second column whose name ends in a unit, such as "
+                                           "t=sec+nanosec",
+                                           stated->second));
+  return TimeColumns{found[0], units[0].seconds, {found[1], Fraction(units[1].seconds, units[0].seconds)}};
+}
+
 bool is_header(std::span<const std::string_view> row) {
   const auto first = std::find_if(row.begin(), row.end(), [](std::string_view cell) { return !cell.empty(); });
   return first != row.end() && !begins_like_number(*first) && !number_of(*first);
@@ -332,7 +359,8 @@ Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
   const ColumnSearch search(header, reading.names);
   auto required = required_columns(search, reading);
   if (!required) return tl::unexpected(std::move(required.error()));
-  const auto position = position_columns(search);
+  const auto position =
+      reading.positions ? position_columns(search) : Expected<std::optional<VectorColumns>>(std::nullopt);
   if (!position) return tl::unexpected(position.error());
   auto rates = rate_columns(search, reading.rates);
   if (!rates) return tl::unexpected(std::move(rates.error()));
@@ -349,7 +377,12 @@ Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
                      .rates = *rates,
                      .inner = *inner,
                      .parameters = std::move(*parameters)};
-  if (!reading.count_rows) state_time(columns, *required->time, search.plain_name(*required->time));
+  if (const auto& two = required->two_of_time) {
+    columns.time = two->index;
+    columns.rest_of_time = two->rest;
+    columns.time_unit = two->unit;
+    columns.states_time_unit = true;
+  } else if (!reading.count_rows) state_time(columns, *required->time, search.plain_name(*required->time));
   columns.ignored = ignored_names(header, columns);
   return columns;
 }

@@ -68,10 +68,17 @@ struct ParameterColumn {
   std::size_t index = 0;  ///< 0-based
 };
 
+/// A column with the rest of the times, such as the nanoseconds beside the seconds.
+struct RestOfTime {
+  std::size_t index = 0;  ///< 0-based
+  Fraction unit{};        ///< in units of the other column
+};
+
 /// Which column of a table holds what.
 struct KeyColumns {
-  std::size_t width = 0;          ///< cells in a row; empty ones may follow
-  std::size_t time = 0;           ///< 0-based
+  std::size_t width = 0;  ///< cells in a row; empty ones may follow
+  std::size_t time = 0;   ///< 0-based
+  std::optional<RestOfTime> rest_of_time{};
   Fraction time_unit{};           ///< [s]
   bool states_time_unit = false;  ///< else the size of the first time decides
   bool counts_frames = false;     ///< the times are numbers of frames, whose length the caller knows
@@ -94,7 +101,19 @@ struct HeaderReading {
   bool inner_quaternions = false;  ///< whether they are read
   OrientationReading orientation{};
   bool count_rows = false;  ///< no column of times is needed
+  bool positions = true;
 };
+
+/// The columns of times that a caller names for `t`, such as `sec+nanosec`, each with a unit at the end of its name.
+/// Nothing where the header has a column of that very name, or no sign of addition is there. Errors: bad_data for a
+/// name that is not there; bad_argument for more than two, or a second one without a unit.
+struct TimeColumns {
+  std::size_t index;
+  Decimal unit;  ///< [s]
+  RestOfTime rest;
+};
+[[nodiscard]] Expected<std::optional<TimeColumns>> two_time_columns(const ColumnSearch& search,
+                                                                    const ColumnNames& names);
 
 /// Whether the first row of a table names columns: its first cell that is not empty is no number.
 [[nodiscard]] bool is_header(std::span<const std::string_view> row);

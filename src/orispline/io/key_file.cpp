@@ -7,6 +7,7 @@
 #include <orispline/io/format_choice.hpp>
 #include <orispline/io/key_input.hpp>
 #include <orispline/io/key_reader.hpp>
+#include <orispline/io/key_rows.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
@@ -18,6 +19,33 @@ Expected<std::vector<KeyFile>> keys_in(KeyRowsSource source, const ReadOptions& 
     one.push_back(std::move(file));
     return one;
   });
+}
+
+/// Each of the recordings in a file, which is read once for each.
+Expected<std::vector<KeyFile>> each_session(const std::string& path, ReadOptions options) {
+  if (path == standard_stream)
+    return bad_option("session", "found all with standard input, which can be read once only; wanted a file");
+  const auto count = sessions_in(path, options);
+  if (!count) return tl::unexpected(count.error());
+  std::vector<KeyFile> files;
+  for (std::size_t session = 1; session <= *count; ++session) {
+    options.session = session;
+    auto file = read_keys(path, options);
+    if (!file) return tl::unexpected(std::move(file.error()));
+    files.push_back(std::move(*file));
+  }
+  return files;
+}
+
+Expected<std::size_t> sessions_in(KeyRowsSource source, ReadOptions options) {
+  options.session = 1;
+  KeyRows rows(source.table.path(), *source.format, std::move(source.layout.columns), options);
+  const bool is_at_key = source.layout.first_row == TableLayout::FirstRow::key;
+  for (auto more = is_at_key ? Expected<bool>(true) : source.table.next();; more = source.table.next()) {
+    if (!more) return tl::unexpected(std::move(more.error()));
+    if (!*more) return rows.sessions();
+    if (auto added = rows.add(source.table); !added) return tl::unexpected(std::move(added.error()));
+  }
 }
 
 Expected<std::vector<KeyFile>> keys_in(TracksSource source, const ReadOptions& options) {
@@ -32,8 +60,18 @@ Expected<std::vector<KeyFile>> read_all_keys(const std::string& path, const Read
   });
 }
 
+Expected<std::size_t> sessions_in(const std::string& path, const ReadOptions& options) {
+  return KeyInput::open(path, options)
+      .and_then([&](KeyInput input) { return open_keys(std::move(input), options); })
+      .and_then([&](auto source) -> Expected<std::size_t> {
+        auto* const rows = std::get_if<KeyRowsSource>(&source);
+        return rows ? sessions_in(std::move(*rows), options) : Expected<std::size_t>(1);
+      });
+}
+
 Expected<std::vector<KeyFile>> read_all_keys(KeyInput input, const ReadOptions& options) {
-  const Recipe recipe = input.recipe();
+  if (options.session == all_sessions) return each_session(input.path(), options);
+  const Recipe recipe = recipe_of(input, options);
   auto files = open_keys(std::move(input), options).and_then([&](auto source) {
     return std::visit([&](auto&& open) { return keys_in(std::move(open), options); }, std::move(source));
   });

@@ -84,6 +84,9 @@ struct RateRows {
   std::vector<Warning> warnings{};       ///< `time_unit_by_size`
 };
 
+/// A recording in a file, from 1, or all of them.
+inline constexpr std::size_t all_sessions = 0;
+
 /// How a file of keyframes is to be read.
 struct ReadOptions {
   /// Null: the one with the extension of the file; where several have it, or none has, by content: EuRoC by its header,
@@ -122,6 +125,14 @@ struct ReadOptions {
   /// The rows are a set, not a motion: a column of times is not needed, what it has does not count, and the n-th key
   /// has the time n [s], from 0.
   bool count_rows = false;
+  bool no_positions = false;  ///< whatever columns there are
+  /// Which of several recordings that stand one behind the other: the next begins where a block of rows goes back in
+  /// time. `all_sessions`: each is a track.
+  std::optional<std::size_t> session{};
+  /// Intervals longer than this [s] are gaps, which no curve bridges; absent: those that the file's recipe states.
+  std::optional<double> gap{};
+  /// Euler angles mean the turns that they state: a step of which a quaternion can hold less gets rows in between.
+  bool count_turns = false;
   bool keep_exact_times = false;
   bool keep_as_read = false;  ///< orientations with the norms and signs of the file, for read_track()
   bool keep_table = false;
@@ -137,9 +148,13 @@ struct RepairReport {
   std::size_t duplicates_dropped = 0;
   std::size_t invalid_dropped = 0;
   std::size_t rows_moved = 0;
-  std::size_t normalised = 0;       ///< quaternions farther than `norm_error_limit` from norm 1
-  double largest_norm_error = 0.0;  ///< of those
-  std::size_t rates_left_free = 0;  ///< keys of which a rate that is read has no numbers; nothing is changed there
+  std::size_t normalised = 0;            ///< quaternions farther than `norm_error_limit` from norm 1
+  double largest_norm_error = 0.0;       ///< of those
+  std::size_t rates_left_free = 0;       ///< keys of which a rate that is read has no numbers; nothing is changed there
+  double largest_matrix_distance = 0.0;  ///< of matrices that became the nearest rotations, by Frobenius' norm
+  /// How far rows that were dropped as duplicates are from those that are kept [rad], [m].
+  double largest_duplicate_turn = 0.0, largest_duplicate_distance = 0.0;
+  std::size_t rows_between = 0;  ///< that were added where Euler angles turn by more than a quaternion can hold
 };
 
 /// What a file of keyframes holds.
@@ -149,6 +164,7 @@ struct KeyFile {
   Recipe recipe{};                                                       ///< of the curve that the keys are for
   Decimal epoch{};                                                       ///< time of the first key [s], exact
   KeyframeData data{};                                                   ///< times are relative to `epoch` [s]
+  PositionTrack positions_apart{};                                       ///< of rows without orientations
   std::vector<std::uint32_t> lines{};                                    ///< 1-based line of each key
   std::map<std::string, std::vector<double>, std::less<>> parameters{};  ///< one value per key
   RepairReport repairs{};
@@ -158,8 +174,11 @@ struct KeyFile {
   KeyTable table{};                            ///< the cells of each key; only if asked for
   RateRows unposed{};                          ///< rows without an orientation; only if asked for
   std::vector<std::string> ignored_columns{};  ///< that nothing was read from
-  std::vector<Warning> warnings{};             ///< `time_unit_by_size`
+  std::vector<Warning> warnings{};             ///< of reading
 };
+
+/// How many recordings stand one behind the other in a file of keys. Errors: those of read_keys() that concern times.
+[[nodiscard]] ORISPLINE_EXPORT Expected<std::size_t> sessions_in(const std::string& path, const ReadOptions& options);
 
 /// Reads the keyframes of a file of one track, or of standard input for `-`.
 ///

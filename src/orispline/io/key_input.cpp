@@ -60,4 +60,11 @@ const std::string& KeyInput::path() const noexcept { return lines_->path(); }
 
 LineReader KeyInput::lines() && noexcept { return std::move(*lines_); }
 
+Recipe recipe_of(const KeyInput& input, const ReadOptions& options) {
+  Recipe recipe = input.recipe();
+  if (options.gap) recipe.gap = options.gap;
+  recipe.counts_turns = options.count_turns;
+  return recipe;
+}
+
 }}}  // namespace orispline::io

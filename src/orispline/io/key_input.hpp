@@ -37,4 +37,9 @@ class ORISPLINE_EXPORT KeyInput {
   Recipe recipe_;
 };
 
+struct ReadOptions;
+
+/// What the file says of the curve that its keys are for, and what is said beside it.
+[[nodiscard]] Recipe recipe_of(const KeyInput& input, const ReadOptions& options);
+
 }}}  // namespace orispline::io

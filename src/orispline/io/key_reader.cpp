@@ -30,8 +30,10 @@ Expected<KeyReader> KeyReader::open(const std::string& path, const ReadOptions& 
 }
 
 Expected<KeyReader> KeyReader::open(KeyInput input, const ReadOptions& options) {
+  if (options.session == all_sessions)
+    return bad_option("session", "found all for what takes one recording, wanted the number of one");
   const std::string path = input.path();
-  const Recipe recipe = input.recipe();
+  const Recipe recipe = recipe_of(input, options);
   auto reader = open_keys(std::move(input), options).and_then([&](auto source) -> Expected<KeyReader> {
     if (auto* const rows = std::get_if<KeyRowsSource>(&source)) return KeyReader(std::move(*rows), options);
     return only_track(std::get<TracksSource>(std::move(source)), path, options).map([](KeyFile file) {
@@ -55,7 +57,7 @@ struct KeyReader::Source {
 
   /// Adds rows until there are that many keys; whether there are no more rows.
   [[nodiscard]] static Expected<bool> fill(Table& table, std::size_t most) {
-    while (table.rows.size() < most || table.rows.options().sort) {
+    while (table.rows.size() < most || table.rows.needs_all()) {
       if (!table.is_at_new_row) {
         const auto more = table.cells.next();
         if (!more) return tl::unexpected(more.error());
@@ -94,6 +96,15 @@ const KeyColumns* KeyReader::columns() const noexcept {
 std::size_t KeyReader::bytes_read() const noexcept {
   const auto* const table = std::get_if<Source::Table>(&source_->keys);
   return table ? table->cells.bytes_read() : 0;
+}
+
+Expected<bool> KeyReader::holds_two_tracks() {
+  auto* const table = std::get_if<Source::Table>(&source_->keys);
+  if (!table || is_at_end_ || table->rows.needs_all()) return false;
+  const auto at_end = Source::fill(*table, 1);
+  if (!at_end) return tl::unexpected(at_end.error());
+  is_at_end_ = *at_end;
+  return table->rows.are_two_tracks();
 }
 
 Expected<KeyFile> KeyReader::next(std::size_t most) {

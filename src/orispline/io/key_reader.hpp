@@ -33,8 +33,13 @@ class ORISPLINE_EXPORT KeyReader {
   /// Which column holds what; null where the keys are no rows.
   [[nodiscard]] const KeyColumns* columns() const noexcept;
 
+  /// Whether orientations and positions are of different rows, so that the keys come all at once; to be asked before
+  /// any is taken. Reads as far as the first row that has both. Errors: those of read_keys().
+  [[nodiscard]] Expected<bool> holds_two_tracks();
+
   /// The next keys, `most` of them, fewer at the end only; the epoch is that of the file, the repairs are those so far.
-  /// Rows that are to be sorted, and keys that are no rows, come all at once. Errors: those of read_keys().
+  /// Rows that are to be sorted or chosen from, and keys that are no rows, come all at once. Errors: those of
+  /// read_keys().
   [[nodiscard]] Expected<KeyFile> next(std::size_t most = std::numeric_limits<std::size_t>::max());
   [[nodiscard]] bool is_at_end() const noexcept { return is_at_end_; }
   /// Of the file, so far.

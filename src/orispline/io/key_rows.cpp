@@ -4,21 +4,28 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <numbers>
+#include <span>
 #include <utility>
 
+#include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/curve/key_parts.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/io/clock.hpp>
-#include <orispline/io/row_reader.hpp>
 #include <orispline/io/time_column.hpp>
+#include <orispline/math/euler.hpp>
+#include <orispline/math/median.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 namespace {
+
+constexpr double full_turn = 2.0 * std::numbers::pi;
+constexpr double long_step = 1000.0;  // [s]
+constexpr std::size_t most_times_to_tell = 1000;
 
 Expected<void> check_width(const TextTable& table, std::size_t width) {
   const auto cells = table.cells();
@@ -70,17 +77,6 @@ Expected<void> check_turned_jerk(const KeyRow& key, const RateColumns& columns, 
                  table.here(columns[2]->columns[0].index));
 }
 
-/// Rows that stand after a row of later time.
-std::size_t late_rows(const std::vector<Decimal>& times) {
-  std::size_t late = 0;
-  const Decimal* latest = &times.front();
-  for (const Decimal& time : times) {
-    if (time < *latest) ++late;
-    else latest = &time;
-  }
-  return late;
-}
-
 }  // namespace
 
 Error norm_refused(double norm, Where where) {
@@ -93,23 +89,33 @@ KeyRows::KeyRows(std::string path, const FormatInfo& format, KeyColumns columns,
   file_.path = std::move(path);
   file_.format = &format;
   file_.ignored_columns = columns_.ignored;
+  // A set of rows has no clock; and of a pose turned back the position needs the orientation.
+  may_be_parts_ = !options_.count_rows && !options_.inverse_poses;
   if (!options_.count_rows) return;
   columns_.counts_rows = columns_.states_time_unit = true;
   columns_.time_unit = Fraction();
 }
 
+KeyRows::Place KeyRows::place_of(const TextTable& table) const {
+  return {table.here(), table.cells()[columns_.time], table.cells().first(columns_.width)};
+}
+
+/// Before sorting a row has no index yet.
+Expected<void> KeyRows::refused(Error error) const {
+  if (!needs_all()) error.where.key = taken_ + size();
+  return tl::unexpected(std::move(error));
+}
+
 Expected<void> KeyRows::add(const TextTable& table) {
-  const auto refused = [this](Error error) {
-    if (!options_.sort) error.where.key = taken_ + size();  // before sorting a row has no index yet
-    return tl::unexpected(std::move(error));
-  };
+  if (unrising_) return look_ahead(table);
   if (auto checked = check_width(table, columns_.width); !checked) return refused(std::move(checked.error()));
   RowReader row(table, options_);
   KeyRow key = row.key(columns_);
   if (columns_.counts_rows) key.time = Decimal::from_double(static_cast<double>(taken_ + size()));
   if (row.refused()) return refused(*row.refused());
   if (auto error = row.not_finite()) {
-    if (!options_.drop_invalid) return refused(std::move(*error));
+    if (key.lacks != KeyRow::Lacks::nothing && may_be_parts_) return add_part(std::move(key), std::move(*error), table);
+    if (!options_.drop_invalid) return refused(parts_.empty() ? std::move(*error) : parts_.front().missing);
     ++file_.repairs.invalid_dropped;
     return {};
   }
@@ -118,31 +124,46 @@ Expected<void> KeyRows::add(const TextTable& table) {
     if (auto added = add_unposed(key, table); !added) return refused(std::move(added.error()));
     return {};
   }
-  const auto unit = orientation_of(key.orientation, table.here());
-  if (!unit) return refused(unit.error());
-  std::array<Eigen::Quaterniond, inner_of_keys.size()> inner = key.inner;
-  for (std::size_t side = 0; side < inner.size(); ++side) {
-    if (!columns_.inner[side] || is_free_inner(inner[side])) continue;
-    auto found = orientation_of(inner[side], table.here((*columns_.inner[side])[0].index));
-    if (!found) return refused(std::move(found.error()));
-    inner[side] = *found;
+  if (auto settled = settle_parts(); !settled) return settled;
+  if (options_.drop_invalid && key.orientation.coeffs().isZero(0.0)) {
+    ++file_.repairs.invalid_dropped;
+    return {};
   }
   if (auto turned = check_turned_jerk(key, columns_.rates, table); !turned) return refused(std::move(turned.error()));
-  if (options_.sort) {
+  if (options_.inverse_poses && columns_.position)
+    key.position = turned_for_keys(key.position, [&key](const Eigen::Vector3d& origin) {
+      return place_of_body(key.orientation.conjugate(), origin);
+    });
+  return options_.count_turns ? append_between(key, place_of(table)) : append(key, place_of(table));
+}
+
+/// Appends a row with the position of the body.
+Expected<void> KeyRows::append(const KeyRow& key, const Place& place) {
+  const auto orientation = orientation_of(key.orientation, place.where);
+  if (!orientation) return refused(orientation.error());
+  const auto inner = inner_of(key, place.where);
+  if (!inner) return refused(inner.error());
+  const Pose pose{*orientation, key.position};
+  if (needs_all()) {
     times_.push_back(key.time);
   } else {
-    const auto appended = append_time(key.time, table.cells()[columns_.time], table.line());
+    const auto appended = append_time(key.time, place.time, *place.where.line);
     if (!appended) return tl::unexpected(appended.error());
-    if (!*appended) return {};
+    if (!*appended) {
+      if (!unrising_) note_duplicate(pose);
+      return {};
+    }
+    latest_pose_ = pose;
   }
-  file_.lines.push_back(static_cast<std::uint32_t>(table.line()));
-  if (options_.keep_table) {
-    const auto cells = table.cells().first(columns_.width);
-    file_.table.rows.emplace_back(cells.begin(), cells.end());
+  if (key.matrix_distance > 0.0) {
+    ++file_.repairs.normalised;
+    file_.repairs.largest_matrix_distance = std::max(file_.repairs.largest_matrix_distance, key.matrix_distance);
   }
-  append_motion(key, *unit);
-  for (std::size_t side = 0; side < inner.size(); ++side)
-    if (columns_.inner[side]) (file_.data.*inner_of_keys[side]).push_back(frames_.orientation(inner[side]));
+  file_.lines.push_back(static_cast<std::uint32_t>(*place.where.line));
+  if (options_.keep_table) file_.table.rows.emplace_back(place.cells.begin(), place.cells.end());
+  append_motion(key, *orientation);
+  for (std::size_t side = 0; side < inner->size(); ++side)
+    if (columns_.inner[side]) (file_.data.*inner_of_keys[side]).push_back(frames_.orientation((*inner)[side]));
   for (std::size_t i = 0; i < key.parameters.size(); ++i)
     file_.parameters[columns_.parameters[i].name].push_back(key.parameters[i]);
   return {};
@@ -155,21 +176,38 @@ Expected<Eigen::Quaterniond> KeyRows::orientation_of(const Eigen::Quaterniond& s
   });
 }
 
+/// The inner quaternions of the row, likewise.
+Expected<KeyRows::InnerQuaternions> KeyRows::inner_of(const KeyRow& key, const Where& where) {
+  InnerQuaternions inner = key.inner;
+  for (std::size_t side = 0; side < inner.size(); ++side) {
+    if (!columns_.inner[side] || is_free_inner(inner[side])) continue;
+    Where there = where;
+    there.column = (*columns_.inner[side])[0].index + 1;
+    auto found = orientation_of(inner[side], std::move(there));
+    if (!found) return tl::unexpected(std::move(found.error()));
+    inner[side] = *found;
+  }
+  return inner;
+}
+
 /// Appends the orientation of the row, body to world, with its position and rates.
 void KeyRows::append_motion(const KeyRow& key, const Eigen::Quaterniond& orientation) {
   if (key.angles) turns_.add(*key.angles, orientation);
   file_.data.orientations.push_back(frames_.orientation(orientation));
-  if (columns_.position)
-    file_.data.positions.push_back(turned_for_keys(key.position, [&](const Eigen::Vector3d& p) {
-      return frames_.in_world<double>(options_.inverse_poses ? place_of_body(orientation, p) : p);
-    }));
+  if (columns_.position && key.lacks != KeyRow::Lacks::position)
+    file_.data.positions.push_back(position_in_world(key.position));
   const auto rates = body_rates(key, columns_.rates, orientation);
   for (std::size_t k = 0; k < rates.size(); ++k)
     if (columns_.rates[k])
       (file_.data.*rates_of_keys[k]).push_back(turned_for_keys(rates[k], [&](const Eigen::Vector3d& rate) {
         return frames_.body_rate(rate);
       }));
-  if (std::ranges::any_of(rates, is_free)) ++file_.repairs.rates_left_free;
+  const auto is_left_free = [this, &rates](std::size_t k) { return columns_.rates[k] && is_free(rates[k]); };
+  if (is_left_free(0) || is_left_free(1) || is_left_free(2)) ++file_.repairs.rates_left_free;
+}
+
+Eigen::Vector3d KeyRows::position_in_world(const Eigen::Vector3d& stated) const {
+  return turned_for_keys(stated, [this](const Eigen::Vector3d& p) { return frames_.in_world<double>(p); });
 }
 
 /// Of the rows that are set aside the order is theirs alone.
@@ -183,7 +221,7 @@ Expected<void> KeyRows::add_unposed(const KeyRow& key, const TextTable& table) {
   settle_time_unit(key.time);
   RateRows& rows = file_.unposed;
   const Decimal time = columns_.time_unit.time_of(key.time);
-  if (!rows.exact_times.empty() && time <= rows.exact_times.back() && !options_.sort)
+  if (!rows.exact_times.empty() && time <= rows.exact_times.back() && !needs_all())
     return mended_by("sort",
                      formatted("time {} does not come after {}, wanted increasing times", time.to_string(),
                                rows.exact_times.back().to_string()),
@@ -195,11 +233,92 @@ Expected<void> KeyRows::add_unposed(const KeyRow& key, const TextTable& table) {
   return {};
 }
 
+/// The row, and before it those that a quaternion needs to hold the turns from the last row to it: each step is then a
+/// third of a turn at most, which is told from its way back.
+Expected<void> KeyRows::append_between(const KeyRow& key, const Place& place) {
+  if (before_ && key.time > before_->time) {
+    const Eigen::Vector3d turn = *key.angles - *before_->angles;
+    const double parts = std::ceil(3.0 * turn.lpNorm<1>() / full_turn - 1e-9);
+    if (turn.lpNorm<1>() > full_turn - 1e-9)
+      for (double part = 1.0; part < parts; ++part) {
+        KeyRow between = *before_;
+        const double share = part / parts;
+        const Fraction of_interval(Decimal::from_double(part), Decimal::from_double(parts));
+        between.time = before_->time + of_interval.time_of(key.time - before_->time);
+        between.angles = *before_->angles + share * turn;
+        between.orientation = quaternion_from_euler(columns_.form.order, *between.angles);
+        between.position = before_->position + share * (key.position - before_->position);
+        between.rates.fill(free_rate());
+        between.inner.fill(free_inner());
+        ++file_.repairs.rows_between;
+        if (auto appended = append(between, {place.where, {}, place.cells}); !appended) return appended;
+      }
+  }
+  before_ = key;
+  return append(key, place);
+}
+
+/// Keeps a row with an orientation or a position only, until it is known whether that is so of all rows.
+Expected<void> KeyRows::add_part(KeyRow key, Error missing, const TextTable& table) {
+  if (auto settled = settle_clock(table); !settled) return refused(std::move(settled.error()));
+  const Place place = place_of(table);
+  parts_.push_back({std::move(key),
+                    std::move(missing),
+                    place.where,
+                    std::string(place.time),
+                    {place.cells.begin(), place.cells.end()}});
+  return {};
+}
+
+/// A row has both: those before it are rows without what is needed.
+Expected<void> KeyRows::settle_parts() {
+  may_be_parts_ = false;
+  if (parts_.empty()) return {};
+  if (!options_.drop_invalid) return refused(parts_.front().missing);
+  file_.repairs.invalid_dropped += parts_.size();
+  parts_.clear();
+  return {};
+}
+
+/// No row has both an orientation and a position: the keys are those with orientations, the others a track beside them.
+Expected<void> KeyRows::take_two_tracks() {
+  const auto lacks = [](KeyRow::Lacks what) { return [what](const Part& part) { return part.key.lacks == what; }; };
+  const auto with_orientation = std::ranges::count_if(parts_, lacks(KeyRow::Lacks::position));
+  if (with_orientation == 0 || with_orientation == std::ssize(parts_) || needs_all()) return settle_parts();
+  const std::vector<Part> parts = std::exchange(parts_, {});
+  for (const Part& part : parts) {
+    if (part.key.lacks == KeyRow::Lacks::orientation) continue;
+    const std::vector<std::string_view> cells(part.cells.begin(), part.cells.end());
+    if (auto appended = append(part.key, {part.where, part.time, cells}); !appended) return appended;
+    if (unrising_) return tl::unexpected(out_of_order());
+  }
+  PositionTrack& apart = file_.positions_apart;
+  for (const Part& part : parts) {
+    if (part.key.lacks == KeyRow::Lacks::position) continue;
+    const double time = columns_.time_unit.of(part.key.time - first_).to_double();
+    if (!apart.times.empty() && time <= apart.times.back())
+      return failure(
+          ErrorCode::bad_data,
+          formatted("time {} does not come after that of the position before it, wanted increasing times", part.time),
+          part.where);
+    apart.times.push_back(time);
+    apart.positions.push_back(position_in_world(part.key.position));
+  }
+  file_.warnings.push_back(
+      {.code = "two_tracks",
+       .message = formatted("orientations and positions stand in different rows: they are taken for two tracks on one "
+                            "clock, {} and {}; the keys are those with an orientation",
+                            counted(static_cast<std::size_t>(with_orientation), "orientation"),
+                            counted(apart.times.size(), "position")),
+       .where = {.file = file_.path}});
+  return {};
+}
+
 /// A quaternion that is near enough to norm 1 for keys.
 Expected<Eigen::Quaterniond> KeyRows::normalised(Eigen::Quaterniond q, Where where) {
   const double norm = q.coeffs().stableNorm(), off = std::abs(norm - 1.0);
   if (off <= norm_error_limit || options_.norms == Norms::as_they_are) return q;
-  if (norm == 0.0) return failure(ErrorCode::bad_data, "the quaternion is zero, wanted a rotation", std::move(where));
+  if (norm == 0.0) return mended_by("drop_invalid", "the quaternion is zero, wanted a rotation", std::move(where));
   if (!std::isfinite(norm)) return tl::unexpected(norm_refused(norm, std::move(where)));
   if (options_.norms == Norms::near_one && off > loose_norm_limit + 1e-12)
     return tl::unexpected(norm_refused(norm, std::move(where)));
@@ -236,97 +355,45 @@ void KeyRows::settle_time_unit(const Decimal& first) {
     columns_.time_unit = guess->seconds;
     guess->warning.where.file = file_.path;
     file_.warnings.push_back(std::move(guess->warning));
+  } else {
+    unit_is_assumed_ = true;
   }
 }
 
-/// Appends the time of the next key; false for a duplicate that is dropped. `text`: the time in the file, if at hand.
-Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, std::size_t line) {
-  std::vector<double>& times = file_.data.times;
-  const bool is_first = taken_ + times.size() == 0;
-  const auto refused = [&](std::string message, std::string_view remedy = {}) {
-    return mended_by(remedy, std::move(message), {file_.path, line, std::nullopt, taken_ + times.size()});
-  };
-  const auto shown = [&] { return text.empty() ? time.to_string() : std::string(text); };
-  if (is_first) {
-    settle_time_unit(time);
-    first_ = time;
-    file_.epoch = columns_.time_unit.time_of(first_);
-  } else if (time < latest_)
-    return refused(formatted("time {} comes after {}, wanted increasing times", shown(), latest_.to_string()), "sort");
-  else if (time == latest_) {
-    if (!options_.drop_duplicates)
-      return refused(formatted("duplicate time {}, as in line {}, wanted increasing times", shown(), latest_line_),
-                     "drop_duplicates");
-    ++file_.repairs.duplicates_dropped;
-    return false;
-  }
-
-  const double seconds = columns_.time_unit.of(time - first_).to_double();
-  if (!is_first && seconds <= latest_seconds_)
-    return refused(
-        formatted("time {} is too near to {} to be told apart in double precision, wanted keys farther apart", shown(),
-                  latest_.to_string()));
-  times.push_back(seconds);
-  if (options_.keep_exact_times) file_.exact_times.push_back(columns_.time_unit.time_of(time));
-  latest_ = time;
-  latest_seconds_ = seconds;
-  latest_line_ = line;
-  return true;
-}
-
-/// Brings the gathered rows into the order of their times.
-Expected<void> KeyRows::sort() {
-  std::vector<std::uint32_t> places(times_.size());
-  std::iota(places.begin(), places.end(), std::uint32_t{0});
-  file_.repairs.rows_moved = late_rows(times_);
-  if (file_.repairs.rows_moved > 0)
-    std::stable_sort(places.begin(), places.end(), [this](auto a, auto b) { return times_[a] < times_[b]; });
-
-  std::vector<std::uint32_t> kept;
-  kept.reserve(places.size());
-  for (const std::uint32_t place : places) {
-    const auto appended = append_time(times_[place], {}, file_.lines[place]);
-    if (!appended) return tl::unexpected(appended.error());
-    if (*appended) kept.push_back(place);
-  }
-  file_.lines = entries_at(file_.lines, kept);
-  file_.table.rows = entries_at(file_.table.rows, kept);
-  file_.data.orientations = entries_at(file_.data.orientations, kept);
-  for_each_part([&](const auto& part) { file_.data.*part.list = entries_at(file_.data.*part.list, kept); });
-  for (auto& [name, values] : file_.parameters) values = entries_at(values, kept);
-  return {};
-}
-
-/// Likewise of those that are set aside.
-Expected<void> KeyRows::sort_unposed() {
-  RateRows& rows = file_.unposed;
-  std::vector<std::uint32_t> places(rows.lines.size());
-  std::iota(places.begin(), places.end(), std::uint32_t{0});
-  std::stable_sort(places.begin(), places.end(),
-                   [&rows](auto a, auto b) { return rows.exact_times[a] < rows.exact_times[b]; });
-  rows.exact_times = entries_at(rows.exact_times, places);
-  rows.rates = entries_at(rows.rates, places);
-  rows.lines = entries_at(rows.lines, places);
-  const auto same = std::ranges::adjacent_find(rows.exact_times);
-  if (same == rows.exact_times.end()) return {};
-  return failure(
-      ErrorCode::bad_data, formatted("duplicate time {}, wanted increasing times", same->to_string()),
-      {.file = file_.path, .line = rows.lines[static_cast<std::size_t>(same - rows.exact_times.begin()) + 1]});
+/// Clocks of microseconds that count from the start of a machine look like seconds of long ago.
+void KeyRows::warn_of_long_steps() {
+  const auto& times = file_.data.times;
+  if (std::exchange(looked_at_steps_, true) || !unit_is_assumed_ || times.size() < 2) return;
+  const double step = median_interval(std::span(times).first(std::min(times.size(), most_times_to_tell)));
+  if (step <= long_step) return;
+  file_.warnings.push_back(
+      {.code = "long_steps",
+       .message = formatted("the times are taken as seconds, by which the keys are {:.6g} s apart; if they are "
+                            "microseconds, set `time_scale` to 1e-6",
+                            step),
+       .where = {.file = file_.path},
+       .numbers = {{"step_s", step}}});
 }
 
 Expected<void> KeyRows::complete() {
+  if (!parts_.empty())
+    if (auto taken = take_two_tracks(); !taken) return taken;
+  if (unrising_ && !(options_.drop_invalid && is_zero_stamp())) return tl::unexpected(out_of_order());
+  if (unrising_) ++file_.repairs.invalid_dropped;
   if (taken_ + size() == 0) {
     const std::size_t dropped = file_.repairs.invalid_dropped;
     const std::string reason = dropped > 0 ? formatted(" (all {} rows were dropped as invalid)", dropped) : "";
     return failure(ErrorCode::bad_data, "empty: no keys" + reason, {.file = file_.path});
   }
   turns_.finish();
-  if (!options_.sort) return {};
-  if (auto sorted = sort_unposed(); !sorted) return sorted;
-  return sort();
+  if (needs_all())
+    if (auto arranged = arrange(); !arranged) return arranged;
+  warn_of_duplicates();
+  return {};
 }
 
 KeyFile KeyRows::take() {
+  if (taken_ == 0) warn_of_long_steps();
   taken_ += size();
   if (columns_.form.representation == Representation::euler && file_.repairs.rows_moved == 0) {
     file_.turns = turns_;

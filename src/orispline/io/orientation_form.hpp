@@ -51,10 +51,16 @@ struct OrientationForm {
   Representation representation = Representation::quaternion;
   EulerOrder order{};                   ///< of Euler angles
   AngleUnit unit = AngleUnit::degrees;  ///< of Euler angles that are written
+  bool continuous = false;              ///< these run on from row to row, beyond a full turn and through the pole
+
+  [[nodiscard]] bool runs_on() const noexcept { return continuous && representation == Representation::euler; }
 };
 
 /// Elements of a rotation matrix farther than this from orthonormal, as RᵀR - 1, are an error, not rounding.
 inline constexpr double orthonormality_limit = 1e-3;
+
+/// Matrices farther than this from a rotation, by Frobenius' norm, are not made one.
+inline constexpr double rotation_distance_limit = 0.1;
 
 /// The names that the columns of a representation have, without units. Euler angles: `e1`, `e2`, `e3` in the order of
 /// their turns.
@@ -76,11 +82,23 @@ using OrientationNumbers = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMa
 /// An orientation in a form, in the order of `written_names`.
 [[nodiscard]] ORISPLINE_EXPORT OrientationNumbers numbers_of(const Eigen::Quaterniond& q, const OrientationForm& form);
 
+/// Euler angles [rad], in the order of the turns, in such a form.
+[[nodiscard]] OrientationNumbers numbers_of_angles(const Eigen::Vector3d& angles, const OrientationForm& form);
+
 /// The orientation that finite numbers state: those of `names_by_component`, Euler angles [rad] in the order of the
 /// turns. Quaternions are taken as they are.
 ///
 /// Error (bad_data): a matrix that is no rotation.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Eigen::Quaterniond> orientation_from(const OrientationNumbers& numbers,
                                                                              const OrientationForm& form);
+
+/// The rotation that is nearest to a matrix by Frobenius' norm, and how far it is.
+struct NearestRotation {
+  Eigen::Quaterniond orientation;
+  double distance = 0.0;
+};
+
+/// Of nine numbers, row by row. Error (bad_data): a reflection, or a matrix that is far from any rotation.
+[[nodiscard]] ORISPLINE_EXPORT Expected<NearestRotation> nearest_rotation(const OrientationNumbers& numbers);
 
 }}}  // namespace orispline::io

@@ -53,6 +53,35 @@ Expected<void> take_rotation(std::string_view option, Reading& reading, std::str
 std::string axes_argument() { return "FROM:TO"; }
 std::string rotation_argument() { return "ROTATION"; }
 
+constexpr std::string_view as_typed = "as-typed";
+
+std::string signs_argument() { return formatted("{}|{}", list_of<sign_words>(), as_typed); }
+
+/// Signs that are those of the turns which Euler angles state, or as any.
+Expected<void> take_signs(Reading& reading, std::string_view text) {
+  reading.options.count_turns = text == as_typed;
+  if (reading.options.count_turns) {
+    reading.signs = Signs::as_given;
+    return {};
+  }
+  const auto found = std::ranges::find(sign_words, text, &OptionWord<Signs>::first);
+  if (found == sign_words.end()) return not_wanted("signs", text, signs_argument());
+  reading.signs = found->second;
+  return {};
+}
+
+Expected<void> take_session(Reading& reading, std::string_view text) {
+  if (text == "all") {
+    reading.options.session = all_sessions;
+    return {};
+  }
+  const auto number = Decimal::parse(text);
+  if (!number || !number->is_whole() || *number < Decimal::power_of_ten(0) || *number > Decimal::power_of_ten(9))
+    return not_wanted("session", text, "the number of a recording, from 1, or all");
+  reading.options.session = static_cast<std::size_t>(number->to_double());
+  return {};
+}
+
 template <bool ReadOptions::*Member>
 Expected<void> set(Reading& reading, std::string_view) {
   reading.options.*Member = true;
@@ -199,10 +228,11 @@ const std::array reading_list{
                    std::string_view text) { return take_rotation<&FrameChange::body>("body_rotation", r, text); },
         .member = "body_rotation"},
     ReadingOption{.name = "signs",
-                  .sentence = "Turn the shortest way between keys, or the way that the signs of the quaternions say",
-                  .argument = list_of<sign_words>,
-                  .take = [](Reading& r,
-                             std::string_view text) { return word_in<sign_words>("signs", text).map(into(r.signs)); }},
+                  .sentence =
+                      "Turn the shortest way between keys, the way that the signs of the quaternions say, or as far as "
+                      "Euler angles say, also by more than a turn",
+                  .argument = signs_argument,
+                  .take = take_signs},
     ReadingOption{.name = "ignore_recipe",
                   .sentence = "Ignore the comment in which the file names the method of its keys",
                   .take =
@@ -212,30 +242,51 @@ const std::array reading_list{
                       },
                   .member = "recipe",
                   .use = "reads the keys without it"},
-    ReadingOption{.name = "normalise",
-                  .sentence = "Accept quaternions of any norm but 0 [only norms within 2 % of 1]",
-                  .take =
-                      [](Reading& r, std::string_view) {
-                        r.options.norms = Norms::any;
-                        return Expected<void>();
-                      },
-                  .member = "norms",
-                  .use = "takes any norm but 0"},
+    ReadingOption{
+        .name = "normalise",
+        .sentence = "Accept quaternions of any norm but 0 [only norms within 2 % of 1], and matrices near a rotation",
+        .take =
+            [](Reading& r, std::string_view) {
+              r.options.norms = Norms::any;
+              return Expected<void>();
+            },
+        .member = "norms",
+        .use = "takes any norm but 0"},
     ReadingOption{.name = "drop_duplicates",
                   .sentence = "Keep only the first of several rows with the same time",
                   .take = set<&ReadOptions::drop_duplicates>,
                   .member = "drop_duplicates",
                   .use = "keeps the first"},
-    ReadingOption{.name = "drop_invalid",
-                  .sentence = "Drop rows with NaN, infinite or empty cells",
-                  .take = set<&ReadOptions::drop_invalid>,
-                  .member = "drop_invalid",
-                  .use = "drops such rows"},
+    ReadingOption{
+        .name = "drop_invalid",
+        .sentence = "Drop rows with NaN, infinite or empty cells, with a quaternion of zeros or a stray time of 0",
+        .take = set<&ReadOptions::drop_invalid>,
+        .member = "drop_invalid",
+        .use = "drops such rows"},
     ReadingOption{.name = "sort",
                   .sentence = "Sort the rows by time",
                   .take = set<&ReadOptions::sort>,
                   .member = "sort",
                   .use = "orders the rows"},
+    ReadingOption{
+        .name = "session",
+        .sentence = "Recording of a file that holds several, one behind the other: its number, or all of them",
+        .argument = [] { return std::string("N|all"); },
+        .take = take_session,
+        .member = "session",
+        .use = "reads one of them"},
+    ReadingOption{.name = "gap",
+                  .sentence = "Intervals between keys longer than S seconds are gaps, which no curve bridges [none, or "
+                              "as the file says]",
+                  .argument = [] { return std::string("S"); },
+                  .take =
+                      [](Reading& r, std::string_view text) {
+                        return positive_in("gap", text).map([&r](const Fraction& s) { r.options.gap = s.to_double(); });
+                      },
+                  .member = "gap"},
+    ReadingOption{.name = "no_positions",
+                  .sentence = "Read no positions, whatever columns there are",
+                  .take = set<&ReadOptions::no_positions>},
 };
 
 }  // namespace

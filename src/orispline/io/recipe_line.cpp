@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include <orispline/base/decimal.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/io/blending_file.hpp>
@@ -16,7 +17,8 @@ namespace {
 constexpr std::string_view label = "orispline:", blanks = " \t";
 /// The last word, which takes the rest of the line.
 constexpr std::string_view blending_word = "blending=";
-constexpr std::string_view method_word = "method=", signs_word = "signs=", shortest = "shortest", as_given = "as-given";
+constexpr std::string_view method_word = "method=", signs_word = "signs=", gap_word = "gap=", shortest = "shortest",
+                           as_given = "as-given";
 
 std::string_view without_blanks_before(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
@@ -35,16 +37,18 @@ std::vector<std::string_view> words_of(std::string_view text) {
 tl::unexpected<Error> not_understood(std::string_view word) {
   return mended_by("recipe",
                    formatted("found {} in the comment that names the method of the keys, wanted method=NAME, and "
-                             "signs=as-given or signs=shortest, each once",
+                             "signs=as-given or signs=shortest, and gap=SECONDS, each once",
                              in_quotes(word)));
 }
 
 }  // namespace
 
 std::string recipe_line(const Recipe& recipe) {
-  if (recipe.is_empty()) return {};
-  std::string line = formatted("# {} {}{}", label, method_word, recipe.method);
+  if (recipe.is_empty() && !recipe.counts_turns && !recipe.gap) return {};
+  std::string line = formatted("# {}", label);
+  if (!recipe.is_empty()) line += formatted(" {}{}", method_word, recipe.method);
   if (recipe.signs == Signs::as_given) line += formatted(" {}{}", signs_word, as_given);
+  if (recipe.gap) line += formatted(" {}{}", gap_word, *recipe.gap);
   if (recipe.blending) line += formatted(" {}{}", blending_word, blending_json(*recipe.blending));
   return line + "\n";
 }
@@ -62,7 +66,14 @@ Expected<std::optional<Recipe>> recipe_in(std::string_view comment) {
     blending = std::make_shared<const BlendingData>(std::move(*data));
     words = words.substr(0, place);
   }
+  std::optional<double> gap;
   for (const std::string_view word : words_of(words)) {
+    if (word.starts_with(gap_word)) {
+      const auto seconds = Fraction::parse(word.substr(gap_word.size()));
+      if (gap || !seconds || !seconds->is_positive()) return not_understood(word);
+      gap = seconds->to_double();
+      continue;
+    }
     const bool is_method = word.starts_with(method_word);
     if (!is_method && !word.starts_with(signs_word)) return not_understood(word);
     const std::string_view value = word.substr(is_method ? method_word.size() : signs_word.size());
@@ -71,10 +82,11 @@ Expected<std::optional<Recipe>> recipe_in(std::string_view comment) {
     if (place || !is_known) return not_understood(word);
     place = value;
   }
-  if (!named) return not_understood(text);
-  return Recipe{.method = std::string(*named),
+  if (!named && !gap && signed_as != as_given) return not_understood(text);
+  return Recipe{.method = std::string(named.value_or("")),
                 .signs = signed_as == as_given ? Signs::as_given : Signs::shortest,
-                .blending = std::move(blending)};
+                .blending = std::move(blending),
+                .gap = gap};
 }
 
 }}}  // namespace orispline::io

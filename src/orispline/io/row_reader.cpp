@@ -13,8 +13,11 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 KeyRow RowReader::key(const KeyColumns& columns) {
   KeyRow key{.time = time(columns)};
-  set_orientation(key, columns);
+  key.is_posed = !is_unposed(columns);
+  if (key.is_posed) set_orientation(key, columns);
+  const std::size_t of_orientation = not_finite_.count;
   if (columns.position && key.is_posed) key.position = vector(*columns.position);
+  const std::size_t of_position = not_finite_.count - of_orientation;
   for (std::size_t k = 0; k < columns.rates.size(); ++k)
     if (columns.rates[k]) key.rates[k] = rate(columns.rates[k]->columns);
   for (std::size_t side = 0; side < columns.inner.size(); ++side)
@@ -22,18 +25,22 @@ KeyRow RowReader::key(const KeyColumns& columns) {
       const Eigen::Vector4d wxyz = free_vector(*columns.inner[side], "four cells of the inner quaternion");
       key.inner[side] = quaternion_wxyz(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
     }
-  if (!key.is_posed && (!columns.rates[0] || is_free(key.rates[0]))) note_not_finite(columns.orientation.front().index);
   for (const ParameterColumn& column : columns.parameters) key.parameters.push_back(number({column.index}));
+  const std::size_t missing = not_finite_.count;
+  if (columns.position && missing == columns.orientation.size() && of_orientation == missing)
+    key.lacks = KeyRow::Lacks::orientation;
+  if (columns.position && missing == columns.position->size() && of_position == missing)
+    key.lacks = KeyRow::Lacks::position;
   return key;
 }
 
 std::optional<Error> RowReader::not_finite() const {
-  if (!not_finite_) return std::nullopt;
-  const std::string_view cell = table_.cells()[*not_finite_];
+  if (!not_finite_.first) return std::nullopt;
+  const std::string_view cell = table_.cells()[*not_finite_.first];
   return mended_by("drop_invalid",
                    formatted("found {}, wanted a finite number{}", cell.empty() ? "an empty cell" : in_quotes(cell),
                              free_instead_),
-                   table_.here(not_finite_))
+                   table_.here(not_finite_.first))
       .value();
 }
 
@@ -41,18 +48,26 @@ Decimal RowReader::time(const KeyColumns& columns) {
   if (columns.counts_rows) return {};
   const std::string_view cell = table_.cells()[columns.time];
   if (looks_like_iso_time(cell) && !columns.whole_times) return iso_time(columns);
-  const auto time = decimal_of(cell);
+  auto time = decimal_of(cell);
   if (!time) refuse(columns.time, time.error());
   else if (!*time) note_not_finite(columns.time);
+  else if (columns.rest_of_time) **time = **time + rest_of_time(*columns.rest_of_time);
   else if (columns.whole_times && !(*time)->is_whole())
     refuse(columns.time, {ErrorCode::bad_data, formatted("found {}, wanted whole nanoseconds", in_quotes(cell)), {}});
   return time.value_or(std::nullopt).value_or(Decimal());
 }
 
+Decimal RowReader::rest_of_time(const RestOfTime& column) {
+  const auto rest = decimal_of(table_.cells()[column.index]);
+  if (!rest) refuse(column.index, rest.error());
+  else if (!*rest) note_not_finite(column.index);
+  return column.unit.of(rest.value_or(std::nullopt).value_or(Decimal()));
+}
+
 Decimal RowReader::iso_time(const KeyColumns& columns) {
   const auto time = parse_iso_time(table_.cells()[columns.time]);
   if (!time) refuse(columns.time, time.error());
-  return time.value_or(Decimal()) - clock_.zero;
+  return time.value_or(Decimal()) - options_.clock.zero;
 }
 
 double RowReader::number(const NumberColumn& column) {
@@ -71,9 +86,9 @@ Eigen::Vector<double, static_cast<int>(Size)> RowReader::vector(const std::array
 }
 
 Eigen::Vector3d RowReader::rate(const VectorColumns& columns) {
-  if (free_rates_ == FreeRates::refused) return vector(columns);
-  if (free_rates_ == FreeRates::allowed) return free_vector(columns, "three cells of the rate");
-  const auto before = not_finite_;
+  if (options_.free_rates == FreeRates::refused) return vector(columns);
+  if (options_.free_rates == FreeRates::allowed) return free_vector(columns, "three cells of the rate");
+  const NotFinite before = not_finite_;
   const Eigen::Vector3d numbers = vector(columns);
   if (numbers.allFinite()) return numbers;
   not_finite_ = before;
@@ -84,22 +99,35 @@ Eigen::Vector3d RowReader::rate(const VectorColumns& columns) {
 template <std::size_t Size>
 Eigen::Vector<double, static_cast<int>(Size)> RowReader::free_vector(const std::array<NumberColumn, Size>& columns,
                                                                      const char* what) {
-  const auto before = not_finite_;
+  const NotFinite before = not_finite_;
   const auto numbers = vector(columns);
   if (numbers.array().isNaN().all()) not_finite_ = before;
-  else if (!before && numbers.hasNaN()) free_instead_ = formatted(", or none in all {} to leave it free", what);
+  else if (!before.first && numbers.hasNaN()) free_instead_ = formatted(", or none in all {} to leave it free", what);
   return numbers;
 }
 
+/// Whether the row is set aside: it has a rate, but no number in any cell of its orientation.
+bool RowReader::is_unposed(const KeyColumns& columns) const {
+  if (options_.unposed_rows != UnposedRows::set_aside || !columns.rates[0]) return false;
+  const auto has_number = [this](const NumberColumn& column) {
+    const auto number = number_of(table_.cells()[column.index]);
+    return !number || std::isfinite(*number);
+  };
+  return std::ranges::none_of(columns.orientation, has_number) &&
+         std::ranges::all_of(columns.rates[0]->columns, has_number);
+}
+
 void RowReader::set_orientation(KeyRow& key, const KeyColumns& columns) {
-  const auto before = not_finite_;
   OrientationNumbers numbers(static_cast<Eigen::Index>(columns.orientation.size()));
   std::ranges::transform(columns.orientation, numbers.begin(), [this](const auto& column) { return number(column); });
-  if (unposed_rows_ == UnposedRows::set_aside && !numbers.array().isFinite().any()) {
-    key.is_posed = false;
-    not_finite_ = before;
-  }
   if (!numbers.allFinite()) return;
+  if (columns.form.representation == Representation::matrix && options_.norms == Norms::any) {
+    const auto nearest = nearest_rotation(numbers);
+    if (!nearest) return refuse(std::nullopt, nearest.error());
+    key.orientation = nearest->orientation;
+    key.matrix_distance = nearest->distance;
+    return;
+  }
   const auto orientation = orientation_from(numbers, columns.form);
   if (!orientation) return refuse(std::nullopt, orientation.error());
   key.orientation = *orientation;
@@ -112,7 +140,8 @@ void RowReader::refuse(std::optional<std::size_t> index, Error error) {
 }
 
 void RowReader::note_not_finite(std::size_t index) {
-  if (!not_finite_) not_finite_ = index;
+  ++not_finite_.count;
+  if (!not_finite_.first) not_finite_.first = index;
 }
 
 }}}  // namespace orispline::io

@@ -17,19 +17,21 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 struct KeyRow {
   Decimal time;  ///< in the unit of the column; of ISO 8601 since the clock's zero [s]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
-  bool is_posed = true;                     ///< else no cell of the orientation has a number
+  bool is_posed = true;                     ///< else it is a rate of a gyro alone
   std::optional<Eigen::Vector3d> angles{};  ///< of Euler [rad], in the order of the turns
   Eigen::Vector3d position{};
   std::array<Eigen::Vector3d, 3> rates{};  ///< in the frames of the columns
   std::array<Eigen::Quaterniond, inner_names.size()> inner{};
   std::vector<double> parameters{};
+  double matrix_distance = 0.0;  ///< from a rotation, of a matrix that was made one; by Frobenius' norm
+  /// What a row has no number of, where it has all else.
+  enum class Lacks { nothing, orientation, position } lacks = Lacks::nothing;
 };
 
 /// Reads the cells of one row; remembers the first that is no number and the first that is not finite.
 class RowReader {
  public:
-  RowReader(const TextTable& table, const ReadOptions& options)
-      : table_(table), clock_(options.clock), free_rates_(options.free_rates), unposed_rows_(options.unposed_rows) {}
+  RowReader(const TextTable& table, const ReadOptions& options) : table_(table), options_(options) {}
 
   [[nodiscard]] KeyRow key(const KeyColumns& columns);
 
@@ -40,8 +42,10 @@ class RowReader {
 
  private:
   [[nodiscard]] Decimal time(const KeyColumns& columns);
+  [[nodiscard]] Decimal rest_of_time(const RestOfTime& column);
   [[nodiscard]] Decimal iso_time(const KeyColumns& columns);
   [[nodiscard]] double number(const NumberColumn& column);
+  [[nodiscard]] bool is_unposed(const KeyColumns& columns) const;
   template <std::size_t Size>
   [[nodiscard]] Eigen::Vector<double, static_cast<int>(Size)> vector(const std::array<NumberColumn, Size>& columns);
   template <std::size_t Size>
@@ -52,12 +56,16 @@ class RowReader {
   void refuse(std::optional<std::size_t> index, Error error);
   void note_not_finite(std::size_t index);
 
+  /// Cells that are not finite.
+  struct NotFinite {
+    std::optional<std::size_t> first{};
+    std::size_t count = 0;
+  };
+
   const TextTable& table_;
-  const Clock& clock_;
-  FreeRates free_rates_;
-  UnposedRows unposed_rows_;
+  const ReadOptions& options_;
   std::optional<Error> refused_;
-  std::optional<std::size_t> not_finite_;
+  NotFinite not_finite_;
   std::string free_instead_;  // how what is not finite could be left free
 };
 

@@ -84,9 +84,10 @@ std::vector<std::string> column_names(const SampleColumns& columns) {
 }
 
 RowNumbers named_numbers(const Sample& sample, const SampleColumns& columns) {
-  const auto& [motion, linear_motion, inner, settings, band] = sample;
+  const auto& [motion, linear_motion, inner, settings, band, angles] = sample;
   RowNumbers row;
-  for (const double number : numbers_of(written_orientation(motion.orientation, columns), columns.form))
+  for (const double number : angles ? numbers_of_angles(*angles, columns.form)
+                                    : numbers_of(written_orientation(motion.orientation, columns), columns.form))
     row.add(number);
   if (columns.positions) row.add(linear_motion.position);
   for (int order = 1; order <= columns.derivatives; ++order) row.add(rate_of(motion, order, columns.frame));

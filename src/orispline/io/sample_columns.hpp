@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,6 +36,7 @@ struct Sample {
   std::array<Eigen::Quaterniond, inner_names.size()> inner{};  ///< body to world
   std::span<const double> settings{};                          ///< one for each of the columns of settings
   double band = 0.0;                                           ///< [rad]; infinite: nothing is known
+  std::optional<Eigen::Vector3d> angles{};  ///< of Euler [rad], where they are not those of the orientation alone
 };
 
 inline constexpr std::size_t most_settings = 8;  ///< columns of settings in a file

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/math/continuous_euler.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
@@ -25,7 +28,7 @@ tl::unexpected<Error> same_time(const Decimal& time, const FormatInfo& format) {
 
 Expected<void> SampleRows::append(const Decimal& time, const Sample& sample) {
   const FormatWriting& writing = columns_.format->writing;
-  const RowNumbers numbers = writing.numbers(sample, columns_);
+  const RowNumbers numbers = numbers_of(sample);
   if (!may_write(numbers, sample)) return not_finite(time);
   if (writing.rounded_row) {
     writing.rounded_row(bytes_, time.to_double(), numbers.values());
@@ -41,11 +44,35 @@ Expected<void> SampleRows::append(const Decimal& time, const Sample& sample) {
 Expected<void> SampleRows::append(const TimeOrigin& origin, double offset, const Sample& sample) {
   const FormatWriting& writing = columns_.format->writing;
   if (!writing.rounded_row) return append(origin.plus(offset), sample);
-  const RowNumbers numbers = writing.numbers(sample, columns_);
+  const RowNumbers numbers = numbers_of(sample);
   if (!may_write(numbers, sample)) return not_finite(origin.plus(offset));
   writing.rounded_row(bytes_, origin.nearest_plus(offset), numbers.values());
   ++size_;
   return {};
+}
+
+RowNumbers SampleRows::numbers_of(const Sample& sample) {
+  const FormatWriting& writing = columns_.format->writing;
+  if (!columns_.form.runs_on() || sample.motion.orientation.coeffs().hasNaN()) return writing.numbers(sample, columns_);
+  const EulerOrder& order = columns_.form.order;
+  const Eigen::Quaterniond orientation = written_orientation(sample.motion.orientation, columns_);
+  angles_ = ContinuousEuler(order).after(angles_.value_or(euler_angles(order, orientation)), orientation);
+  Sample running = sample;
+  running.angles = angles_;
+  return writing.numbers(running, columns_);
+}
+
+void SampleRows::append_empty(const TimeOrigin& origin, double offset) {
+  const FormatWriting& writing = columns_.format->writing;
+  const std::size_t cells = column_names(columns_).size() - 1;
+  if (writing.rounded_row) {
+    const std::vector<double> none(cells, std::numeric_limits<double>::quiet_NaN());
+    writing.rounded_row(bytes_, origin.nearest_plus(offset), none);
+  } else {
+    writing.row(bytes_, origin.plus(offset), {});
+    bytes_.insert(bytes_.size() - 1, cells, ',');
+  }
+  ++size_;
 }
 
 bool SampleRows::may_write(const RowNumbers& numbers, const Sample& sample) const noexcept {

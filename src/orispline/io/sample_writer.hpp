@@ -20,7 +20,8 @@ enum class MissingSamples {
   free_rates  ///< rates and inner quaternions that keys leave free
 };
 
-/// Rows of samples as their file holds them, gathered in memory: several threads may each make some.
+/// Rows of samples as their file holds them, gathered in memory: several threads may each make some, unless Euler
+/// angles run on from row to row.
 class ORISPLINE_EXPORT SampleRows {
  public:
   /// The columns are those that `check_columns` accepts.
@@ -33,6 +34,9 @@ class ORISPLINE_EXPORT SampleRows {
   [[nodiscard]] Expected<void> append(const Decimal& time, const Sample& sample);
   /// Appends a sample at an offset [s] from an origin.
   [[nodiscard]] Expected<void> append(const TimeOrigin& origin, double offset, const Sample& sample);
+
+  /// Appends a row with a time and nothing else, such as one in a gap; NaN where the format has no empty cells.
+  void append_empty(const TimeOrigin& origin, double offset);
 
   /// Whether these rows may follow the others. Error (bad_data): they begin with the time that the others end with,
   /// where the format rounds times.
@@ -48,11 +52,13 @@ class ORISPLINE_EXPORT SampleRows {
  private:
   [[nodiscard]] bool may_write(const RowNumbers& numbers, const Sample& sample) const noexcept;
   [[nodiscard]] Expected<Decimal> next_whole(const Decimal& time);
+  [[nodiscard]] RowNumbers numbers_of(const Sample& sample);
 
   SampleColumns columns_;
   MissingSamples missing_;
   std::string bytes_;
   std::size_t size_ = 0;
+  std::optional<Eigen::Vector3d> angles_;            // of the last row [rad], where they run on
   std::optional<Decimal> first_whole_, last_whole_;  // in units of the format, where it has some
 };
 

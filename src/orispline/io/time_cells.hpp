@@ -17,6 +17,7 @@ struct TimeColumn {
   std::size_t index = 0;
   Fraction unit{};  ///< [s]
   bool states_unit = false;
+  std::optional<RestOfTime> rest{};
 };
 
 /// Of the table at its first row.

@@ -19,13 +19,15 @@ struct TimeSuffix {
 };
 
 constexpr std::array<std::string_view, 4> names{time_name, "time", "timestamp", "stamp"};
-constexpr std::array suffixes{TimeSuffix{""},          TimeSuffix{"_s"},         TimeSuffix{"_sec"},
-                              TimeSuffix{"_seconds"},  TimeSuffix{"_ms", -3},    TimeSuffix{"_msec", -3},
-                              TimeSuffix{"_us", -6},   TimeSuffix{"_usec", -6},  TimeSuffix{"_ns", -9},
-                              TimeSuffix{"_nsec", -9}, TimeSuffix{"_nanos", -9}, TimeSuffix{"_nanoseconds", -9}};
+constexpr std::array suffixes{TimeSuffix{""},           TimeSuffix{"_s"},           TimeSuffix{"_sec"},
+                              TimeSuffix{"_secs"},      TimeSuffix{"_seconds"},     TimeSuffix{"_ms", -3},
+                              TimeSuffix{"_msec", -3},  TimeSuffix{"_us", -6},      TimeSuffix{"_usec", -6},
+                              TimeSuffix{"_ns", -9},    TimeSuffix{"_nsec", -9},    TimeSuffix{"_nsecs", -9},
+                              TimeSuffix{"_nanos", -9}, TimeSuffix{"_nanosec", -9}, TimeSuffix{"_nanoseconds", -9}};
 /// Units that are names of columns themselves.
-constexpr std::array bare_units{TimeSuffix{"sec"}, TimeSuffix{"seconds"}, TimeSuffix{"msec", -3},
-                                TimeSuffix{"usec", -6}, TimeSuffix{"nsec", -9}};
+constexpr std::array bare_units{TimeSuffix{"sec"},       TimeSuffix{"secs"},       TimeSuffix{"seconds"},
+                                TimeSuffix{"msec", -3},  TimeSuffix{"usec", -6},   TimeSuffix{"nsec", -9},
+                                TimeSuffix{"nsecs", -9}, TimeSuffix{"nanosec", -9}};
 
 constexpr std::array<std::string_view, 2> frame_names{"frame", "frames"};
 
@@ -41,13 +43,14 @@ constexpr std::array sizes{SizeOfTime{17, -9, "nanoseconds"}, SizeOfTime{14, -6,
 }  // namespace
 
 TimeUnit time_unit_at_end_of(std::string_view name) {
+  for (const TimeSuffix& bare : bare_units)
+    if (name == bare.suffix) return {Decimal::power_of_ten(bare.exponent), true};
   const TimeSuffix unit = unit_of<TimeSuffix>(name, suffixes);
   return {Decimal::power_of_ten(unit.exponent), !unit.suffix.empty()};
 }
 
 std::optional<TimeUnit> time_unit_of(std::string_view name) {
-  for (const TimeSuffix& unit : bare_units)
-    if (name == unit.suffix) return TimeUnit{Decimal::power_of_ten(unit.exponent), true};
+  if (std::ranges::find(bare_units, name, &TimeSuffix::suffix) != bare_units.end()) return time_unit_at_end_of(name);
   for (const std::string_view base : names)
     if (is_with_unit<TimeSuffix>(name, base, suffixes)) return time_unit_at_end_of(name);
   return std::nullopt;

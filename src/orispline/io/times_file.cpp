@@ -30,6 +30,8 @@ Expected<TimeColumn> column_of_header(const TextTable& table, const ReadOptions&
   const auto header = table.cells().first(width_of(table.cells()));
   const ColumnNames none;
   const auto mapped = options.columns.find(time_name);
+  if (const auto two = two_time_columns(ColumnSearch(header, none), options.columns); two && *two)
+    return TimeColumn{(*two)->index, (*two)->unit, true, (*two)->rest};
   const bool is_there = mapped != options.columns.end() && std::ranges::find(header, mapped->second) != header.end();
   const ColumnSearch search(header, is_there ? options.columns : none);
   auto found = search.column(time_name, [](std::string_view name) { return time_unit_of(name).has_value(); });
@@ -85,7 +87,11 @@ Expected<Decimal> time_of(const TextTable& table, TimeColumn& column, const Cloc
       guess->warning.where.file = table.path();
       warnings.push_back(std::move(guess->warning));
     }
-  return column.unit.time_of(**time);
+  if (!column.rest) return column.unit.time_of(**time);
+  const auto rest = column.rest->index < table.cells().size() ? decimal_of(table.cells()[column.rest->index])
+                                                              : Expected<std::optional<Decimal>>(std::nullopt);
+  if (!rest || !*rest) return at_row(table, "found no finite number in the second column of the time, wanted one");
+  return column.unit.time_of(**time + column.rest->unit.of(**rest));
 }
 
 Expected<TimesList> read_times(const std::string& path, const Decimal& epoch, const ReadOptions& options) {

@@ -76,6 +76,7 @@ TrackFile track_file(KeyFile file, Keyframes keys) {
   track.lines = std::move(file.lines);
   track.exact_times = std::move(file.exact_times);
   track.settings = std::move(file.parameters);
+  track.positions_apart = std::move(file.positions_apart);
   track.as_read = std::move(file.data.orientations);
   track.table = std::move(file.table);
   track.recipe = std::move(file.recipe);

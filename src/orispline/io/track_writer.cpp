@@ -56,7 +56,7 @@ Sample sample_at(const Track& track, const SampleColumns& columns, std::size_t k
 std::optional<std::string_view> lacking_for_recipe(const Track& track, const SampleColumns& columns) {
   const FormatInfo& format = *columns.format;
   const bool keeps_signs = columns.form.representation == Representation::quaternion ||
-                           columns.form.representation == Representation::rotation_vector;
+                           columns.form.representation == Representation::rotation_vector || columns.form.runs_on();
   if (!format.holds.comments) return "comments";
   if (track.recipe.signs == Signs::as_given && !keeps_signs) return "signs in this form of orientations";
   if (!format.holds.rates && rate_orders_of(track.keys) > 0) return "columns for rates";

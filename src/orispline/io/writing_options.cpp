@@ -43,6 +43,15 @@ const std::array writing_list{
                       [](SampleColumns& columns, std::string_view text) {
                         return word_in<angle_unit_words>("output_angle_unit", text).map(into(columns.form.unit));
                       }},
+    WritingOption{.name = "continuous",
+                  .sentence =
+                      "Euler angles run on from row to row: full turns are counted, and nothing jumps at 180° or "
+                      "flips at the pole",
+                  .take =
+                      [](SampleColumns& columns, std::string_view) {
+                        columns.form.continuous = true;
+                        return Expected<void>();
+                      }},
     WritingOption{.name = "output_conjugate",
                   .sentence =
                       "Write orientations that turn world into body, as C-kernels of SPICE hold them [body into "
@@ -85,14 +94,14 @@ Expected<void> check_name(const std::string& path) {
 
 /// The option that asks for the form of orientations.
 std::string_view asking(const StatedOptions& stated) {
-  for (const std::string_view name : {"output_orientation", "output_euler"})
+  for (const std::string_view name : {"output_orientation", "output_euler", "continuous"})
     if (is_stated(stated, name)) return name;
   return "output_angle_unit";
 }
 
 Expected<void> check_form(const SampleColumns& columns, const StatedOptions& stated) {
   const Representation form = columns.form.representation;
-  for (const std::string_view name : {"output_euler", "output_angle_unit"})
+  for (const std::string_view name : {"output_euler", "output_angle_unit", "continuous"})
     if (is_stated(stated, name) && form != Representation::euler)
       return not_wanted("output_orientation",
                         std::ranges::find(stated, "output_orientation", &StatedOptions::value_type::first)->second,
@@ -111,7 +120,7 @@ std::span<const FileOption<SampleColumns>> writing_options() noexcept { return w
 Expected<SampleColumns> columns_of_output(const std::string& path, const StatedOptions& stated) {
   SampleColumns columns;
   if (const FormatInfo* const by_name = format_of_extension(path)) columns.format = by_name;
-  if (is_stated(stated, "output_euler") || is_stated(stated, "output_angle_unit"))
+  if (is_stated(stated, "output_euler") || is_stated(stated, "output_angle_unit") || is_stated(stated, "continuous"))
     columns.form.representation = Representation::euler;
   const auto named = is_stated(stated, "output_format") && !path.empty() ? Expected<void>() : check_name(path);
   return named.and_then([&] { return take_all<SampleColumns>(columns, writing_list, stated); })

@@ -10,6 +10,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/value_counts.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/jobs/curve_of_keys.hpp>
 #include <orispline/jobs/tune.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
@@ -32,8 +33,9 @@ Expected<std::vector<ComparedMethod>> methods_to_compare(const CompareRequest& r
     for (const LabelledMethod& stated : request.methods) {
       const Track& keys = data.key_sets[i].track;
       const FamilyInfo& family = family_of(stated.method);
-      methods.push_back(
-          {.label = stated.label, .key_set = i, .candidate = {completed(stated.method, family, keys), keys.keys}});
+      methods.push_back({.label = stated.label,
+                         .key_set = i,
+                         .candidate = {completed(stated.method, family, keys), keys.keys, data.key_sets[i].stretches}});
       if (request.tune && has_tensions(family)) methods.push_back(tuned(methods.back(), keys, progress));
       if (progress.stopped()) return cancellation();
     }
@@ -121,6 +123,8 @@ std::optional<double> CompareOutcome::value(const MeasureInfo& measure, const Co
 
 Expected<CompareOutcome> compare(CompareRequest request, const Progress& progress) {
   if (auto checked = check(request); !checked) return tl::unexpected(std::move(checked.error()));
+  if (request.tune)
+    if (auto whole = check_without_gaps(*request.keys); !whole) return tl::unexpected(std::move(whole.error()));
   auto alignment = alignment_in(request, progress);
   if (!alignment) return tl::unexpected(std::move(alignment.error()));
   if (*alignment) request.keys = std::make_shared<const Track>((*alignment)->aligned);

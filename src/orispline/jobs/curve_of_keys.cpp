@@ -2,7 +2,11 @@
 #include <orispline/jobs/curve_of_keys.hpp>
 
 #include <utility>
+#include <vector>
 
+#include <orispline/analysis/curve_in_stretches.hpp>
+#include <orispline/base/formatted.hpp>
+#include <orispline/curve/stretches.hpp>
 #include <orispline/families/measured.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/method_warnings.hpp>
@@ -29,7 +33,34 @@ std::optional<KeyFindings> findings_by(const Method& method, const Track& keys) 
   return key_findings(completed(method, families::Measured::info, keys), keys.keys).value_or(std::nullopt);
 }
 
+Expected<PoseCurve> curve_of(const Method& method, const Keyframes& keys, std::optional<double> gap) {
+  if (!gap) return make_pose_curve(method, keys);
+  return stretches_between_gaps(keys.times(), *gap).and_then([&](const std::vector<Stretch>& stretches) {
+    return curve_in_stretches(method, keys, stretches);
+  });
+}
+
+/// The path of the same kind through positions at times of their own.
+Expected<std::optional<AnyPath>> path_apart(const Method& method, const Track& track) {
+  const PositionTrack& apart = track.positions_apart;
+  if (apart.is_empty()) return std::nullopt;
+  return Keyframes::make({.times = apart.times,
+                          .orientations = std::vector(apart.times.size(), Eigen::Quaterniond::Identity()),
+                          .positions = apart.positions})
+      .and_then([&](const Keyframes& keys) { return curve_of(method, keys, track.recipe.gap); })
+      .map([](PoseCurve curve) { return curve.position; });
+}
+
 }  // namespace
+
+Expected<PoseCurve> curve_through(const Method& method, const Track& keys) {
+  return curve_of(method, keys.keys, keys.recipe.gap).and_then([&](PoseCurve curve) {
+    return path_apart(method, keys).map([&](std::optional<AnyPath> path) {
+      if (path) curve.position = std::move(path);
+      return curve;
+    });
+  });
+}
 
 Expected<PoseCurve> shaped_curve(const Method& method, const Track& keys) {
   // The user answers for his words first; what fails after that is the fault of the file's columns.
@@ -38,10 +69,17 @@ Expected<PoseCurve> shaped_curve(const Method& method, const Track& keys) {
   if (!settled) return tl::unexpected(blamed_on_recipe(method, keys, placed(keys, settled.error())));
   const Method shaped = completed(method, family, keys);
   const bool has_columns = shaped.options.parameters.size() > method.options.parameters.size();
-  return make_pose_curve(shaped, keys.keys).map_error([&](Error error) {
-    if (has_columns) error.code = ErrorCode::bad_data;
+  return curve_through(shaped, keys).map_error([&](Error error) {
+    if (has_columns && error.option != "gap") error.code = ErrorCode::bad_data;
     return blamed_on_recipe(method, keys, placed(keys, std::move(error)));
   });
+}
+
+Expected<void> check_without_gaps(const Track& keys) {
+  if (!keys.recipe.gap) return {};
+  const std::string reason = keys.recipe.line == 0 ? "" : formatted(", as line {} of the keys says", keys.recipe.line);
+  return bad_option(
+      "gap", formatted("found gaps longer than {} s{}, wanted one curve through all keys", *keys.recipe.gap, reason));
 }
 
 Expected<CurveOfKeys> curve_of_keys(const Method& method, const Track& keys) {

@@ -13,6 +13,10 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
+/// The curve of a complete method through keys, in stretches where their recipe states a gap, with the path through
+/// positions that stand apart. Errors: those of make_pose_curve(); of `gap`, one that does not suit the keys.
+[[nodiscard]] ORISPLINE_EXPORT Expected<PoseCurve> curve_through(const Method& method, const Track& keys);
+
 /// The curve of a method through the keys of a file, with the settings of their columns where the method is silent.
 ///
 /// What the user's words are to blame for is bad_argument; what the columns are, or the recipe, is bad_data and names
@@ -56,6 +60,9 @@ using Shaping = std::function<Expected<Method>(Method method, NamedBy by)>;
                                                                     const Shaping& shaping = {});
 [[nodiscard]] ORISPLINE_EXPORT Expected<ChosenMethod> chosen_method(const std::optional<Method>& named,
                                                                     const Track& keys, const UsualMethod& usual);
+
+/// Error (bad_argument): the keys state gaps, and the task is about one curve through all of them.
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> check_without_gaps(const Track& keys);
 
 /// The family of a method that was understood.
 [[nodiscard]] ORISPLINE_EXPORT const FamilyInfo& family_of(const Method& method);

@@ -9,6 +9,7 @@
 #include <orispline/analysis/continuity.hpp>
 #include <orispline/analysis/key_statistics.hpp>
 #include <orispline/base/warning.hpp>
+#include <orispline/curve/stretches.hpp>
 #include <orispline/curve/track.hpp>
 #include <orispline/families/key_findings.hpp>
 #include <orispline/fields/json.hpp>
@@ -41,7 +42,8 @@ struct InspectedMethod {
 struct InspectOutcome {
   InspectRequest request;
   KeyStatistics statistics{};
-  KeyframeReport keyframes{};  ///< the keys of a wrong norm among the non-unit ones
+  std::vector<Stretch> stretches{};  ///< of the keys: one, where no gap is stated
+  KeyframeReport keyframes{};        ///< the keys of a wrong norm among the non-unit ones
   std::vector<InspectedMethod> methods{};
   std::vector<Warning> warnings{};  ///< of the methods
 };

@@ -114,6 +114,16 @@ std::string recipe_line(const Recipe& recipe) {
                    recipe.signs == Signs::as_given ? ", signs as given" : "", recipe.line);
 }
 
+std::string stretches_line(const InspectOutcome& outcome) {
+  const auto& stretches = outcome.stretches;
+  if (!track_of(outcome).recipe.gap) return "";
+  std::string line =
+      formatted("stretches     {} by gaps longer than {} s", stretches.size(), *track_of(outcome).recipe.gap);
+  for (std::size_t i = 1; i < std::min(stretches.size(), places_shown + 1); ++i)
+    line += formatted("{} {}", i == 1 ? ", begun at" : ",", place(outcome, stretches[i].first));
+  return line + (stretches.size() > places_shown + 1 ? ", …\n" : "\n");
+}
+
 std::string half_turn_line(const InspectOutcome& outcome) {
   const auto& steps = outcome.statistics.near_half_turns;
   std::string line = formatted("near 180°     {}", steps.size());
@@ -242,6 +252,8 @@ Json document_of(const InspectOutcome& outcome) {
             {"end_s", track.time_of(track.keys.size() - 1).to_string()}};
   json["for_method"] = track.recipe.method.empty() ? Json(nullptr) : Json(track.recipe.method);
   json["signs"] = track.recipe.signs == Signs::as_given ? "as-given" : "shortest";
+  json["gap_s"] = track.recipe.gap ? Json(*track.recipe.gap) : Json(nullptr);
+  json["stretches"] = outcome.stretches.size();
   add_statistics(json, outcome);
   json["sign_flips"] = outcome.keyframes.sign_flips;
   json["non_unit_keys"] = outcome.keyframes.non_unit_keys;
@@ -256,8 +268,8 @@ Json document_of(const InspectOutcome& outcome) {
 }
 
 std::string summary_of(const InspectOutcome& outcome) {
-  std::string text =
-      keys_lines(outcome) + recipe_line(track_of(outcome).recipe) + half_turn_line(outcome) + quality_lines(outcome);
+  std::string text = keys_lines(outcome) + recipe_line(track_of(outcome).recipe) + stretches_line(outcome) +
+                     half_turn_line(outcome) + quality_lines(outcome);
   if (const auto& defect = outcome.request.faults.defect) text += formatted("defect        {}\n", *defect);
   return text + methods_table(outcome) + shapes_table(outcome) + findings_lines(outcome);
 }

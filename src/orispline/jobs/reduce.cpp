@@ -58,6 +58,13 @@ Expected<ReduceOutcome> measured_raw(ReduceOutcome outcome) {
 Expected<ReduceOutcome> finished(ReduceOutcome outcome, Expected<std::vector<Reduction>> reductions) {
   if (!reductions) return tl::unexpected(placed(*outcome.recording, std::move(reductions.error())));
   outcome.reductions = std::move(*reductions);
+  const Track& chosen = outcome.chosen().track;
+  if (outcome.reduced().recipe.gap && !chosen.recipe.gap)
+    outcome.warnings.push_back(
+        {.code = "gaps_not_stated",
+         .message =
+             "within stretches the keys are farther apart than the shortest gap: their file cannot say where the "
+             "gaps are, and a curve through them bridges these"});
   return outcome.smoothed ? measured_raw(std::move(outcome)) : std::move(outcome);
 }
 

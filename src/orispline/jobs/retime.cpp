@@ -69,6 +69,7 @@ std::vector<Certificate> RetimeOutcome::certificates() const {
 
 Expected<RetimeOutcome> retime(RetimeRequest request, const Progress& progress) {
   const Track& keys = *request.keys;
+  if (auto whole = check_without_gaps(keys); !whole) return tl::unexpected(std::move(whole.error()));
   const bool is_named = request.method.by != NamedBy::nobody || !keys.recipe.is_empty();
   const Method method = is_named ? request.method.method : holding_rests(request.method.method, keys.keys);
   auto retiming = orispline::retime(keys, method, request.options, progress);

@@ -55,7 +55,17 @@ std::string truth_line(const TruthDistance& truth) {
 
 std::string outside_text(const SampleOutcome& outcome) {
   const auto how = std::ranges::find(words<Extrapolation>, static_cast<int>(outcome.extrapolation), &Word::value);
-  return formatted("{} outside the curve {}", counted(outcome.held_samples, "sample"), how->sentence);
+  const std::string_view sentence = !outcome.leaves_out         ? how->sentence
+                                    : outcome.held_samples == 1 ? "is left out"
+                                                                : "are left out";
+  return formatted("{} outside the curve {}", counted(outcome.held_samples, "sample"), sentence);
+}
+
+std::string gap_text(const SampleOutcome& outcome) {
+  return formatted("{} in gaps of the keys {}", counted(outcome.gap_samples, "sample"),
+                   outcome.marks_gaps         ? "marked by empty rows"
+                   : outcome.gap_samples == 1 ? "is left out"
+                                              : "are left out");
 }
 
 Json truth_json(const TruthDistance& truth) {
@@ -112,7 +122,8 @@ Json document_of(const SampleOutcome& outcome, Json of_columns, Json of_repairs)
             {"start_s", outcome.start.to_string()},
             {"end_s", outcome.end.to_string()},
             {"samples", outcome.samples},
-            {"held_samples", outcome.held_samples}};
+            {"held_samples", outcome.held_samples},
+            {"gap_samples", outcome.gap_samples}};
   json.update(std::move(of_columns));
   json["sign_flips"] = outcome.keyframes.sign_flips;
   json["non_unit_keys"] = outcome.keyframes.non_unit_keys;
@@ -132,6 +143,7 @@ std::string summary_of(const SampleOutcome& outcome) {
   if (outcome.findings) text += "the keys say: " + findings_text(*outcome.findings) + "\n";
   if (outcome.band) text += formatted("the band is meant to hold {:.4g} % of the true motion\n", 100.0 * *outcome.band);
   if (outcome.held_samples > 0) text += outside_text(outcome) + "\n";
+  if (outcome.gap_samples > 0) text += gap_text(outcome) + "\n";
   return outcome.truth ? text + truth_line(*outcome.truth) : text;
 }
 
@@ -140,6 +152,7 @@ std::string line_of(const SampleOutcome& outcome) {
                                counted(outcome.keys, "key"));
   if (!outcome.mended.empty()) line += "; " + outcome.mended;
   if (outcome.held_samples > 0) line += "; " + outside_text(outcome);
+  if (outcome.gap_samples > 0) line += "; " + gap_text(outcome);
   if (outcome.truth && outcome.truth->distance.count > 0)
     line += formatted("; RMS {:.4g}° and at most {:.4g}° from {}", outcome.truth->distance.rms * degrees,
                       outcome.truth->distance.largest * degrees, printable(outcome.truth->recording));

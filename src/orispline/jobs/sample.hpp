@@ -37,6 +37,9 @@ struct SampleOutcome {
   bool inner_quaternions = false;             ///< whether it has the keys' own
   Decimal start{}, end{};                     ///< of the curve, in the file's own time [s]
   std::size_t samples = 0, held_samples = 0;  ///< in all, and outside the curve
+  bool leaves_out = false;                    ///< samples outside the curve, which are not among `samples`
+  std::size_t gap_samples = 0;                ///< in gaps of the keys
+  bool marks_gaps = false;                    ///< these have empty rows; else they are not among `samples`
   Extrapolation extrapolation = Extrapolation::hold;
   std::optional<KeyFindings> findings{};  ///< by the method `measured`
   std::optional<double> band{};           ///< the share of the true motion that it is meant to hold

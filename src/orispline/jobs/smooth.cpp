@@ -166,6 +166,7 @@ std::string SmoothOutcome::result() const {
 
 Expected<SmoothOutcome> smooth(SmoothRequest request, const Progress& progress) {
   const Track& recording = *request.recording;
+  if (!request.options.gap && !request.options.gyro) request.options.gap = recording.recipe.gap;
   if (auto checked = check(request.options); !checked) return tl::unexpected(std::move(checked.error()));
   if (request.options.gyro && !request.gyro) {
     auto gyro = gyro_rates_in(recording);

@@ -38,6 +38,7 @@ const std::vector<double>& TuneOutcome::values(const std::string& parameter) con
 
 Expected<TuneOutcome> tune(TuneRequest request, const Progress& progress) {
   const Track& keys = *request.keys;
+  if (auto whole = check_without_gaps(keys); !whole) return tl::unexpected(std::move(whole.error()));
   TuneOptions options = request.options;
   std::vector<double> times;  // of the reference, counted as those of the keys
   if (const Track* reference = request.reference.get()) {

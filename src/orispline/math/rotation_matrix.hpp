@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <Eigen/LU>
+
 #include <orispline/math/eigen.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -10,6 +12,21 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// How far a matrix is from orthonormal: the largest element, in size, of RᵀR - 1.
 [[nodiscard]] inline double orthonormality_error(const Matrix3<double>& m) noexcept {
   return (m.transpose() * m - Matrix3<double>::Identity()).cwiseAbs().maxCoeff();
+}
+
+/// The rotation that is nearest to a matrix of positive determinant by Frobenius' norm: the orthogonal factor of its
+/// polar decomposition, by Newton's iteration X ← (X + X⁻ᵀ)/2, whose error squares in each step.
+/// Source: Higham, Computing the polar decomposition - with applications, SIAM J. Sci. Stat. Comput. 7 (1986), sec. 3.
+[[nodiscard]] inline Matrix3<double> nearest_rotation_matrix(Matrix3<double> m) noexcept {
+  constexpr int most_steps = 32;
+  constexpr double settled = 1e-15;
+  for (int step = 0; step < most_steps; ++step) {
+    const Matrix3<double> next = 0.5 * (m + m.inverse().transpose());
+    const double moved = (next - m).cwiseAbs().maxCoeff();
+    m = next;
+    if (!(moved > settled)) break;
+  }
+  return m;
 }
 
 /// Unit quaternion of a rotation matrix R_world_body that is orthonormal within rounding or nearly so, det > 0.

@@ -79,7 +79,7 @@ report::PageMethod method_of(const ComparedMethod& method, const ComparedCurves&
     return result;
   }
   result.continuity = continuity_of(*method.measures);
-  const auto curve = make_pose_curve(method.candidate.method, method.candidate.keys);
+  const auto curve = curve_of(method.candidate);
   if (!curve) return result;  // it was made before
   result.samples = samples_of(*curve, compared.inertia, samples_per_method);
   result.samples.errors = report::errors_to(truth, result.samples.path);

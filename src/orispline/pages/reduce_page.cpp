@@ -34,7 +34,7 @@ std::vector<report::PageColumn> columns_of(const CurvePage& page) {
 
 report::PageMethod method_of(const CurvePage& page, const std::string& name, const Reduction& reduction) {
   const Candidate candidate{.method = reduction.method, .keys = reduction.track.keys};
-  auto curve = make_pose_curve(reduction.method, reduction.track.keys);
+  auto curve = curve_of(reduction);
   auto measures = measure(candidate, page.recorded());
   if (!curve || !measures) return {.name = name, .failure = describe(curve ? measures.error() : curve.error())};
   report::PageMethod method = with_errors(method_of(page, {name, reduction.track.keys, *curve, *measures}),

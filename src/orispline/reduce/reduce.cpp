@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <utility>
+#include <vector>
 
+#include <orispline/analysis/curve_in_stretches.hpp>
 #include <orispline/base/counted_work.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
@@ -115,10 +119,140 @@ Expected<Reduction> certified(const LocalMethod& local, const ToleranceCheck& re
   return Reduction{std::move(reduced), method, std::move(found.samples), *deviation};
 }
 
+/// [s]; infinite where there is none.
+double shortest_gap(const Keyframes& keys, std::span<const Stretch> stretches) {
+  const auto t = keys.times();
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Stretch& stretch : stretches.subspan(1))
+    shortest = std::min(shortest, t[stretch.first] - t[stretch.first - 1]);
+  return shortest;
+}
+
+/// The interval from which on those between these keys are gaps and no others; absent where there is none such.
+std::optional<double> telling_gap(const Keyframes& keys, std::span<const Stretch> stretches, double gap) {
+  const auto t = keys.times();
+  double longest = 0.0;
+  for (const auto& [first, count] : stretches)
+    for (std::size_t i = first + 1; i < first + count; ++i) longest = std::max(longest, t[i] - t[i - 1]);
+  if (longest <= gap || stretches.size() == 1) return gap;
+  const double shortest = shortest_gap(keys, stretches), between = std::midpoint(longest, shortest);
+  const bool tells = longest < shortest && stretches_between_gaps(t, between).has_value();
+  return tells ? std::optional(between) : std::nullopt;
+}
+
+Expected<Reduction> reduced(const Track& track, const Method& method, const ReduceOptions& options,
+                            const Progress& progress);
+
+/// Samples among which no two neighbours are as far apart as the limit [s]; those in between are as late as may be.
+std::vector<std::size_t> nearer_than(double limit, std::span<const double> t, const std::vector<std::size_t>& samples) {
+  std::vector<std::size_t> nearer{samples.front()};
+  for (const std::size_t next : samples) {
+    for (std::size_t i = nearer.back() + 1; i < next; ++i)
+      if (t[i + 1] - t[nearer.back()] >= limit) nearer.push_back(i);
+    if (next > nearer.back()) nearer.push_back(next);
+  }
+  return nearer;
+}
+
+/// With as many samples more as it takes that no interval looks like a gap, where the curve keeps to the tolerance.
+Reduction told_from_gaps(Reduction reduction, const Track& track, const Method& method, const ReduceOptions& options,
+                         double shortest_gap) {
+  const auto samples = nearer_than(shortest_gap, track.keys.times(), reduction.samples);
+  const bool are_samples = options.values == KeyValues::sampled && reduction.track.keys.angular_velocities().empty();
+  if (!are_samples || samples.size() == reduction.samples.size()) return reduction;
+  const auto local = local_method(method, track);
+  if (!local) return reduction;
+  OpenEndedWork work({}, usual_curves);
+  const ToleranceCheck recording(track.keys, options.tolerance, work);
+  auto denser = certified(*local, recording, track, recording.keys_at(samples));
+  return denser ? std::move(*denser) : std::move(reduction);
+}
+
+/// A stretch of one sample stays as it is.
+Expected<Reduction> reduced_stretch(const Track& track, const Method& method, const ReduceOptions& options,
+                                    const Stretch& stretch, double shortest_gap, const Progress& progress) {
+  std::vector<std::size_t> samples(stretch.count);
+  std::iota(samples.begin(), samples.end(), stretch.first);
+  auto own = keys_of_stretch(track.keys, stretch);
+  if (!own) return tl::unexpected(std::move(own.error()));
+  Track part = track.at(samples).with_keys(*own);
+  if (stretch.count == 1) return Reduction{.track = std::move(part), .samples = {0}};
+  part.recipe.signs = track.recipe.signs;
+  const Method for_stretch = method_for_stretch(method, stretch, track.keys.size());
+  return reduced(part, for_stretch, options, progress).map([&](Reduction reduction) {
+    return told_from_gaps(std::move(reduction), part, for_stretch, options, shortest_gap);
+  });
+}
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/// The worse of two deviations, the second of which is of samples from that one on.
+Deviation worse(Deviation one, const Deviation& other, std::size_t first) {
+  if (other.angle > one.angle) one.angle = other.angle, one.angle_at = first + other.angle_at;
+  if (other.position && !(*other.position <= one.position.value_or(-1.0)))
+    one.position = other.position, one.position_at = first + other.position_at;
+  return one;
+}
+
+/// The keys of several stretches in one track; a key that stands alone has no rates of its own.
+void append_keys(KeyframeData& all, const Reduction& one, bool have_rates) {
+  const KeyframeData& more = one.track.keys.data();
+  append(all.times, more.times);
+  append(all.orientations, more.orientations);
+  append(all.positions, more.positions);
+  if (!have_rates) return;
+  if (one.samples.size() > 1) append(all.angular_velocities, more.angular_velocities);
+  else all.angular_velocities.push_back(free_rate());
+}
+
+/// Each stretch by itself, and all their keys in one track, the recipe of which states the gaps where one length can.
+Expected<Reduction> reduced_in_stretches(const Track& track, const Method& method, const ReduceOptions& options,
+                                         const Progress& progress) {
+  const auto stretches = stretches_between_gaps(track.keys.times(), *track.recipe.gap);
+  if (!stretches) return tl::unexpected(stretches.error());
+  const auto local = local_method(method, track);
+  if (!local) return tl::unexpected(local.error());
+  const double shortest = shortest_gap(track.keys, *stretches);
+  std::vector<Reduction> each;
+  Reduction all;
+  for (const Stretch& stretch : *stretches) {
+    auto one = reduced_stretch(track, method, options, stretch, shortest, progress);
+    if (!one) return one;
+    all.stretches.push_back({all.samples.size(), one->samples.size()});
+    for (const std::size_t sample : one->samples) all.samples.push_back(stretch.first + sample);
+    all.deviation = worse(all.deviation, one->deviation, stretch.first);
+    each.push_back(std::move(*one));
+  }
+  const bool have_rates = std::ranges::any_of(each, [](const Reduction& one) {
+    return one.samples.size() > 1 && !one.track.keys.angular_velocities().empty();
+  });
+  KeyframeData data;
+  for (const Reduction& one : each) append_keys(data, one, have_rates);
+  auto keys = Keyframes::make(std::move(data), Signs::as_given);
+  if (!keys) return tl::unexpected(std::move(keys.error()));
+  all.method = local->method.at(all.samples, track.keys.size());
+  all.track = track.at(all.samples).with_keys(*keys);
+  all.track.settings = settings_per_key(all.method, all.samples.size());
+  all.track.recipe = recipe_for(all.method, all.track);
+  all.track.recipe.gap = telling_gap(all.track.keys, all.stretches, *track.recipe.gap);
+  return all;
+}
+
 }  // namespace
 
 Expected<Reduction> reduce(const Track& track, const Method& method, const ReduceOptions& options,
                            const Progress& progress) {
+  return track.recipe.gap ? reduced_in_stretches(track, method, options, progress)
+                          : reduced(track, method, options, progress);
+}
+
+namespace {
+
+Expected<Reduction> reduced(const Track& track, const Method& method, const ReduceOptions& options,
+                            const Progress& progress) {
   const auto local = local_method(method, track);
   if (!local) return tl::unexpected(local.error());
   if (const auto checked = check(track.keys, options.tolerance); !checked) return tl::unexpected(checked.error());
@@ -135,6 +269,8 @@ Expected<Reduction> reduce(const Track& track, const Method& method, const Reduc
         return reduction;
       });
 }
+
+}  // namespace
 
 std::vector<Expected<std::vector<Reduction>>> reduce_tracks(std::span<const Track> tracks,
                                                             std::span<const Method> methods,
@@ -156,6 +292,11 @@ std::vector<Expected<std::vector<Reduction>>> reduce_tracks(std::span<const Trac
   return of_tracks;
 }
 
+Expected<PoseCurve> curve_of(const Reduction& reduction) {
+  return reduction.stretches.empty() ? make_pose_curve(reduction.method, reduction.track.keys)
+                                     : curve_in_stretches(reduction.method, reduction.track.keys, reduction.stretches);
+}
+
 Expected<DistanceStatistics> distance_of(const Reduction& reduction, const Keyframes& samples,
                                          std::span<const std::size_t> left_out) {
   std::vector<std::size_t> kept;
@@ -167,8 +308,8 @@ Expected<DistanceStatistics> distance_of(const Reduction& reduction, const Keyfr
     times.push_back(samples.times()[i]);
     orientations.push_back(samples.orientations()[i]);
   }
-  return make_curve(reduction.method, reduction.track.keys).map([&](const AnyCurve& curve) {
-    DistanceStatistics distance = distance_to_reference(curve, {times, orientations});
+  return curve_of(reduction).map([&](const PoseCurve& curve) {
+    DistanceStatistics distance = distance_to_reference(curve.orientation, {times, orientations});
     if (distance.count > 0) distance.largest_at = kept[distance.largest_at];
     return distance;
   });
@@ -176,7 +317,7 @@ Expected<DistanceStatistics> distance_of(const Reduction& reduction, const Keyfr
 
 Expected<DistanceStatistics> position_distance_of(const Reduction& reduction, const Keyframes& samples,
                                                   std::span<const std::size_t> left_out) {
-  return make_pose_curve(reduction.method, reduction.track.keys).map([&](const PoseCurve& curve) {
+  return curve_of(reduction).map([&](const PoseCurve& curve) {
     std::vector<std::size_t> kept;
     std::vector<double> distances;
     for (std::size_t i = 0; i < samples.size(); ++i) {

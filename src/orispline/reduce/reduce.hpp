@@ -12,6 +12,8 @@
 #include <orispline/analysis/distance.hpp>
 #include <orispline/base/progress.hpp>
 #include <orispline/curve/method.hpp>
+#include <orispline/curve/path.hpp>
+#include <orispline/curve/stretches.hpp>
 #include <orispline/curve/track.hpp>
 #include <orispline/fields/field_info.hpp>
 
@@ -51,6 +53,7 @@ struct Reduction {
   Method method{};                     ///< of the curve through them, with its settings for these keys
   std::vector<std::size_t> samples{};  ///< the recording's, at whose times the keys stand
   Deviation deviation{};               ///< of the curve from all samples: not above the tolerance
+  std::vector<Stretch> stretches{};    ///< of the keys, where the recording states gaps; empty: one
 };
 
 /// The methods that are tried where none is asked for; of equally few keys the first one's are taken.
@@ -75,6 +78,9 @@ inline constexpr std::array<std::string_view, 3> reducing_methods{"auto", "timed
 [[nodiscard]] ORISPLINE_EXPORT std::vector<Expected<std::vector<Reduction>>> reduce_tracks(
     std::span<const Track> tracks, std::span<const Method> methods, const ReduceOptions& options, unsigned threads = 0,
     const Progress& progress = {});
+
+/// The curve through the keys, in their stretches. Errors: those of make_pose_curve().
+[[nodiscard]] ORISPLINE_EXPORT Expected<PoseCurve> curve_of(const Reduction& reduction);
 
 /// How far the curve through the keys is from samples at times of its own, such as those of the recording before it was
 /// smoothed: the full angle of the rotation from one to the other [rad]. Those at the rising indices `left_out` do not

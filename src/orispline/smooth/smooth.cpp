@@ -462,6 +462,7 @@ Expected<Smoothing> smoothed(const Request& request) {
         smoothing.track = std::move(*track);
         forget_stated_noise(smoothing.track);
         smoothing.track.recipe = recipe_for(smoothing.method, recording);
+        smoothing.track.recipe.gap = request.options.gap;
         if (progress.stopped()) return cancellation();
         smoothing.distances = distances_of(smoothing, keys, CountedSamples::all);
         smoothing.accepted_distances = distances_of(smoothing, keys, CountedSamples::accepted);

@@ -13,6 +13,7 @@
 #include <orispline/base/progress.hpp>
 #include <orispline/base/warning.hpp>
 #include <orispline/curve/method.hpp>
+#include <orispline/curve/stretches.hpp>
 #include <orispline/curve/track.hpp>
 #include <orispline/fields/field_info.hpp>
 #include <orispline/math/eigen.hpp>
@@ -102,11 +103,6 @@ struct SmoothedNodes {
 struct NodeSigmas {
   std::vector<Eigen::Vector3d> orientations{};        ///< [rad], of a turn about that axis
   std::vector<Eigen::Vector3d> angular_velocities{};  ///< [rad/s]
-};
-
-/// Successive keys without a gap.
-struct Stretch {
-  std::size_t first, count;
 };
 
 /// The method whose curve through smoothed keys is the smooth motion: C2, through their orientations and rates.

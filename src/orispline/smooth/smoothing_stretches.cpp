@@ -11,7 +11,6 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-constexpr double time_rounding = 1e-6;   // relative, of intervals
 constexpr std::size_t shortest_run = 3;  // of far samples that are rather motion than faults
 
 /// As many as tell noise from motion.
@@ -32,14 +31,12 @@ RecordingScale scale_of(const Keyframes& recording) {
 
 Expected<std::vector<Stretch>> stretches_of(const Keyframes& recording, Penalty penalty, std::optional<double> gap) {
   const auto t = recording.times();
-  const double interval = median_interval(t);
-  if (gap && *gap <= interval * (1.0 + time_rounding))
-    return bad_option("gap",
-                      formatted("found {:.6g} s, wanted more than the median interval of {:.6g} s", *gap, interval));
-  std::vector<Stretch> stretches{{0, 1}};
-  for (std::size_t i = 1; i < t.size(); ++i)
-    if (gap && t[i] - t[i - 1] > *gap) stretches.push_back({i, 1});
-    else ++stretches.back().count;
+  std::vector<Stretch> stretches{{0, t.size()}};
+  if (gap) {
+    auto cut = stretches_between_gaps(t, *gap);
+    if (!cut) return tl::unexpected(std::move(cut.error()));
+    stretches = std::move(*cut);
+  }
   std::erase_if(stretches, [&](const Stretch& stretch) { return stretch.count < fewest_samples(penalty); });
   if (!stretches.empty()) return stretches;
   return failure(ErrorCode::bad_data,

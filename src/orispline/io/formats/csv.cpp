@@ -29,7 +29,8 @@ Expected<TableLayout> layout_of_header(const TextTable& table, const ReadOptions
                               .rates = rate_reading(options),
                               .inner_quaternions = options.inner_quaternions,
                               .orientation = options.orientation,
-                              .count_rows = options.count_rows};
+                              .count_rows = options.count_rows,
+                              .positions = !options.no_positions};
   return located(table, columns_of_header(table.cells(), reading)).map([&](KeyColumns columns) {
     std::vector<std::string> names(table.cells().begin(), table.cells().end());
     names.resize(columns.width);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
@@ -11,9 +10,9 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/clip/clip_motion.hpp>
+#include <orispline/math/continuous_euler.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/math/eigen.hpp>
-#include <orispline/math/euler.hpp>
 #include <orispline/math/number.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
@@ -26,52 +25,10 @@ struct JointAngles {
   std::vector<std::size_t> near_lock{};  ///< frames within 1° of gimbal lock
 };
 
-constexpr double pi = std::numbers::pi, full_turn = 2.0 * pi;
 constexpr double same_rotation = 1e-9;  // [rad]
 constexpr double near_lock = 1.0 * radians_per_degree;
-constexpr double at_lock = 1e-12;  // [rad], where euler_angles() gives the third angle as 0
-
-/// The angle of the same direction that is nearest to another.
-double nearest(double angle, double to) { return to + std::remainder(angle - to, full_turn); }
-Eigen::Vector3d nearest(Eigen::Vector3d angles, const Eigen::Vector3d& to) {
-  for (Eigen::Index i = 0; i < 3; ++i) angles[i] = nearest(angles[i], to[i]);
-  return angles;
-}
 
 double handedness_of(int i, int j) { return (j - i + 3) % 3 == 1 ? 1.0 : -1.0; }
-
-/// Angles of three turns that follow one another without jumps.
-class ThreeTurns {
- public:
-  explicit ThreeTurns(const EulerOrder& order) : order_(order) {}
-
-  [[nodiscard]] Eigen::Vector3d after(const Eigen::Vector3d& before, const Eigen::Quaterniond& q) const {
-    const Eigen::Vector3d angles = euler_angles(order_, q);
-    if (lock_distance(angles) <= at_lock) return at_the_lock(before, angles);
-    const double mirrored = order_.is_proper() ? -angles[1] : pi - angles[1];
-    const Eigen::Vector3d one = nearest(angles, before);
-    const Eigen::Vector3d other = nearest({angles[0] + pi, mirrored, angles[2] + pi}, before);
-    return (one - before).squaredNorm() <= (other - before).squaredNorm() ? one : other;
-  }
-
-  /// How far the second turn is from where the first and the third have one axis [rad].
-  [[nodiscard]] double lock_distance(const Eigen::Vector3d& angles) const {
-    return order_.is_proper() ? std::abs(std::remainder(angles[1], pi))
-                              : std::abs(std::remainder(angles[1] - pi / 2, pi));
-  }
-
- private:
-  /// Only a sum or a difference of the outer angles means anything: both take half of its step.
-  [[nodiscard]] Eigen::Vector3d at_the_lock(const Eigen::Vector3d& before, const Eigen::Vector3d& angles) const {
-    const bool is_sum = order_.is_proper() ? angles[1] < pi / 2
-                                           : (angles[1] > 0.0) == (handedness_of(order_.turns[0], order_.turns[1]) > 0);
-    const double sign = is_sum ? 1.0 : -1.0;
-    const double step = std::remainder(angles[0] + sign * angles[2] - before[0] - sign * before[2], full_turn);
-    return {before[0] + step / 2, nearest(angles[1], before[1]), before[2] + sign * step / 2};
-  }
-
-  EulerOrder order_;
-};
 
 /// The turns about two different axes that come nearest to a rotation: with half angles α, β and e_i × e_j = ε e_k,
 /// (w, q_i) = cos β (cos α, sin α) and (q_j, ε q_k) = sin β (cos α, sin α).
@@ -100,7 +57,7 @@ std::optional<JointAngles> fewer_turns(std::span<const int> turns, std::span<con
                                                 : std::array{2.0 * atan2_of(q.vec()[turns[0]], q.w()), 0.0};
     if (!makes(turns, angles, q)) return std::nullopt;
     for (std::size_t i = 0; i < turns.size(); ++i) {
-      before[i] = nearest(angles[i], before[i]);
+      before[i] = nearest_angle(angles[i], before[i]);
       found.degrees.push_back(before[i] * degrees);
     }
   }
@@ -109,7 +66,7 @@ std::optional<JointAngles> fewer_turns(std::span<const int> turns, std::span<con
 
 JointAngles three_turns(const EulerOrder& order, std::span<const Eigen::Quaterniond> rotations,
                         std::span<const double> start) {
-  const ThreeTurns turns(order);
+  const ContinuousEuler turns(order);
   JointAngles found;
   found.degrees.reserve(rotations.size() * 3);
   Eigen::Vector3d before = euler_angles(order, rotations.front());

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/analysis/curve_in_stretches.hpp>
+
+#include <utility>
+#include <vector>
+
+#include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
+#include <orispline/curve/key_parts.hpp>
+#include <orispline/curve/stretched_curve.hpp>
+#include <orispline/families/registry.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI {
+
+namespace {
+
+template <class T>
+std::vector<T> part_of(std::span<const T> values, const Stretch& stretch) {
+  if (values.empty()) return {};
+  const auto part = values.subspan(stretch.first, stretch.count);
+  return {part.begin(), part.end()};
+}
+
+}  // namespace
+
+Expected<Keyframes> keys_of_stretch(const Keyframes& keys, const Stretch& stretch) {
+  const auto own = [&stretch](const auto& list) { return part_of(std::span(list), stretch); };
+  return Keyframes::make(list_by_list(keys.data(), own), Signs::as_given);
+}
+
+Method method_for_stretch(Method method, const Stretch& stretch, std::size_t keys) {
+  for (auto& [name, values] : method.options.parameters)
+    if (values.size() == keys) values = part_of(std::span<const double>(values), stretch);
+  const auto is_clamped = [](const End& end) { return end.rule == EndRule::clamped; };
+  if (stretch.first > 0 && is_clamped(method.options.start)) method.options.start = {};
+  if (stretch.first + stretch.count < keys && is_clamped(method.options.end)) method.options.end = {};
+  return method;
+}
+
+Expected<PoseCurve> curve_in_stretches(const Method& method, const Keyframes& keys,
+                                       std::span<const Stretch> stretches) {
+  if (method.options.loop) return bad_option("gap", "found gaps in the keys of a closed curve, wanted one of the two");
+  std::vector<AnyCurve> orientations;
+  std::vector<AnyPath> positions;
+  for (const Stretch& stretch : stretches) {
+    auto curve = keys_of_stretch(keys, stretch).and_then([&](const Keyframes& own) {
+      return make_pose_curve(method_for_stretch(method, stretch, keys.size()), own);
+    });
+    if (!curve) {
+      Error error = std::move(curve.error());
+      error.where.key = stretch.first + error.where.key.value_or(0);
+      error.message += formatted(", in the {} from there to the next gap", counted(stretch.count, "key"));
+      return tl::unexpected(std::move(error));
+    }
+    orientations.push_back(curve->orientation);
+    if (curve->position) positions.push_back(*curve->position);
+  }
+  PoseCurve joined{StretchedCurve<Eigen::Quaterniond>(std::move(orientations))};
+  if (!positions.empty()) joined.position = StretchedCurve<Eigen::Vector3d>(std::move(positions));
+  return joined;
+}
+
+}}  // namespace orispline

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/method.hpp>
+#include <orispline/curve/path.hpp>
+#include <orispline/curve/stretches.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI {
+
+/// The keys of a stretch, with the signs that they have.
+[[nodiscard]] Expected<Keyframes> keys_of_stretch(const Keyframes& keys, const Stretch& stretch);
+
+/// A method for so many keys as one for those of a stretch: with their own settings, and with a rate that is given for
+/// an end at that end only.
+[[nodiscard]] Method method_for_stretch(Method method, const Stretch& stretch, std::size_t keys);
+
+/// A curve of its own through each stretch, one at least, and NaN between them. Errors: those of make_pose_curve(),
+/// with the stretch; bad_argument for a closed curve.
+[[nodiscard]] ORISPLINE_EXPORT Expected<PoseCurve> curve_in_stretches(const Method& method, const Keyframes& keys,
+                                                                      std::span<const Stretch> stretches);
+
+}}  // namespace orispline

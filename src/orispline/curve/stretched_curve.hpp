@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <orispline/curve/path.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI {
+
+/// Curves one after the other, one at least, with gaps between them, where points are NaN. A gap is a segment of which
+/// the ends belong to the curves beside it.
+template <CurvePoint P>
+class StretchedCurve {
+ public:
+  explicit StretchedCurve(std::vector<AnyCurveThrough<P>> stretches)
+      : stretches_(std::move(stretches)), knots_(knots_of(stretches_)) {
+    for (std::uint32_t i = 0; i < stretches_.size(); ++i) {
+      const auto segments = static_cast<std::uint32_t>(stretches_[i].knots().segments());
+      for (std::uint32_t segment = 0; segment < segments; ++segment) places_.push_back({i, segment, false});
+      if (i + 1 < stretches_.size()) places_.push_back({i, segments == 0 ? 0 : segments - 1, true});
+    }
+  }
+
+  [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
+  [[nodiscard]] P point(double t, std::size_t segment) const noexcept {
+    return on(t, segment, [](const auto& curve, double time, std::size_t own) { return point_on(curve, time, own); });
+  }
+  [[nodiscard]] MotionOf<P> motion(double t, std::size_t segment) const noexcept {
+    return on(t, segment, [](const auto& curve, double time, std::size_t own) { return motion_on(curve, time, own); });
+  }
+  /// By the Taylor polynomial of the motion.
+  [[nodiscard]] PointOver<P, Jet<double, 3>> point(const Jet<double, 3>& t, std::size_t segment) const noexcept {
+    return taylor(motion(t.c[0], segment), t - t.c[0]);
+  }
+  [[nodiscard]] SegmentForm form(std::size_t segment) const noexcept requires std::same_as<P, Eigen::Quaterniond> {
+    const Place& place = places_[segment];
+    return place.is_gap ? SegmentForm() : stretches_[place.stretch].form(place.segment);
+  }
+
+ private:
+  struct Place {
+    std::uint32_t stretch, segment;  // of a gap those before it
+    bool is_gap;
+  };
+
+  [[nodiscard]] static Knots knots_of(const std::vector<AnyCurveThrough<P>>& stretches) {
+    std::vector<double> times;
+    for (const auto& stretch : stretches) {
+      const auto own = stretch.knots().times();
+      times.insert(times.end(), own.begin(), own.end());
+    }
+    return Knots(std::move(times));
+  }
+
+  [[nodiscard]] static P point_on(const AnyCurve& curve, double t, std::size_t segment) noexcept {
+    return curve.orientation_on(segment, t);
+  }
+  [[nodiscard]] static P point_on(const AnyPath& path, double t, std::size_t segment) noexcept {
+    return path.position_on(segment, t);
+  }
+  [[nodiscard]] static Motion motion_on(const AnyCurve& curve, double t, std::size_t segment) noexcept {
+    return curve.motion_on(segment, t);
+  }
+  [[nodiscard]] static LinearMotion motion_on(const AnyPath& path, double t, std::size_t segment) noexcept {
+    return path.linear_motion_on(segment, t);
+  }
+
+  /// What `of` gives of the curve that has the time; within a gap of no time.
+  template <class Of>
+  [[nodiscard]] auto on(double t, std::size_t segment, Of of) const noexcept {
+    const Place& place = places_.empty() ? only_key : places_[segment];
+    const auto& before = stretches_[place.stretch];
+    if (!place.is_gap || t <= before.knots().back()) return of(before, t, place.segment);
+    const auto& next = stretches_[place.stretch + 1];
+    return of(next, t >= next.knots().front() ? t : std::numeric_limits<double>::quiet_NaN(), std::size_t{0});
+  }
+
+  [[nodiscard]] static Quaternion<Jet<double, 3>> taylor(const Motion& m, const Jet<double, 3>& h) noexcept {
+    const auto pure = [](const Eigen::Vector3d& v) { return Eigen::Quaterniond(0.0, v.x(), v.y(), v.z()); };
+    const Eigen::Quaterniond& q = m.orientation;
+    const auto w = pure(m.angular_velocity), a = pure(m.angular_acceleration), j = pure(m.angular_jerk);
+    const Eigen::Vector4d first = 0.5 * (q * w).coeffs();
+    const Eigen::Quaterniond q1(first);
+    const Eigen::Vector4d second = 0.5 * ((q1 * w).coeffs() + (q * a).coeffs());
+    const Eigen::Vector4d third =
+        0.5 * ((Eigen::Quaterniond(second) * w).coeffs() + 2.0 * (q1 * a).coeffs() + (q * j).coeffs());
+    Quaternion<Jet<double, 3>> result;
+    for (Eigen::Index i = 0; i < 4; ++i)
+      result.coeffs()[i] = q.coeffs()[i] + h * (first[i] + h * (second[i] / 2.0 + h * (third[i] / 6.0)));
+    return result;
+  }
+  [[nodiscard]] static Vector3<Jet<double, 3>> taylor(const LinearMotion& m, const Jet<double, 3>& h) noexcept {
+    Vector3<Jet<double, 3>> result;
+    for (Eigen::Index i = 0; i < 3; ++i)
+      result[i] = m.position[i] + h * (m.velocity[i] + h * (m.acceleration[i] / 2.0 + h * (m.jerk[i] / 6.0)));
+    return result;
+  }
+
+  static constexpr Place only_key{0, 0, false};
+
+  std::vector<AnyCurveThrough<P>> stretches_;
+  Knots knots_;
+  std::vector<Place> places_{};
+};
+
+/// The time in the middle of a segment [s].
+[[nodiscard]] inline double middle_of(const Knots& knots, std::size_t segment) noexcept {
+  const auto t = knots.times();
+  return t[segment] + 0.5 * (t[segment + 1] - t[segment]);
+}
+
+/// Whether a segment lies between two stretches of keys, where the curve has nothing.
+[[nodiscard]] inline bool is_gap(const AnyCurve& curve, std::size_t segment) noexcept {
+  return curve.orientation_on(segment, middle_of(curve.knots(), segment)).coeffs().hasNaN();
+}
+[[nodiscard]] inline bool is_gap(const AnyPath& path, std::size_t segment) noexcept {
+  return path.position_on(segment, middle_of(path.knots(), segment)).hasNaN();
+}
+
+}}  // namespace orispline

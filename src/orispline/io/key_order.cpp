@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+// The order of the rows of a table: what they say where their times do not rise, and what is made of that.
+#include <orispline/io/key_rows.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+#include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
+#include <orispline/curve/key_parts.hpp>
+#include <orispline/io/time_order.hpp>
+#include <orispline/math/degrees.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
+namespace {
+
+constexpr std::size_t most_ahead = 8;  // rows that are looked at before one is refused
+
+/// Rows of one time that differ by no more are the same [rad], [m].
+constexpr double same_turn = 1e-6, same_place = 1e-6;
+
+/// Rows that stand after a row of later time.
+std::size_t late_rows(const std::vector<Decimal>& times) {
+  std::size_t late = 0;
+  const Decimal* latest = &times.front();
+  for (const Decimal& time : times) {
+    if (time < *latest) ++late;
+    else latest = &time;
+  }
+  return late;
+}
+
+/// The times that belong to rows, from one of them on, as many as are looked at.
+std::vector<Decimal> times_from(const std::vector<Decimal>& times, std::span<const std::uint32_t> rows) {
+  std::vector<Decimal> some;
+  for (const std::uint32_t row : rows.first(std::min(rows.size(), most_ahead))) some.push_back(times[row]);
+  return some;
+}
+
+void take_entries(RateRows& rows, const std::vector<std::uint32_t>& places) {
+  rows.exact_times = entries_at(rows.exact_times, places);
+  rows.rates = entries_at(rows.rates, places);
+  rows.lines = entries_at(rows.lines, places);
+}
+
+}  // namespace
+
+/// Reads no more than the time of a row behind one whose time does not rise, to say what that one is.
+Expected<void> KeyRows::look_ahead(const TextTable& table) {
+  RowReader row(table, options_);
+  const KeyRow key = table.cells().size() < columns_.width ? KeyRow() : row.key(columns_);
+  if (table.cells().size() < columns_.width || row.refused()) return tl::unexpected(out_of_order());
+  if (row.not_finite()) return options_.drop_invalid ? Expected<void>() : tl::unexpected(out_of_order());
+  if (options_.drop_invalid && is_zero_stamp() && key.time >= latest_) {
+    file_.repairs.invalid_dropped += 1 + unrising_->after.size();
+    unrising_.reset();
+    return add(table);
+  }
+  unrising_->after.push_back(key.time);
+  if (unrising_->after.size() < most_ahead) return {};
+  return tl::unexpected(out_of_order());
+}
+
+/// Appends the time of the next key; false for one that does not rise, which is `unrising_` or a duplicate that is
+/// dropped. `text`: the time in the file, if at hand.
+Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, std::size_t line) {
+  std::vector<double>& times = file_.data.times;
+  const bool is_first = taken_ + times.size() == 0;
+  std::string shown = text.empty() ? time.to_string() : std::string();
+  if (is_first) {
+    settle_time_unit(time);
+    first_ = time;
+    file_.epoch = columns_.time_unit.time_of(first_);
+  } else if (time <= latest_) {
+    if (time < latest_ || !options_.drop_duplicates)
+      unrising_ = Unrising{time, text.empty() ? std::move(shown) : std::string(text), line};
+    else ++file_.repairs.duplicates_dropped;
+    return false;
+  }
+  const double seconds = columns_.time_unit.of(time - first_).to_double();
+  if (!is_first && seconds <= latest_seconds_)
+    return failure(
+        ErrorCode::bad_data,
+        formatted("time {} is too near to {} to be told apart in double precision, wanted keys farther apart",
+                  text.empty() ? std::string_view(shown) : text, latest_.to_string()),
+        {file_.path, line, std::nullopt, taken_ + times.size()});
+  times.push_back(seconds);
+  if (options_.keep_exact_times) file_.exact_times.push_back(columns_.time_unit.time_of(time));
+  latest_ = time;
+  latest_seconds_ = seconds;
+  latest_line_ = line;
+  return true;
+}
+
+/// A time of 0 that no clock said, as far as the rows behind it are known.
+bool KeyRows::is_zero_stamp() const {
+  const auto is_zero = [](const Decimal& time) { return time == Decimal(); };
+  return is_zero(unrising_->time) && is_far_from_zero(first_, latest_, taken_ + file_.data.times.size()) &&
+         std::ranges::all_of(unrising_->after, is_zero);
+}
+
+/// What is wrong with the row whose time does not rise.
+Error KeyRows::out_of_order() const {
+  const auto& [time, text, line, after] = *unrising_;
+  const auto error = [&, row = line](std::string_view remedy, std::string message) {
+    return mended_by(remedy, std::move(message), {file_.path, row, std::nullopt, taken_ + file_.data.times.size()})
+        .value();
+  };
+  if (time == latest_) {
+    const std::string same = formatted("duplicate time {}, as in line {}, wanted increasing times", text, latest_line_);
+    if (!repeat_in_runs(time, after)) return error("drop_duplicates", same);
+    return error("columns", same +
+                                ": the stamps repeat in runs, since they are coarser than the rows; if another column "
+                                "has the rest of the time, name both, such as t=sec+nanosec");
+  }
+  std::vector<Decimal> times{latest_, time};
+  times.insert(times.end(), after.begin(), after.end());
+  const bool begins = session_starts(times).size() > 1;
+  const std::string later = formatted("time {} comes after {}", text, latest_.to_string());
+  const bool is_zero = time == Decimal() && is_far_from_zero(first_, latest_, taken_ + file_.data.times.size()) &&
+                       (after.empty() || after.front() == time || after.front() >= latest_);
+  if (is_zero) return error("drop_invalid", later + ", wanted increasing times: no clock said 0 there");
+  if (!begins) return error("sort", later + ", wanted increasing times");
+  return error("session", later + ", and the rows go on from there: a second recording begins, wanted one");
+}
+
+void KeyRows::note_duplicate(const Pose& dropped) {
+  if (!latest_pose_ || dropped.orientation.coeffs().isZero(0.0)) return;
+  const double turn = angular_distance(dropped.orientation.normalized(), latest_pose_->orientation.normalized());
+  const double distance = columns_.position ? (dropped.position - latest_pose_->position).norm() : 0.0;
+  if (turn > same_turn || distance > same_place) ++differing_duplicates_;
+  RepairReport& repairs = file_.repairs;
+  repairs.largest_duplicate_turn = std::max(repairs.largest_duplicate_turn, turn);
+  repairs.largest_duplicate_distance = std::max(repairs.largest_duplicate_distance, distance);
+}
+
+void KeyRows::warn_of_duplicates() {
+  if (differing_duplicates_ == 0) return;
+  const RepairReport& repairs = file_.repairs;
+  const std::string distance = repairs.largest_duplicate_distance > same_place
+                                   ? formatted(" and {:.4g} m", repairs.largest_duplicate_distance)
+                                   : "";
+  file_.warnings.push_back(
+      {.code = "duplicates_differ",
+       .message = formatted("{} of duplicate time {} from the row that is kept, by up to {:.4g}°{}",
+                            counted(differing_duplicates_, "row"), differing_duplicates_ == 1 ? "differs" : "differ",
+                            repairs.largest_duplicate_turn * degrees, distance),
+       .where = {.file = file_.path},
+       .numbers = {{"rows", static_cast<double>(differing_duplicates_)},
+                   {"largest_deg", repairs.largest_duplicate_turn * degrees},
+                   {"largest_m", repairs.largest_duplicate_distance}}});
+}
+
+std::size_t KeyRows::sessions() const { return session_starts(times_).size(); }
+
+/// The rows that are read, in the order of the file. Errors: a recording that there is not; recordings that sorting
+/// would mix, a time of 0 that it would bring to the front.
+Expected<std::vector<std::uint32_t>> KeyRows::chosen_rows() {
+  std::vector<std::size_t> starts = session_starts(times_);
+  const std::size_t session = options_.session.value_or(1);
+  if (session > starts.size() || session == all_sessions)
+    return bad_option("session",
+                      formatted("found {}, wanted {}{}", session == all_sessions ? "all" : std::to_string(session),
+                                starts.size() == 1 ? "1" : formatted("1 to {}", starts.size()),
+                                starts.size() == 1 ? ": the file has one recording" : ", which the file has"));
+  if (!options_.session && would_interleave(times_, starts))
+    return mended_by("session",
+                     formatted("found {} recordings one behind the other, the second from here on, which sorting would "
+                               "mix; wanted one of them",
+                               starts.size()),
+                     {.file = file_.path, .line = file_.lines[starts[1]]});
+  starts.push_back(times_.size());
+  const std::size_t first = options_.session ? starts[session - 1] : 0;
+  const std::size_t end = options_.session ? starts[session] : times_.size();
+  choose_unposed(first, end);
+  const std::vector<bool> zeros = zero_stamps(std::span(times_).subspan(first, end - first));
+  std::vector<std::uint32_t> rows;
+  for (std::size_t i = first; i < end; ++i) {
+    if (!zeros[i - first]) {
+      rows.push_back(static_cast<std::uint32_t>(i));
+    } else if (!options_.drop_invalid) {
+      return mended_by(
+          "drop_invalid",
+          formatted("time 0 comes after {}, wanted increasing times: no clock said 0 there", times_[i - 1].to_string()),
+          {.file = file_.path, .line = file_.lines[i]});
+    } else {
+      ++file_.repairs.invalid_dropped;
+    }
+  }
+  return rows;
+}
+
+/// Brings the gathered rows into their order, and leaves out those that are not read.
+Expected<void> KeyRows::arrange() {
+  auto rows = chosen_rows();
+  if (!rows) return tl::unexpected(std::move(rows.error()));
+  if (options_.sort) {
+    file_.repairs.rows_moved = late_rows(entries_at(times_, *rows));
+    if (file_.repairs.rows_moved > 0)
+      std::stable_sort(rows->begin(), rows->end(), [this](auto a, auto b) { return times_[a] < times_[b]; });
+  }
+  std::vector<std::uint32_t> kept;
+  kept.reserve(rows->size());
+  const auto pose_at = [this](std::uint32_t row) {
+    return Pose{file_.data.orientations[row],
+                columns_.position ? file_.data.positions[row] : Eigen::Vector3d(Eigen::Vector3d::Zero())};
+  };
+  for (std::size_t i = 0; i < rows->size(); ++i) {
+    const std::uint32_t row = (*rows)[i];
+    const auto appended = append_time(times_[row], {}, file_.lines[row]);
+    if (!appended) return tl::unexpected(appended.error());
+    if (unrising_) {
+      unrising_->after = times_from(times_, std::span(*rows).subspan(i + 1));
+      return tl::unexpected(out_of_order());
+    }
+    if (*appended) {
+      kept.push_back(row);
+      latest_pose_ = pose_at(row);
+    } else {
+      note_duplicate(pose_at(row));
+    }
+  }
+  file_.lines = entries_at(file_.lines, kept);
+  file_.table.rows = entries_at(file_.table.rows, kept);
+  file_.data.orientations = entries_at(file_.data.orientations, kept);
+  for_each_part([&](const auto& part) { file_.data.*part.list = entries_at(file_.data.*part.list, kept); });
+  for (auto& [name, values] : file_.parameters) values = entries_at(values, kept);
+  return arrange_unposed();
+}
+
+/// Of the rows that are set aside leaves those that stand among the rows from `first` to `end`.
+void KeyRows::choose_unposed(std::size_t first, std::size_t end) {
+  RateRows& rows = file_.unposed;
+  std::vector<std::uint32_t> chosen;
+  for (std::uint32_t place = 0; place < rows.lines.size(); ++place)
+    if ((first == 0 || rows.lines[place] > file_.lines[first]) &&
+        (end == file_.lines.size() || rows.lines[place] < file_.lines[end]))
+      chosen.push_back(place);
+  take_entries(rows, chosen);
+}
+
+/// Brings the rows that are set aside into their order.
+Expected<void> KeyRows::arrange_unposed() {
+  RateRows& rows = file_.unposed;
+  std::vector<std::uint32_t> places(rows.lines.size());
+  std::iota(places.begin(), places.end(), std::uint32_t{0});
+  if (options_.sort)
+    std::stable_sort(places.begin(), places.end(),
+                     [&rows](auto a, auto b) { return rows.exact_times[a] < rows.exact_times[b]; });
+  take_entries(rows, places);
+  const auto unrising = std::ranges::adjacent_find(rows.exact_times, std::ranges::greater_equal());
+  if (unrising == rows.exact_times.end()) return {};
+  const auto& time = *std::next(unrising);
+  const Where where{.file = file_.path,
+                    .line = rows.lines[static_cast<std::size_t>(unrising - rows.exact_times.begin()) + 1]};
+  if (time == *unrising)
+    return failure(ErrorCode::bad_data, formatted("duplicate time {}, wanted increasing times", time.to_string()),
+                   where);
+  return mended_by(
+      "sort",
+      formatted("time {} does not come after {}, wanted increasing times", time.to_string(), unrising->to_string()),
+      where);
+}
+
+}}}  // namespace orispline::io

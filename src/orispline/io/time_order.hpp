@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <orispline/base/decimal.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
+/// So many rows that rise from one which goes back in time are a recording of their own; fewer are disorder.
+inline constexpr std::size_t fewest_of_session = 3;
+
+/// Tells rows in disorder from those of a further recording, by their times in the order of the file.
+class TimeOrder {
+ public:
+  enum class Row {
+    on_time,
+    late,   ///< after a row of later time
+    begins  ///< a further recording began, `late_rows()` rows ago
+  };
+
+  [[nodiscard]] Row add(const Decimal& time);
+
+  /// Rows up to the last one that rise from one which went back.
+  [[nodiscard]] std::size_t late_rows() const noexcept { return rows_; }
+
+ private:
+  std::optional<Decimal> latest_{}, late_{};  // of the recording, and of the last row where that is late
+  std::size_t rising_ = 0, rows_ = 0;         // different times of the late rows, and all of them
+};
+
+/// The first row of each recording.
+[[nodiscard]] std::vector<std::size_t> session_starts(std::span<const Decimal> times);
+
+/// Whether recordings overlap in time, so that sorting would mix their rows. Rows in such disorder that hardly three
+/// rise in succession are none.
+[[nodiscard]] bool would_interleave(std::span<const Decimal> times, std::span<const std::size_t> starts);
+
+/// Whether a time of 0 is far from so many others, which go from the first to the last: many steps of theirs away.
+[[nodiscard]] bool is_far_from_zero(const Decimal& first, const Decimal& last, std::size_t count);
+
+/// Rows with a time of 0 between rows of other times, which no clock said: not those that begin a recording.
+[[nodiscard]] std::vector<bool> zero_stamps(std::span<const Decimal> times);
+
+/// Whether a stamp that has come twice is one of a clock too coarse for the rows, by the times of some rows after it.
+[[nodiscard]] bool repeat_in_runs(const Decimal& twice, std::span<const Decimal> after);
+
+}}}  // namespace orispline::io
