@@ -33,8 +33,8 @@ TEST(SampleJob, PutsTheMembersOfAFaceInTheirPlaces) {
   std::vector<std::string> names;
   for (const auto& [name, value] : std::get<Json::Object>(document.value())) names.push_back(name);
   EXPECT_EQ(names, (std::vector<std::string>{"method", "method_text", "keys", "start_s", "end_s", "samples",
-                                             "held_samples", "frame", "sign_flips", "non_unit_keys", "rows_moved",
-                                             "findings", "band", "truth"}));
+                                             "held_samples", "gap_samples", "frame", "sign_flips", "non_unit_keys",
+                                             "rows_moved", "findings", "band", "truth"}));
 }
 
 TEST(SampleJob, MeasuresTheTruthInTheTimesOfTheKeys) {
