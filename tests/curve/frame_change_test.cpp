@@ -245,12 +245,11 @@ TEST(FrameChange, TakesAllThatATrackCarriesAlong) {
 
 TEST(FrameChange, TurnsInnerQuaternionsAsItTurnsTheCurve) {
   const Eigen::Quaterniond given = Eigen::Quaterniond(0.9, 0.1, 0.3, 0.2).normalized();
-  const Keyframes keys =
-      Keyframes::make({.times = {0.0, 1.0, 2.5},
-                       .orientations = {{1, 0, 0, 0}, {0.8, 0.36, 0.48, 0.0}, {0.5, 0.5, -0.5, 0.5}},
-                       .inner_leaving = {given, free_inner(), free_inner()},
-                       .inner_arriving = {free_inner(), given, free_inner()}})
-          .value();
+  const Keyframes keys = Keyframes::make({.times = {0.0, 1.0, 2.5},
+                                          .orientations = {{1, 0, 0, 0}, {0.8, 0.36, 0.48, 0.0}, {0.5, 0.5, -0.5, 0.5}},
+                                          .inner_leaving = {given, free_inner(), free_inner()},
+                                          .inner_arriving = {free_inner(), given, free_inner()}})
+                             .value();
   const FrameChange change = changed("NED:ENU", "FRD:FLU");
   const NewFrames frames(change);
   const Keyframes turned = in_frames(Track(keys), change).value().keys;
