@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include <Eigen/LU>
-
 #include <orispline/math/eigen.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -21,7 +19,9 @@ namespace orispline { inline namespace ORISPLINE_ABI {
   constexpr int most_steps = 32;
   constexpr double settled = 1e-15;
   for (int step = 0; step < most_steps; ++step) {
-    const Matrix3<double> next = 0.5 * (m + m.inverse().transpose());
+    Matrix3<double> cofactors;  // X⁻ᵀ times the determinant
+    cofactors << m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1));
+    const Matrix3<double> next = 0.5 * (m + cofactors / m.col(0).dot(cofactors.col(0)));
     const double moved = (next - m).cwiseAbs().maxCoeff();
     m = next;
     if (!(moved > settled)) break;
