@@ -42,6 +42,11 @@ class Mean(CommandTest):
             self.assertAlmostEqual(found["largest_distance_rad"], math.radians(2), delta=1e-15)
             self.assertEqual((found["kind"], found["count"], found["others_within_rad"], found["warnings"]), (kind, 6, 0, []))
 
+    def test_windows_have_their_times_in_full_however_late_they_are(self):
+        self.write("late.csv", "t,qw,qx,qy,qz\n" + "".join(f"{1700000000 + i / 4},1,0,0,0\n" for i in range(8)))
+        lines = self.output_of("mean late.csv --every 1s").splitlines()
+        self.assertEqual([line.split()[:2] for line in lines[2:]], [["1700000000.5", "s"], ["1700000001.5", "s"]])
+
     def test_says_it_in_a_few_lines(self):
         self.write("shots.csv", SHOTS)
         lines = self.output_of("mean shots.csv").splitlines()

@@ -91,15 +91,19 @@ std::string lines_of(const Mean& found, const MeanOutcome& outcome) {
   return text + position_lines(found, kind, rows);
 }
 
+/// To the microsecond: the middle of a window is a sum of rounded times.
 std::string time_text(const MeanOutcome& outcome, const MeanWindow& window) {
-  return formatted("{:.6g}", window.time + outcome.request.rows->epoch.to_double());
+  const Track& rows = *outcome.request.rows;
+  return rows.time_text(rows.epoch + Decimal::from_double(window.time).rounded(6));
 }
 
 /// Window by window, the first and the last ones of many.
 std::string table_of(const MeanOutcome& outcome) {
   constexpr std::size_t shown = 10;
-  std::string text = formatted("  {:>12}{:>9}{:>12}{:>12}  orientation\n", "t", "rows", "RMS", "at most");
   const std::size_t count = outcome.windows.size();
+  std::size_t width = 0;
+  for (const MeanWindow& window : outcome.windows) width = std::max(width, time_text(outcome, window).size());
+  std::string text = formatted("  {:>{}}{:>9}{:>12}{:>12}  orientation\n", "t", width, "rows", "RMS", "at most");
   for (std::size_t i = 0; i < count; ++i) {
     if (i == shown && count > 2 * shown) {
       text += "  …\n";
@@ -107,9 +111,9 @@ std::string table_of(const MeanOutcome& outcome) {
     }
     const auto& window = outcome.windows[i];
     const auto& q = window.mean.orientation;
-    text += formatted("  {:>12}{:>9}{:>11.4g}°{:>11.4g}°  {:.6f} {:.6f} {:.6f} {:.6f}\n", time_text(outcome, window),
-                      window.mean.count, window.mean.rms_distance * degrees, window.mean.largest_distance * degrees,
-                      q.w(), q.x(), q.y(), q.z());
+    text += formatted("  {:>{}}{:>9}{:>11.4g}°{:>11.4g}°  {:.6f} {:.6f} {:.6f} {:.6f}\n", time_text(outcome, window),
+                      width, window.mean.count, window.mean.rms_distance * degrees,
+                      window.mean.largest_distance * degrees, q.w(), q.x(), q.y(), q.z());
   }
   return text;
 }
