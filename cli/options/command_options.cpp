@@ -82,6 +82,13 @@ void add_summary_options(Command& app, SummaryOptions& o) {
   app.add_flag("--quiet", o.quiet, "Print no summary")->group("Output");
 }
 
+void add_made_output(Command& app, OutputOptions& output, SummaryOptions& summary, std::string_view sentence) {
+  add_output_options(app, output);
+  app.option("-o,--output").sentence = sentence;
+  add_summary_options(app, summary);
+  app.option("--json").sentence = "Print what was found as JSON on standard output";
+}
+
 void add_report_option(Command& app, ReportOptions& o) {
   app.add_option("--report", o.path, "Write a page to look at in a browser: measures, plots and a view in space")
       ->type_name(file_type)

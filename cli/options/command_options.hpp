@@ -24,6 +24,8 @@ void add_reading_options(Command& app, InputOptions& options,
 void add_output_file(Command& app, std::string& path);
 void add_summary_options(Command& app, SummaryOptions& options);
 void add_output_options(Command& app, OutputOptions& options);
+/// Of a command that prints what it found where no file is named; `sentence` says what goes into the file.
+void add_made_output(Command& app, OutputOptions& output, SummaryOptions& summary, std::string_view sentence);
 void add_report_option(Command& app, ReportOptions& options);
 
 /// The settings, ends and rates that shape a curve, part of several commands.

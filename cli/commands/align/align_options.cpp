@@ -27,12 +27,10 @@ void add_align_options(Command& app, AlignArguments& o) {
       ->required()
       ->type_name(file_type);
   add_fields(app, o.alignment, fields_of<orispline::AlignOptions>(), "Alignment");
-  add_output_options(app, o.output);
-  app.option("-o,--output").sentence =
+  add_made_output(
+      app, o.output, o.summary,
       "File to write INPUT into as it is beside REFERENCE; it appears complete or not at all [what was found is "
-      "printed]";
-  add_summary_options(app, o.summary);
-  app.option("--json").sentence = "Print what was found as JSON on standard output";
+      "printed]");
   app.footer = align_footer;
 }
 

@@ -8,7 +8,7 @@
 #include <orispline/io/track_file.hpp>
 #include <orispline/jobs/mean.hpp>
 
-#include "options/file_places.hpp"
+#include "output/found_output.hpp"
 #include "output/keys_file.hpp"
 #include "output/repairs_text.hpp"
 
@@ -23,26 +23,11 @@ struct Request {
   orispline::MeanOptions mean;
 };
 
-bool writes_file(const MeanArguments& options) { return !options.output.path.empty(); }
-
-/// What is asked of the output.
-Expected<io::SampleColumns> columns_in(const MeanArguments& options) {
-  if (writes_file(options))
-    return check_summary(options.summary, options.output.path, "mean")
-        .and_then([&] {
-          return check_output_apart(options.output.option, options.output.path, {{"INPUT", options.input.path}});
-        })
-        .and_then([&] { return output_columns(options.output); });
-  if (options.summary.quiet) return usage_failure("--quiet: found no -o, wanted -o FILE for the mean");
-  for (const auto& [name, text] : options.output.writing)
-    if (text) return usage_failure(flag_of(name) + ": found no -o, wanted -o FILE for the mean");
-  return io::SampleColumns();
-}
-
 Expected<Request> request_in(const MeanArguments& options) {
   FirstError checked;
   Request request{.input = checked(input_request(options.input)),
-                  .columns = checked(columns_in(options)),
+                  .columns = checked(columns_of_made(options.output, options.summary, {"mean", "the mean"},
+                                                     {{"INPUT", options.input.path}})),
                   .mean = checked(options_in<orispline::MeanOptions>(options.mean))};
   request.input.read.rate_orders = 0;
   request.input.read.count_rows = !request.mean.every;
@@ -50,20 +35,12 @@ Expected<Request> request_in(const MeanArguments& options) {
   return std::move(checked).or_else(std::move(request));
 }
 
-Expected<void> print(const MeanArguments& options, const jobs::MeanOutcome& outcome) {
-  if (!options.summary.json) return print_document(summary_of(outcome));
-  Json json{{"input", options.input.path}};
-  json.update(document_of(outcome));
-  json["warnings"] = json_of_warnings();
-  return print_document(document(json));
-}
-
 }  // namespace
 
 Expected<void> mean(const MeanArguments& options) {
   auto request = request_in(options);
   if (!request) return tl::unexpected(std::move(request.error()));
-  if (writes_file(options))
+  if (writes_file(options.output))
     if (auto able = check_output(options.output.path); !able) return able;
   auto file = io::read_track(request->input.path, request->input.read, request->input.signs);
   if (!file) return tl::unexpected(std::move(file.error()));
@@ -76,7 +53,7 @@ Expected<void> mean(const MeanArguments& options) {
   if (!outcome) return tl::unexpected(std::move(outcome.error()));
   outcome->mended = text_of(file->repairs);
   warn(outcome->warnings);
-  if (!writes_file(options)) return print(options, *outcome);
+  if (!writes_file(options.output)) return print_found(options.summary, *outcome, {{"input", options.input.path}});
   return write_keys(options.output.path, outcome->track(), columns).and_then([&] {
     return summarise(options.summary, Written{options.input.path, options.output.path, "mean", std::move(*outcome)});
   });

@@ -24,12 +24,10 @@ their arithmetic mean, or their geometric median. Without -o what was found is p
 void add_mean_options(Command& app, MeanArguments& o) {
   add_input_options(app, o.input);
   add_fields(app, o.mean, fields_of<orispline::MeanOptions>(), "Mean");
-  add_output_options(app, o.output);
-  app.option("-o,--output").sentence =
+  add_made_output(
+      app, o.output, o.summary,
       "File to write the mean into, one row, or one for each window; it appears complete or not at all [the mean is "
-      "printed]";
-  add_summary_options(app, o.summary);
-  app.option("--json").sentence = "Print what was found as JSON on standard output";
+      "printed]");
   app.footer = mean_footer;
 }
 

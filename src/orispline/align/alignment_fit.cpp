@@ -13,6 +13,7 @@
 #include <orispline/math/so3.hpp>
 #include <orispline/smooth/smoothing_element.hpp>
 #include <orispline/smooth/smoothing_loss.hpp>
+#include <orispline/smooth/smoothing_noise.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -23,9 +24,8 @@ using Unknowns = Eigen::Matrix<double, unknowns, 1>;
 using Normal = Eigen::Matrix<double, unknowns, unknowns>;
 using Slopes = Eigen::Matrix<double, 3, unknowns>;
 
-constexpr double median_of_length = 1.5381722544;  // of three normal numbers of σ = 1
-constexpr double rejected_from = 6.0;              // σ, of Tukey's loss: 95 % efficient for three numbers
-constexpr double least_noise = 1e-6;               // [rad], of positions times their spread
+constexpr double rejected_from = 6.0;  // σ, of Tukey's loss: 95 % efficient for three numbers
+constexpr double least_noise = 1e-6;   // [rad], of positions times their spread
 constexpr int most_steps = 100;
 constexpr double least_step = 1e-5;  // of one σ
 
@@ -106,8 +106,8 @@ Noise noise_of(const Sum& sum, bool has_positions, double spread) {
     noise.angles.push_back(sum.orientation(pair).value.norm());
     if (has_positions) noise.lengths.push_back(sum.position(pair).value.norm());
   }
-  noise.angle = std::max(median(noise.angles) / median_of_length, least_noise);
-  noise.length = std::max(median(noise.lengths) / median_of_length, least_noise * spread);
+  noise.angle = std::max(median(noise.angles) / median_length, least_noise);
+  noise.length = std::max(median(noise.lengths) / median_length, least_noise * spread);
   return noise;
 }
 

@@ -89,20 +89,9 @@ void complete(Transform& guess, const AlignmentData& data, const AnyCurve& fixed
     (is_of_world ? guess.world : guess.body) = middle->orientation;
 }
 
-Eigen::Vector3d median_point(const Points& points) {
-  Eigen::Vector3d middle;
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    std::vector<double> coordinates;
-    for (const Eigen::Vector3d& p : points) coordinates.push_back(p[k]);
-    middle[k] = median(std::move(coordinates));
-  }
-  return middle;
-}
-
-double median_distance_from(const Points& points, const Eigen::Vector3d& middle) {
-  std::vector<double> distances;
-  for (const Eigen::Vector3d& p : points) distances.push_back((p - middle).norm());
-  return median(std::move(distances));
+double median_distance_from(const Eigen::Vector3d& middle, Points points) {
+  for (Eigen::Vector3d& p : points) p -= middle;
+  return median_of_lengths(points);
 }
 
 /// Scale and origin that suit the rotations: the ratio of the distances from the middles, and what is between these.
@@ -116,9 +105,9 @@ void place(Transform& guess, const AlignmentData& data) {
       fixed.push_back(data.fixed.positions()[i]);
     }
   if (moved.empty()) return;
-  const Eigen::Vector3d middle_of_moved = median_point(moved), middle_of_fixed = median_point(fixed);
-  const double spread_of_moved = median_distance_from(moved, middle_of_moved);
-  const double spread_of_fixed = median_distance_from(fixed, middle_of_fixed);
+  const Eigen::Vector3d middle_of_moved = median_of_each(moved), middle_of_fixed = median_of_each(fixed);
+  const double spread_of_moved = median_distance_from(middle_of_moved, moved);
+  const double spread_of_fixed = median_distance_from(middle_of_fixed, fixed);
   if (data.options.scale && spread_of_moved > 0.0 && spread_of_fixed > 0.0)
     guess.scale = spread_of_fixed / spread_of_moved;
   if (data.options.translation) guess.translation = middle_of_fixed - guess.scale * middle_of_moved;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <orispline/base/abi.hpp>
+#include <orispline/math/eigen.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -24,6 +25,26 @@ namespace orispline { inline namespace ORISPLINE_ABI {
   std::vector<double> intervals;
   for (std::size_t i = 1; i < times.size(); ++i) intervals.push_back(times[i] - times[i - 1]);
   return median(std::move(intervals));
+}
+
+/// That of each component.
+[[nodiscard]] inline Eigen::Vector3d median_of_each(std::span<const Eigen::Vector3d> vectors) {
+  Eigen::Vector3d medians;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    std::vector<double> components;
+    components.reserve(vectors.size());
+    for (const Eigen::Vector3d& v : vectors) components.push_back(v[k]);
+    medians[k] = median(std::move(components));
+  }
+  return medians;
+}
+
+/// That of the lengths.
+[[nodiscard]] inline double median_of_lengths(std::span<const Eigen::Vector3d> vectors) {
+  std::vector<double> lengths;
+  lengths.reserve(vectors.size());
+  for (const Eigen::Vector3d& v : vectors) lengths.push_back(v.norm());
+  return median(std::move(lengths));
 }
 
 }}  // namespace orispline

@@ -8,6 +8,7 @@
 
 #include <orispline/math/median.hpp>
 #include <orispline/math/so3.hpp>
+#include <orispline/smooth/smoothing_element.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -31,12 +32,7 @@ double misfit_at(const std::vector<double>& times, const std::vector<Eigen::Vect
   for (std::size_t k = 0; k < times.size(); ++k)
     if (const auto rate = path.rate_at(times[k] + offset)) differences.emplace_back(*rate - turned[k]);
   if (2 * differences.size() < times.size()) return std::numeric_limits<double>::infinity();
-  Eigen::Vector3d middle;
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    std::vector<double> values;
-    for (const Eigen::Vector3d& d : differences) values.push_back(d[axis]);
-    middle[axis] = median(std::move(values));
-  }
+  const Eigen::Vector3d middle = median_of_each(differences);
   std::vector<double> squares;
   for (const Eigen::Vector3d& d : differences) squares.push_back((d - middle).squaredNorm());
   const auto trusted = static_cast<std::size_t>(trusted_share * static_cast<double>(squares.size()));
@@ -65,11 +61,6 @@ Eigen::Quaterniond mean_turn(const Window& window) {
   Eigen::Quaterniond mean;
   mean.coeffs() = sum.normalized();
   return mean;
-}
-
-Eigen::Vector3d short_log(Eigen::Quaterniond q) {
-  if (q.w() < 0.0) q.coeffs() = -q.coeffs();
-  return log<double>(q);
 }
 
 std::vector<Window> windows_of(const SeenPoses& poses, const GyroPath& path, double offset, double length) {
@@ -107,7 +98,7 @@ class Regression {
     for (const Window& window : windows) {
       const Eigen::Quaterniond mean = mean_turn(window);
       auto& residuals = residuals_.emplace_back();
-      for (const Beside& one : window) residuals.push_back(short_log(mean.conjugate() * one.turn));
+      for (const Beside& one : window) residuals.push_back(shortest_increment(mean, one.turn));
       // An outlier pulls the mean little, but a window of three much.
       for (const Eigen::Vector3d& r : residuals) lengths.push_back(r.norm());
     }

@@ -31,16 +31,6 @@ constexpr std::size_t beside_run = 8;                     // orientations on eit
 constexpr std::size_t fewest_clipped = 2;                 // in a row
 constexpr double clipped_share = 0.8;                     // of the rates: with more it is a steady turn
 
-Eigen::Vector3d median_of_axes(const Vectors& vectors) {
-  Eigen::Vector3d medians;
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    std::vector<double> values;
-    for (const Eigen::Vector3d& v : vectors) values.push_back(v[axis]);
-    medians[axis] = median(std::move(values));
-  }
-  return medians;
-}
-
 /// Root of the mean square about the mean.
 double spread(const Vectors& vectors) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -48,12 +38,6 @@ double spread(const Vectors& vectors) {
   double sum = 0.0;
   for (const Eigen::Vector3d& v : vectors) sum += (v - mean).squaredNorm();
   return std::sqrt(sum / static_cast<double>(vectors.size()));
-}
-
-double median_length_of(const Vectors& vectors) {
-  std::vector<double> lengths;
-  for (const Eigen::Vector3d& v : vectors) lengths.push_back(v.norm());
-  return median(std::move(lengths));
 }
 
 /// The rates that count less those of the orientations, but for what they have in common.
@@ -72,7 +56,7 @@ struct Differences {
         values.emplace_back(gyro.rates[k] - *turned);
       }
     }
-    common = median_of_axes(values);
+    common = median_of_each(values);
     for (Eigen::Vector3d& value : values) value -= common;
   }
 
@@ -92,7 +76,7 @@ struct Run {
 
 /// Those that are far, by themselves or in the mean over one of several lags.
 std::vector<bool> far_ones(const Vectors& values) {
-  const double usual = std::max(least_noise, median_length_of(values));
+  const double usual = std::max(least_noise, median_of_lengths(values));
   std::vector<bool> marked(values.size(), false);
   for (std::size_t i = 0; i < values.size(); ++i) marked[i] = values[i].norm() > far * usual;
   Vectors sums{Eigen::Vector3d::Zero()};
@@ -101,7 +85,7 @@ std::vector<bool> far_ones(const Vectors& values) {
     Vectors means;
     for (std::size_t i = 0; i + lag <= values.size(); ++i)
       means.emplace_back((sums[i + lag] - sums[i]) / static_cast<double>(lag));
-    const double limit = far * std::max(least_noise, median_length_of(means));
+    const double limit = far * std::max(least_noise, median_of_lengths(means));
     for (std::size_t i = 0; i < means.size(); ++i)
       if (means[i].norm() > limit)
         for (std::size_t k = i; k < i + lag; ++k) marked[k] = marked[k] || values[k].norm() > rim * usual;
@@ -237,7 +221,7 @@ struct RatesBeside {
 
 /// Without rates so fast that they are rather faults than motion.
 CountedRates usual_rates(const GyroRates& gyro) {
-  const double limit = single_fault * median_length_of(gyro.rates);
+  const double limit = single_fault * median_of_lengths(gyro.rates);
   CountedRates counts;
   for (const Eigen::Vector3d& rate : gyro.rates) counts.push_back(rate.norm() <= limit);
   return counts;
@@ -251,7 +235,7 @@ bool leave_out_faults(const SeenPoses& poses, const GyroRates& gyro, const GyroA
   const Differences differences(poses, gyro, alignment.offset, counts);
   if (differences.rows.size() < beside_run) return false;
   for (Eigen::Index axis = 0; axis < 3; ++axis) leave_out_clipped(differences, gyro, axis, counts);
-  const double usual = std::max(least_noise, median_length_of(differences.values));
+  const double usual = std::max(least_noise, median_of_lengths(differences.values));
   const PathTurns turns(poses, gyro, alignment, before);
   for (const Run& run : runs_of(far_ones(differences.values))) {
     double farthest = 0.0;
