@@ -60,7 +60,7 @@ struct Peaks {
 /// Made once per curve by adaptive Gauss quadrature, to 1e-10 relative in each segment (less where the speed touches
 /// zero and has a kink).
 template <class C>
-class ArcLength {
+class ORISPLINE_EXPORT ArcLength {
  public:
   /// `kinks`: times inside its segments at which its speed touches zero, in order [s]; stated, they cost no accuracy.
   explicit ArcLength(C curve, std::span<const double> kinks = {});
@@ -82,8 +82,8 @@ class ArcLength {
   std::vector<double> lengths_;  // from the start to each of them
 };
 
-extern template class ORISPLINE_EXPORT ArcLength<AnyCurve>;
-extern template class ORISPLINE_EXPORT ArcLength<AnyPath>;
+extern template class ArcLength<AnyCurve>;
+extern template class ArcLength<AnyPath>;
 
 using AngleTravelled = ArcLength<AnyCurve>;
 using DistanceTravelled = ArcLength<AnyPath>;

@@ -21,7 +21,7 @@ template <Path P>
 
 /// Any path by value: immutable, cheap to copy, evaluation allocates nothing. Outside its knots the end position is
 /// held at rest.
-class AnyPath {
+class ORISPLINE_EXPORT AnyPath {
  public:
   template <class P>
   requires(!std::same_as<P, AnyPath> && Path<P>) AnyPath(P path)
