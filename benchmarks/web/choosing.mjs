@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// How long it takes to choose another method on a report, beside a page of the same data that an earlier template makes:
+// node benchmarks/web/choosing.mjs PAGE [EARLIER_TEMPLATE]
+import { readFileSync, writeFileSync } from 'node:fs';
+import { mkdtempSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { launch, open } from '../../studio/report/tests/browser.mjs';
+import { plain } from './plain.mjs';
+
+const [file, template] = process.argv.slice(2);
+const rounds = 3; // of all methods, one page after the other
+const data = /id="report-data">(.*?)<\/script>/s.exec(readFileSync(file, 'utf8'))[1];
+const document = JSON.parse(data);
+const names = document.methods.filter(({ failure }) => !failure).map(({ name }) => name);
+
+const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
+
+/** Milliseconds from each choice until the frame that shows it is painted. */
+const choices = (page) =>
+  page.locator('select.first').evaluate(async (select, names) => {
+    const painted = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+    const times = [];
+    for (const name of names) {
+      const start = performance.now();
+      select.value = name;
+      select.dispatchEvent(new Event('change'));
+      await painted();
+      times.push(performance.now() - start);
+    }
+    return times;
+  }, names);
+
+const pages = { now: file };
+if (template) {
+  pages.before = join(mkdtempSync(join(tmpdir(), 'orispline-')), 'before.html');
+  const json = JSON.stringify(plain(document)).replaceAll('<', '\\u003c');
+  writeFileSync(pages.before, readFileSync(template, 'utf8').replace('__ORISPLINE_REPORT_DATA__', () => json));
+}
+
+const browser = await launch();
+const opened = {};
+for (const [name, path] of Object.entries(pages)) opened[name] = await open(browser, path, { viewport: { width: 1440, height: 900 } });
+const times = Object.fromEntries(Object.keys(pages).map((name) => [name, []]));
+for (let round = 0; round < rounds; ++round)
+  for (const [name, page] of Object.entries(opened)) times[name].push(...(await choices(page)));
+await browser.close();
+
+const now = median(times.now);
+console.log(`choosing one of ${names.length} methods, ${document.title}: ${now.toFixed(1)} ms, median of ${times.now.length}`);
+if (template) console.log(`the earlier page: ${median(times.before).toFixed(1)} ms; now ${(now / median(times.before)).toFixed(3)} of it`);
+else console.log('the earlier template is not in this history: no ratio');
