@@ -10,7 +10,6 @@
 
 #include <orispline/curve/motion.hpp>
 #include <orispline/analysis.hpp>
-#include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
 
 #include "arrays.hpp"
@@ -167,9 +166,12 @@ nb::dict settings_of(const PythonCurve& curve) {
 }
 
 void bands_at(const PythonCurve& curve, double share, const Numbers& times, const MutableNumbers& out) {
-  const MotionBand band = value_of([&] {
+  const BandInStretches band = value_of([&] {
     const nb::gil_scoped_release release;
-    return MotionBand::make(curve.method(), curve.keys().track->keys, share);
+    const Track& track = *curve.keys().track;
+    return stretches_of(track).and_then([&](const std::vector<Stretch>& stretches) {
+      return BandInStretches::make(curve.method(), track.keys, stretches, share);
+    });
   }());
   map_numbers(times, out, [&band](double t) { return band(t); });
 }
