@@ -86,8 +86,8 @@ class Mean(CommandTest):
         self.write("poses.csv", "qw,qx,qy,qz,px,py,pz\n" + about_z(0).strip() + ",0,0,0\n")
         self.write("turned.csv", "qw,qx,qy,qz,weight\n" + about_z(5).strip() + ",-1\n")
         for arguments, code, words in (
-                ("a.csv heavy.csv", BAD_DATA, "a.csv: found no weights, which heavy.csv has, wanted them in all files or in none"),
-                ("poses.csv a.csv", BAD_DATA, "a.csv: found no positions, which poses.csv has, wanted them in all files or in none; "
+                ("a.csv heavy.csv", BAD_DATA, "a.csv: found no weights, which heavy.csv has, wanted them in all or in none"),
+                ("poses.csv a.csv", BAD_DATA, "a.csv: found no positions, which poses.csv has, wanted them in all or in none; "
                                               "--no-positions reads none"),
                 ("heavy.csv turned.csv", BAD_DATA, "turned.csv:2: key 0: found the weight -1"),
                 ("a.csv a.csv --every 1s", BAD_USAGE, "--every: found 2 inputs, each with a clock of its own, wanted one, or "

@@ -77,8 +77,7 @@ TEST(MeanJob, RefusesFilesThatAreNotAlike) {
   for (const auto& files : {std::vector<Track>{plain, weighted}, std::vector<Track>{weighted, plain}}) {
     const auto request = mean_of_all(files, {});
     ASSERT_FALSE(request);
-    EXPECT_EQ(describe(request.error()),
-              "a.csv: found no weights, which b.csv has, wanted them in all files or in none");
+    EXPECT_EQ(describe(request.error()), "a.csv: found no weights, which b.csv has, wanted them in all or in none");
   }
   EXPECT_EQ(mean_of_all(std::vector<Track>{plain, plain}, {.every = 1.0}).error().option, "every");
 }

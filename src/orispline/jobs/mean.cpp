@@ -21,10 +21,10 @@ std::span<const double> weights_of(const Track& rows) {
   return found == rows.settings.end() ? std::span<const double>() : found->second;
 }
 
-/// Of several files the one that a row is from; null where they are one.
+/// Of several files the one that a row is from; null where they are one, or have no names.
 const RowsOfFile* file_of(const MeanRequest& request, std::size_t row) {
   const auto next = std::ranges::upper_bound(request.files, row, {}, &RowsOfFile::first);
-  return next == request.files.begin() ? nullptr : &*(next - 1);
+  return next == request.files.begin() || (next - 1)->name.empty() ? nullptr : &*(next - 1);
 }
 
 /// What is at a row of one of several files with the name of that and the number of the row there.
@@ -172,8 +172,9 @@ Json mean_json(const Mean& found, const MeanRequest& request) {
 }
 
 std::string subject(const MeanOutcome& outcome) {
-  const std::size_t files = outcome.request.files.size();
-  return keys_text(*outcome.request.rows, "row") + (files > 0 ? formatted(" from {} files", files) : "") +
+  const std::vector<RowsOfFile>& files = outcome.request.files;
+  const std::string_view kind = files.empty() || files.front().name.empty() ? "sets" : "files";
+  return keys_text(*outcome.request.rows, "row") + (files.empty() ? "" : formatted(" from {} {}", files.size(), kind)) +
          (outcome.is_weighted() ? ", weighted" : "") + (outcome.mended.empty() ? "" : "; " + outcome.mended);
 }
 
@@ -186,8 +187,8 @@ void append(std::vector<T>& list, std::span<const T> more) {
 Expected<void> check_alike(const Track& file, const Track& first) {
   const auto refused = [&](std::string_view what, const Track& lacking, const Track& having, std::string_view cure) {
     return failure(ErrorCode::bad_data,
-                   formatted("found no {}, which {} has, wanted them in all files or in none{}", what,
-                             printable(having.name), cure),
+                   formatted("found no {}, which {} has, wanted them in all or in none{}", what,
+                             having.name.empty() ? "another set" : printable(having.name), cure),
                    {.file = lacking.name});
   };
   const bool has_positions = !file.keys.positions().empty(), has_weights = !weights_of(file).empty();
@@ -217,7 +218,8 @@ Track MeanOutcome::track() const {
 
 Expected<MeanRequest> mean_of_all(std::span<const Track> files, const MeanOptions& options) {
   if (options.every)
-    return bad_option("every", formatted("found {} files, each with a clock of its own, wanted one", files.size()));
+    return bad_option("every",
+                      formatted("found {} sets of rows, each with a clock of its own, wanted one", files.size()));
   MeanRequest request{.rows = {}, .options = options, .has_times = false};
   KeyframeData data;
   Track rows;
