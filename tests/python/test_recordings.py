@@ -114,6 +114,9 @@ def test_arrays_have_gaps_as_files_have(tmp_path):
         ori.Curve(t, q, gap=0.1)
     with pytest.raises(TypeError, match="gap: found gap beside Keys"):
         ori.Curve(keys, gap=1)
+    for whole in (lambda: keys.curve("slerp").bake(1e-6), lambda: keys.curve("slerp").leave_out(), lambda: ori.tune(keys, "quintic")):
+        with pytest.raises(ori.ArgumentError, match="gap: found gaps longer than 1 s, wanted one curve through all keys"):
+            whole()
     times = np.r_[np.arange(0, 3, 0.02), np.arange(5, 8, 0.02)]
     noisy = np.column_stack([np.zeros((300, 2)), np.sin(times / 2), np.cos(times / 2)]) + np.random.default_rng(1).normal(0, 0.003, (300, 4))
     smoothing = ori.smooth(ori.Keys(times, noisy, normalize=True, gap=0.5))

@@ -11,6 +11,7 @@
 #include <orispline/curve/motion.hpp>
 #include <orispline/analysis.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/jobs.hpp>
 
 #include "arrays.hpp"
 #include "errors.hpp"
@@ -104,7 +105,8 @@ nb::dict rate_error_of(const PythonCurve& curve, const Numbers& times, const Row
 nb::dict leave_out(const PythonCurve& curve) {
   auto found = [&] {
     const nb::gil_scoped_release release;
-    return leave_out_error(curve.keys().track->keys, curve.method());
+    const Track& track = *curve.keys().track;
+    return jobs::check_without_gaps(track).and_then([&] { return leave_out_error(track.keys, curve.method()); });
   }();
   return dictionary_of(value_of(std::move(found)));
 }

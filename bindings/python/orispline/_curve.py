@@ -440,7 +440,7 @@ class Curve(Looks, Orienting):
         """How far the method misses keys that it is not given [rad]: each inner key is left out once, with every 4th. It
         estimates the error where nothing denser is known, and is not fit for choosing a method.
 
-        Raises DataError for fewer than 3 keys, and ArgumentError for a setting with a value for each key.
+        Raises DataError for fewer than 3 keys, and ArgumentError for a setting with a value for each key and for gaps.
 
         >>> import orispline as ori
         >>> curve = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
@@ -467,7 +467,7 @@ class Curve(Looks, Orienting):
         """The curve turned into polynomials, to be stored and replayed: no orientation is farther from the curve's own than
         `tolerance` [rad]. float32 is smaller, for tolerances from 1e-6 on. Ctrl-C stops it.
 
-        Raises ArgumentError for a tolerance below 1e-13 (1e-6), and for one that cannot be reached, with the key.
+        Raises ArgumentError for a tolerance below 1e-13 (1e-6), for one that cannot be reached, with the key, and for gaps.
 
         >>> import orispline as ori
         >>> curve = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
