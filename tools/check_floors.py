@@ -30,7 +30,6 @@ BELOW_JOBS = {  # header or folder below -> why a face needs it still; the exper
     "families/handles.hpp": "samples of streams, which are no job: keys come in and rows go out",
     "families/method_text.hpp": "methods as the user types them",
     "families/method_warnings.hpp": "streams are no job",
-    "families/motion_band.hpp": "samples in bulk",
     "families/recipe.hpp": "what a file says its keys are for",
     "families/registry.hpp": "the list of methods",
     "batch/": "samples in bulk, which go into files and arrays without a copy",

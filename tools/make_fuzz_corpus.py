@@ -102,6 +102,11 @@ def recorded_seeds():
         yield f"3_other_{other}", head[3] + walk + bytes(4) + bytes([other, other % 2])
     for family in range(0, FAMILIES, 4):
         yield f"5_inspect_{family:02}", bytes([5, family]) + bytes(31) + poses
+    turned = bytes([6, 40, 80, 200, 20, 250, 60, 3, 4, 7]).ljust(33, b"\0")
+    for name, flags in (("both", 0), ("world", 2), ("body", 1), ("offset", 16)):
+        yield f"6_align_{name}", turned + walk + recording(140, 4, True) + bytes([flags, 3])
+    yield "6_align_poses", turned + poses + recording(140, 4, still=True) + bytes([0])
+    yield "6_align_keys", turned + walk + bytes(4) + bytes([0])
 
 
 def optimise_seeds():

@@ -73,7 +73,7 @@ std::string_view place_of_output(const OutputOptions& options) {
 }
 
 Expected<std::string_view> folder_extension(const OutputOptions& options, std::string_view written) {
-  if (options.path != io::standard_stream)
+  if (options.path != io::standard_stream && !options.path.empty())
     return usage_failure(
         formatted("found -o and --output-folder, wanted one of them: a file for the {}, or their folder", written));
   return output_format(options).map([](std::optional<const io::FormatInfo*> format) {

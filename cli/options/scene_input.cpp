@@ -5,6 +5,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/jobs/curve_of_keys.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
 namespace orispline::cli {
@@ -42,7 +43,7 @@ scenes::SceneReading scene_reading(const InputRequest& input) {
 Expected<scenes::Scene> open_scene(const InputRequest& input) {
   if (!is_scene(input))
     return io::read_track(input.path, input.read, input.signs).and_then([](const io::TrackFile& file) {
-      return scenes::scene_of(file.track);
+      return jobs::check_without_gaps(file.track).and_then([&] { return scenes::scene_of(file.track); });
     });
   if (input.read.scene.joint)
     return usage_failure("--joint: found an output that holds all joints, wanted one of a single track, such as CSV");

@@ -115,12 +115,11 @@ std::string some_of(const std::vector<std::string>& paths) {
 
 }  // namespace
 
-void add_several_inputs(Command& app, SeveralInputs& o, std::string_view written) {
+void add_several_inputs(Command& app, SeveralInputs& o, std::string_view written, std::string_view several) {
   o.command = app.name;
   app.add_option("INPUT", o.paths,
-                 formatted("{} file of keyframes; '-' is standard input; several files, or folders of them, with "
-                           "--output-folder",
-                           io::any_of(io::formats_read())))
+                 formatted("{} file of keyframes; '-' is standard input; several files, or folders of them, {}",
+                           io::any_of(io::formats_read()), several))
       ->type_name(file_type);
   const std::string group = "Several inputs";
   app.add_option("--inputs", o.list,

@@ -31,8 +31,10 @@ struct InputFiles {
   std::vector<Warning> warnings{};
 };
 
-/// INPUT..., --inputs, --output-folder and --all-or-none, part of several commands; what is written: `keys`.
-void add_several_inputs(Command& app, SeveralInputs& options, std::string_view written);
+/// INPUT..., --inputs, --output-folder and --all-or-none, part of several commands; what is written: `keys`; and what
+/// several are for.
+void add_several_inputs(Command& app, SeveralInputs& options, std::string_view written,
+                        std::string_view several = "with --output-folder");
 /// Threads that work on them, for commands that have no threads of their own.
 void add_input_threads(Command& app, SeveralInputs& options);
 

@@ -6,6 +6,8 @@
 #include <orispline/io/blending_file.hpp>
 #include <orispline/io/file_option.hpp>
 #include <orispline/io/key_reader.hpp>
+#include <orispline/io/rates_file.hpp>
 #include <orispline/io/sample_writer.hpp>
+#include <orispline/io/time_order.hpp>
 #include <orispline/io/times_file.hpp>
 #include <orispline/io/track_file.hpp>

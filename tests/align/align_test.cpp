@@ -90,19 +90,19 @@ TEST_F(Align, BringsOneRecordingOntoTheOther) {
 TEST_F(Align, LooksOnlyForWhatItIsAskedFor) {
   const Eigen::Quaterniond none = Eigen::Quaterniond::Identity();
   const Difference world_only{.body = none, .offset = 0.0};
-  const auto world = align(moved_recording({}, world_only, random), fixed_recording({}, random),
-                           {.body_rotation = false, .offset = 0.0});
+  const auto world =
+      align(moved_recording({}, world_only, random), fixed_recording({}, random), {.body_turn = false, .offset = 0.0});
   ASSERT_TRUE(world) << describe(world.error());
   expect_near(*world, world_only, 1e-5, 0.0);
   EXPECT_EQ(world->sigmas.offset, 0.0);
   EXPECT_EQ(world->sigmas.body, Eigen::Vector3d::Zero());
   const Difference body_only{.world = none};
   const auto body = align(moved_recording({}, body_only, random), fixed_recording({}, random),
-                          {.world_rotation = false, .offset = body_only.offset});
+                          {.world_turn = false, .offset = body_only.offset});
   ASSERT_TRUE(body) << describe(body.error());
   expect_near(*body, body_only, 1e-5, 0.0);
   const Difference small{.body = Eigen::Quaterniond(exp<double>(Eigen::Vector3d(0.1, 0.0, 0.0)))};
-  const auto wrong = align(moved_recording({}, small, random), fixed_recording({}, random), {.body_rotation = false});
+  const auto wrong = align(moved_recording({}, small, random), fixed_recording({}, random), {.body_turn = false});
   ASSERT_TRUE(wrong) << describe(wrong.error());
   ASSERT_EQ(wrong->warnings.size(), 1u);
   EXPECT_EQ(wrong->warnings[0].code, "poor_alignment");

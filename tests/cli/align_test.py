@@ -149,7 +149,7 @@ class Align(CommandTest):
         self.assertEqual((found["offset_s"], found["offset_sigma_s"], found["scale"], found["translation_m"]), (LATE, 0, 1, [0, 0, 0]))
         self.assertLess(angle_between(WORLD, list(found["world"].values())), 1)
         self.assertGreater(found["position_rms_m"], 1)
-        done = self.run_command("align a.csv b.csv --no-body-rotation -o out.csv")
+        done = self.run_command("align a.csv b.csv --no-body-turn -o out.csv")
         self.assertEqual((done.returncode, done.stdout), (BAD_DATA, ""))
         self.assertIn("wanted two recordings of one motion", done.stderr)
 

@@ -47,6 +47,58 @@ class Mean(CommandTest):
         lines = self.output_of("mean late.csv --every 1s").splitlines()
         self.assertEqual([line.split()[:2] for line in lines[2:]], [["1700000000.5", "s"], ["1700000001.5", "s"]])
 
+    def test_documents_have_the_times_that_files_have(self):
+        self.write("late.csv", "t,qw,qx,qy,qz\n" + "".join(f"1700000000.123456789{i},1,0,0,0\n" for i in range(8)))
+        self.output_of("mean late.csv --every 1s --quiet -o means.csv")
+        found = self.found("late.csv --every 1s")["windows"]
+        self.assertEqual([one["time_s"] for one in found], [table_of(self.read("means.csv"))[1].split(",")[0]])
+        self.assertEqual(found[0]["time_s"], "1700000000.623456789")
+
+    def test_rows_of_several_files_are_one_set(self):
+        self.write("a.csv", "qw,qx,qy,qz\n" + about_z(0, 10))
+        self.write("b.tum", "5 0 0 0 " + " ".join(about_z(50).strip().split(",")[1:] + about_z(50).split(",")[:1]) + "\n")
+        self.write("whole.csv", "qw,qx,qy,qz\n" + about_z(0, 10, 50))
+        found = json.loads(self.output_of("mean a.csv b.tum --no-positions --json"))
+        self.assertEqual((found["inputs"], found["rows"]), (["a.csv", "b.tum"], 3))
+        self.assertEqual(found["farthest"], {"file": "b.tum", "key": 0, "line": 1})
+        self.expect_turn(found, 20)
+        lines = self.output_of("mean a.csv b.tum --no-positions").splitlines()
+        self.assertEqual(lines[0], "3 rows from 2 files")
+        self.assertTrue(lines[4].endswith("(line 1 of b.tum)"), lines[4])
+        self.output_of("mean a.csv b.tum --no-positions --quiet -o mean.csv")
+        self.output_of("mean whole.csv --quiet -o wanted.csv")
+        self.assertEqual(self.read("mean.csv"), self.read("wanted.csv"))
+        told = self.run_command("mean a.csv b.tum --no-positions --json -o mean.csv")
+        self.assertEqual(list(json.loads(told.stdout))[:2], ["inputs", "output"])
+
+    def test_each_of_several_files_has_a_mean_in_a_folder(self):
+        self.write("a.csv", "qw,qx,qy,qz\n" + about_z(0, 10))
+        self.write("b.csv", "qw,qx,qy,qz\n" + about_z(50))
+        each = json.loads(self.output_of("mean a.csv b.csv --output-folder means --json"))
+        self.assertEqual([(one["input"], one["output"]) for one in each], [("a.csv", "means/a.csv"), ("b.csv", "means/b.csv")])
+        self.expect_turn(each[0], 5)
+        self.expect_turn(each[1], 50)
+        self.assertEqual(len(table_of(self.read("means/a.csv"))), 2)
+
+    def test_refuses_files_that_do_not_belong_together(self):
+        self.write("a.csv", "qw,qx,qy,qz\n" + about_z(0, 10))
+        self.write("heavy.csv", "qw,qx,qy,qz,weight\n" + about_z(0).strip() + ",2\n")
+        self.write("poses.csv", "qw,qx,qy,qz,px,py,pz\n" + about_z(0).strip() + ",0,0,0\n")
+        self.write("turned.csv", "qw,qx,qy,qz,weight\n" + about_z(5).strip() + ",-1\n")
+        for arguments, code, words in (
+                ("a.csv heavy.csv", BAD_DATA, "a.csv: found no weights, which heavy.csv has, wanted them in all or in none"),
+                ("poses.csv a.csv", BAD_DATA, "a.csv: found no positions, which poses.csv has, wanted them in all or in none; "
+                                              "--no-positions reads none"),
+                ("heavy.csv turned.csv", BAD_DATA, "turned.csv:2: key 0: found the weight -1"),
+                ("a.csv a.csv --every 1s", BAD_USAGE, "--every: found 2 inputs, each with a clock of its own, wanted one, or "
+                                                      "--output-folder FOLDER for the means of each"),
+                ("a.csv none.csv", 3, "none.csv: cannot open"),
+                ("", BAD_USAGE, "INPUT is missing")):
+            said = self.run_command(f"mean {arguments} -o out.csv")
+            self.assertEqual(said.returncode, code, said.stderr)
+            self.assertIn(words, said.stderr)
+            self.assertFalse((self.folder / "out.csv").exists())
+
     def test_says_it_in_a_few_lines(self):
         self.write("shots.csv", SHOTS)
         lines = self.output_of("mean shots.csv").splitlines()
@@ -98,7 +150,7 @@ class Mean(CommandTest):
         rows = [f"{t},{line}\n" for t, line in zip((10, 10.4, 12.1, 12.3), about_z(0, 20, 40, 50).splitlines(), strict=True)]
         self.write("motion.csv", "t,qw,qx,qy,qz\n" + "".join(rows))
         found = self.found("motion.csv --every 1s")
-        self.assertEqual([one["t"] for one in found["windows"]], [10.5, 12.5])
+        self.assertEqual([one["time_s"] for one in found["windows"]], ["10.5", "12.5"])
         self.expect_turn(found["windows"][0], 10)
         self.expect_turn(found["windows"][1], 45)
         self.output_of("mean motion.csv --every 1s --quiet -o means.csv")

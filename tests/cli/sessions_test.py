@@ -11,7 +11,7 @@ import pathlib
 import shutil
 import unittest
 
-from command import BAD_DATA, BAD_USAGE, SUCCESS, CommandTest, main, rows_of, table_of
+from command import BAD_DATA, BAD_USAGE, SUCCESS, CommandTest, main, rows_of, table_of, with_pages
 
 RECORDINGS = pathlib.Path(os.environ["ORISPLINE_SHARED_DATA"]).resolve().parent / "cases" / "recordings"
 
@@ -250,6 +250,46 @@ class Gaps(Recordings):
         for task in ("tune turns.csv", "retime turns.csv --max-rate 10deg/s", "compare turns.csv --keep-every 10 --tune"):
             self.assert_fails(f"{task} --gap 0.1{'' if 'compare' in task else ' -o out.csv'}", BAD_USAGE,
                               "--gap: found gaps longer than 0.1 s, wanted one curve through all keys")
+
+    def test_files_of_skeletons_which_know_no_gaps_are_refused_keys_with_some(self):
+        self.output_of("convert gaps.csv --gap 1 -o stated.csv")
+        for task in ("convert gaps.csv --gap 1", "reduce gaps.csv --gap 1 --tolerance 1deg", "sample gaps.csv --gap 1 --rate 10"):
+            self.assert_fails(f"{task} -o out.glb", BAD_USAGE,
+                              "--gap: found gaps longer than 1 s, wanted one curve through all keys")
+            self.assertFalse((self.folder / "out.glb").exists())
+        self.assert_fails("convert stated.csv -o out.glb", BAD_USAGE,
+                          "--gap: found gaps longer than 1 s, as line 1 of the keys says, wanted one curve through all keys "
+                          "(--ignore-recipe reads the keys without it)")
+        self.output_of("convert stated.csv --ignore-recipe -o out.glb")
+
+    @with_pages
+    def test_pages_draw_nothing_in_gaps(self):
+        times = [k / 20 for k in range(400) if not 120 < k < 200]
+        self.write("long.csv", "t,qw,qx,qy,qz\n" + "".join(
+            f"{t},{math.cos(0.5 * math.sin(t))!r},0,0,{math.sin(0.5 * math.sin(t))!r}\n" for t in times))
+        for task in ("reduce long.csv --gap 0.5 --tolerance 0.1deg -o out.csv",
+                     "compare long.csv --gap 0.5 --keep-every 5 --methods measured,auto"):
+            self.output_of(f"{task} --report page.html --quiet" if "reduce" in task else f"{task} --report page.html")
+            page = self.page("page.html")
+            self.assertEqual([q for t, q in zip(page["reference"]["t"], page["reference"]["q"][::4]) if 6 < t < 10], [None])
+            for method in page["methods"]:
+                inside = [q for t, q in zip(method["samples"]["t"], method["samples"]["q"][::4]) if 6 < t < 10]
+                self.assertTrue(inside and not any(inside), method["name"])
+                for band in method["bands"].values():
+                    self.assertFalse([low for t, low in zip(band["t"], band["low"]) if 6 < t < 10 and low is not None])
+                    self.assertTrue([low for t, low in zip(band["t"], band["low"]) if t < 6 and low is not None])
+
+    def test_the_band_of_a_stretch_is_that_of_its_own_keys(self):
+        rows = [f"{k / 20},{math.cos(0.5 * math.sin(k / 20))!r},0,0,{math.sin(0.5 * math.sin(k / 20))!r}\n" for k in range(400)]
+        self.write("long.csv", "t,qw,qx,qy,qz\n" + "".join(rows[:120] + rows[200:]))
+        self.write("alone.csv", "t,qw,qx,qy,qz\n" + "".join(rows[:120]))
+        found = self.summary("sample long.csv --gap 0.5 --method measured --rate 40 -o out.csv")["findings"]["method_text"]
+        settings = " ".join(f"--set {setting}" for setting in found.split(":")[1:])
+        command = f"--method measured {settings} --band 0.9 --rate 40 --derivatives 0"
+        apart = rows_of(self.output_of(f"sample long.csv --gap 0.5 {command}"))
+        alone = rows_of(self.output_of(f"sample alone.csv {command}"))
+        self.assertEqual([row[-1] for row in apart[:len(alone)]], [row[-1] for row in alone])
+        self.assertFalse([row for row in apart if math.isnan(row[-1])])
 
     def test_plot_and_inspect_keep_to_the_stretches(self):
         self.output_of("plot gaps.csv --gap 1 -o out.svg")

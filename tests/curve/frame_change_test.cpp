@@ -260,6 +260,23 @@ TEST(FrameChange, TurnsInnerQuaternionsAsItTurnsTheCurve) {
   for (const double t : {0.3, 1.0, 2.2}) expect_same((*after)(t), frames.orientation((*before)(t)), 1e-14);
 }
 
+TEST(TurnedBack, PosesThatTakeTheWorldIntoTheBodyBecomeThoseOfTheBody) {
+  const Eigen::Quaterniond world_to_body(0.8, 0.36, 0.48, 0.0);
+  const Eigen::Vector3d centre(3.0, 0.0, 1.0), rate(0.1, 0.2, 0.3);
+  const KeyframeData stated{.times = {0.0},
+                            .orientations = {world_to_body},
+                            .positions = {-(world_to_body * centre)},
+                            .angular_velocities = {rate},
+                            .inner_leaving = {world_to_body}};
+  const KeyframeData keys = inverted(stated);
+  EXPECT_EQ(keys.orientations[0].coeffs(), world_to_body.conjugate().coeffs());
+  EXPECT_EQ(keys.inner_leaving[0].coeffs(), world_to_body.conjugate().coeffs());
+  EXPECT_TRUE(near(keys.positions[0], centre, 1e-15));
+  EXPECT_EQ(keys.angular_velocities[0], rate);
+  EXPECT_EQ(conjugated(stated).orientations[0].coeffs(), keys.orientations[0].coeffs());
+  EXPECT_EQ(conjugated(stated).positions[0], stated.positions[0]);
+}
+
 TEST(FrameChange, CommutesWithTheCurve) {
   Track track(
       Keyframes::make({.times = {0.0, 1.0, 2.5, 3.0},

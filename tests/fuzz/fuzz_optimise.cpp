@@ -94,7 +94,7 @@ void try_inspect(TaskInput& input) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orispline;
   using namespace orispline::fuzz;
-  constexpr std::array tasks{try_reduce, try_retime, try_smooth, try_tune, try_compare, try_inspect};
+  constexpr std::array tasks{try_reduce, try_retime, try_smooth, try_tune, try_compare, try_inspect, try_align};
   FuzzInput input(data, size);
   const std::size_t task = input.below(tasks.size());
   const FuzzInput options = input.part(32);

@@ -53,5 +53,6 @@ void try_smooth(TaskInput& input);
 void try_tune(TaskInput& input);
 void try_compare(TaskInput& input);
 void try_inspect(TaskInput& input);
+void try_align(TaskInput& input);
 
 }  // namespace orispline::fuzz

@@ -71,6 +71,8 @@ TEST(Sessions, AreTracksOfAFileWhereAllAreAskedFor) {
   EXPECT_EQ(read_track(file.path(), {.session = 3})->track.keys.size(), 3u);
   EXPECT_EQ(read_track(file.path(), {.session = 4}).error().message, "found 4, wanted 1 to 3, which the file has");
   EXPECT_EQ(read_track(file.path(), {.session = all_sessions}).error().option, "session");
+  EXPECT_EQ(sessions_in("-", {}).error().message,
+            "found all with standard input, which can be read once only; wanted a file");
 }
 
 TEST(Sessions, AreNoneWhereRowsAreInDisorder) {

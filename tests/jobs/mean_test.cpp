@@ -51,6 +51,37 @@ TEST(MeanJob, HasAMeanForEachWindowWithRows) {
   EXPECT_NE(summary_of(*outcome).find("2 windows of 1 s\n"), std::string::npos);
 }
 
+TEST(MeanJob, TakesTheRowsOfSeveralFilesAsOneSet) {
+  Track first = turns_of({0.0, 1 * degree}), second = turns_of({5 * degree});
+  first.name = "a.csv";
+  second.name = "b.csv";
+  first.lines = {2, 3};
+  second.lines = {7};
+  const auto request = mean_of_all(std::vector<Track>{first, second}, {});
+  ASSERT_TRUE(request) << describe(request.error());
+  const auto outcome = mean(*request);
+  ASSERT_TRUE(outcome);
+  EXPECT_NEAR(number(document_of(*outcome), "qz"), std::sin(1 * degree), 1e-15);
+  EXPECT_TRUE(summary_of(*outcome).starts_with("3 rows from 2 files\n"));
+  EXPECT_NE(summary_of(*outcome).find("(line 7 of b.csv)"), std::string::npos);
+  const Json farthest = member(document_of(*outcome), "farthest");
+  EXPECT_EQ(std::get<std::string>(member(farthest, "file").value()), "b.csv");
+  EXPECT_EQ(count(farthest, "key"), 0u);
+}
+
+TEST(MeanJob, RefusesFilesThatAreNotAlike) {
+  Track plain = turns_of({0.0}), weighted = turns_of({5 * degree});
+  plain.name = "a.csv";
+  weighted.name = "b.csv";
+  weighted.settings["weight"] = {1.0};
+  for (const auto& files : {std::vector<Track>{plain, weighted}, std::vector<Track>{weighted, plain}}) {
+    const auto request = mean_of_all(files, {});
+    ASSERT_FALSE(request);
+    EXPECT_EQ(describe(request.error()), "a.csv: found no weights, which b.csv has, wanted them in all or in none");
+  }
+  EXPECT_EQ(mean_of_all(std::vector<Track>{plain, plain}, {.every = 1.0}).error().option, "every");
+}
+
 TEST(MeanJob, GathersTheWarningsOfWindows) {
   Track rows = *turns_of({0.0, 2 * degree, 10 * degree, 14 * degree}).with_times({0.0, 0.9, 2.0, 2.5});
   const auto shared = std::make_shared<const Track>(std::move(rows));

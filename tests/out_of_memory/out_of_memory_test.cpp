@@ -12,7 +12,9 @@
 #include <out_of_memory/failing_new.hpp>
 #include <support/tracks.hpp>
 #if defined(ORISPLINE_TEST_TASKS)
+#include <orispline/align.hpp>
 #include <orispline/files.hpp>
+#include <orispline/mean.hpp>
 #include <orispline/reduce.hpp>
 #include <orispline/retime.hpp>
 #include <orispline/smooth.hpp>
@@ -81,6 +83,9 @@ TEST(OutOfMemory, EndsTasks) {
   expect_bad_alloc_alone("reduce", [&] { EXPECT_TRUE(reduce(track, "timed-c1", reduction)); });
   expect_bad_alloc_alone("retime", [&] { EXPECT_TRUE(retime(track, "timed-c2", {.limits = {.rate = 0.1}})); });
   expect_bad_alloc_alone("smooth", [&] { EXPECT_TRUE(smooth(track, {.noise = 0.01})); });
+  expect_bad_alloc_alone("align", [&] { EXPECT_TRUE(align(track, track, {.offset = 0.0})); });
+  const Keyframes& keys = track.keys;
+  expect_bad_alloc_alone("mean", [&] { EXPECT_TRUE(mean({keys.orientations(), keys.positions(), {}})); });
   expect_bad_alloc_alone("tune", [&] { EXPECT_TRUE(tune(track, "timed-c2")); });
 }
 

@@ -83,7 +83,7 @@ def test_what_is_not_looked_for_is_none():
     assert (alignment.offset, alignment.offset_sigma, alignment.scale, alignment.translation.tolist()) == (LATE, 0, 1, [0, 0, 0])
     assert ori.align(*pair(), offset="0.37s").offset == LATE
     with pytest.warns(ori.ShapeWarning) as caught:
-        small = ori.align(ori.Keys(T, Rotation.from_rotvec([0.1, 0, 0]) * true_motion(T)[0]), pair(positions=False)[1], world_rotation=False)
+        small = ori.align(ori.Keys(T, Rotation.from_rotvec([0.1, 0, 0]) * true_motion(T)[0]), pair(positions=False)[1], world_turn=False)
     assert small.world.tolist() == [0, 0, 0, 1]
     assert caught[0].message.code == "poor_alignment" and caught[0].filename == __file__
 
@@ -230,3 +230,13 @@ def test_a_recorded_trajectory_is_aligned_as_well_as_by_evo():
         errors.append([(distance(found), (found[0] * WORLD.inv()).magnitude()) for found in both])
     ours, theirs = np.sqrt(np.mean(np.square(errors), axis=0))
     assert (ours <= 1.05 * theirs).all(), f"ours {ours}, evo's {theirs}"
+
+
+def test_a_comparison_has_the_alignment_of_its_keys():
+    a, b = pair()
+    comparison = ori.compare(a, ["slerp"], reference=b, align=True)
+    wanted = ori.align(a, b)
+    assert comparison.alignment.as_dict() == wanted.as_dict() and comparison.alignment.keys == comparison.keys()
+    assert np.array_equal(pickle.loads(pickle.dumps(comparison)).alignment.world, wanted.world)
+    assert ori.compare(wanted.keys, ["slerp"], reference=b).alignment is None
+    assert np.array_equal(comparison.alignment.apply(a[:9]).rotations, wanted.keys[:9].rotations)

@@ -93,7 +93,7 @@ def test_numpy_files_that_hold_no_keys(tmp_path):
                (ori.ArgumentError, "columns: found 2 names, wanted 5 that differ", table, {"columns": ["t", "qw"]}),
                (ori.ArgumentError, "columns: found 't', wanted the names of the 5 columns", table, {"columns": "t"}),
                (ori.ArgumentError, "epoch: found it with a NumPy file", table, {"epoch": "2026-01-01"}),
-               (ori.ArgumentError, "conjugate: found it with a NumPy file", table, {"conjugate": True}),
+               (ori.ArgumentError, "fps: found it with a NumPy file", table, {"fps": 24}),
                (ori.DataError, "key 1: time 0 comes after 1", table[::-1], {}), (ori.DataError, "no keys", table[:0], {})]
     for kind, text, array, options in faults:
         if array is not None:

@@ -72,6 +72,24 @@ def test_weights_are_as_repetitions():
     assert distance(ori.mean(q, weights=[1, 1, 3], kind="median").orientation, q[2]) < 1e-15
 
 
+def test_a_list_of_keys_is_one_set(tmp_path):
+    parts = [ori.Keys([0, 1, 5], about(BASE, 0, 10, 20), positions=np.eye(3)), ori.Keys([3], about(BASE, 90), positions=[[4, 4, 4]])]
+    whole = ori.mean(about(BASE, 0, 10, 20, 90), positions=[[1, 0, 0], [0, 1, 0], [0, 0, 1], [4, 4, 4]])
+    found = ori.mean(parts)
+    assert np.array_equal(found.orientation, whole.orientation) and np.array_equal(found.position, whole.position) and found.farthest == 3
+    assert str(found).startswith("4 rows from 2 sets\n") and ori.mean(parts[:1]).count == 3
+    assert distance(ori.mean(parts, weights=[0, 0, 1, 0]).orientation, about(BASE, 20)[0]) < 1e-15
+    for number, keys in enumerate(parts):
+        keys.write(tmp_path / f"{number}.csv")
+    told = json_of("mean", tmp_path / "0.csv", tmp_path / "1.csv")
+    mine = ori.mean([ori.read(tmp_path / f"{number}.csv") for number in range(2)]).as_dict()
+    assert mine == {name: value for name, value in told.items() if name not in ("inputs", "warnings")}
+    with pytest.raises(ori.DataError, match="found no positions, which another set has, wanted them in all or in none"):
+        ori.mean([parts[0], ori.Keys([0], BASE.as_quat()[None])])
+    with pytest.raises(ori.ArgumentError, match="every: found 2 sets of rows, each with a clock of its own, wanted one"):
+        ori.mean(parts, every=1)
+
+
 def test_one_orientation_has_no_covariance():
     found = ori.mean([[0, 0, 0, 1]])
     assert found.sigma is found.covariance is found.spread is found.position is None

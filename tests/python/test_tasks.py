@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tasks find what the command finds, bit for bit."""
+import decimal
 import json
 import pickle
 import re
@@ -290,6 +291,39 @@ def test_a_gyro_may_have_times_of_its_own():
     holes = rates.rates.copy()
     holes[100:103, 1] = np.nan
     assert ori.smooth(keys, gyro=ori.Rates(rates.times, holes)).gyro_used
+
+
+def test_rates_are_read_from_a_file_of_their_own(tmp_path):
+    keys, rates = late_gyro(0.0432)
+    poses, gyro = tmp_path / "poses.csv", tmp_path / "gyro.csv"
+    np.savetxt(poses, np.column_stack([keys.times + 1.7e9, keys.rotations[:, [3, 0, 1, 2]]])[::4], delimiter=",", header="t,qw,qx,qy,qz", comments="",
+               fmt=["%.4f", *["%.17g"] * 4])
+    np.savetxt(gyro, np.column_stack([rates.times + 1.7e9, np.degrees(rates.rates)]), delimiter=",", header="t,wx_deg_s,wy_deg_s,wz_deg_s",
+               comments="", fmt=["%.4f", *["%.17g"] * 3])
+    read, recording = ori.read_rates(gyro), ori.read(poses)
+    assert read.epoch == decimal.Decimal("1700000000.0432") and read.times[0] == 0 and ori.Rates([0, 1], np.zeros((2, 3))).epoch == 0
+    assert np.allclose(read.rates, rates.rates, rtol=1e-14, atol=0)
+    assert np.array_equal(ori.read_rates(gyro, body_axes="FRD:FLU").rates, read.rates * [1, -1, -1])
+    smoothing, told = ori.smooth(recording, gyro=read), json_of("smooth", poses, "--gyro-file", gyro, "-o", tmp_path / "out.csv")
+    assert smoothing.gyro_used and abs(smoothing.gyro_offset - 0.0432) < 5 * smoothing.gyro_offset_sigma < 0.005
+    assert smoothing.gyro_offset == pytest.approx(told["gyro_offset_s"], abs=1e-9) and len(smoothing.keys) == told["rows_written"]
+    since = np.asarray(read.times) + float(read.epoch - recording.epoch)
+    assert ori.smooth(recording, gyro=ori.Rates(since, read.rates)).gyro_offset == pytest.approx(smoothing.gyro_offset, abs=1e-9)
+
+
+def test_files_that_hold_no_rates_are_refused(tmp_path):
+    path = tmp_path / "gyro.csv"
+    for text, kind, message, options in (
+            ("t,a\n0,1\n", ori.DataError, "gyro.csv:1: found 't,a', wanted the rates of the body wx, wy and wz", {}),
+            ("t,wx,wy,wz\n0,1,2,3\n0,1,2,3\n", ori.DataError, "gyro.csv:3:1: time 0 does not come after 0, wanted increasing times", {}),
+            ("t,wx,wy,wz\n", ori.DataError, "gyro.csv: empty: no rates", {}),
+            ("t,wx,wy,wz\n0,1,2,3\n", ori.ArgumentError, "time_scale: found '0', wanted a number greater than 0", {"time_scale": 0}),
+            ("t,wx,wy,wz\n0,1,2,3\n", ori.ArgumentError, "body_axes: found axes of the body of which one system is right-handed", {"body_axes": "RUB:RUF"})):
+        path.write_text(text)
+        with pytest.raises(kind, match=re.escape(message)):
+            ori.read_rates(path, **options)
+    with pytest.raises(ori.AccessError, match="none.csv: cannot open"):
+        ori.read_rates(tmp_path / "none.csv")
 
 
 def test_bad_rates_are_refused():

@@ -42,6 +42,7 @@ class Calls:
             "RotationSpline": (ori.RotationSpline, {"times": T, "rotations": rotations}),
             "Slerp": (ori.Slerp, {"times": T, "rotations": rotations}), "methods": (ori.methods, {}),
             "blending": (ori.blending, {"name": "mine", "rows": [[0, 1]]}), "read_blending": (ori.read_blending, {"path": "mine.json"}),
+            "read_rates": (ori.read_rates, {"path": "gyro.csv"}),
             "Blending": (ori.Blending, {}), "read": (ori.read, {"path": "keys.csv"}), "write": (ori.write, {"what": keys, "path": "out.csv"}),
             "read_scene": (ori.read_scene, {"path": "nod.bvh"}), "reduce_scene": (ori.reduce_scene, {"scene": scene, "tolerance": "1deg"}),
             "shell_distance": (ori.shell_distance, {"a": scene, "b": scene}), "smooth": (ori.smooth, {"keys": recording}),
@@ -57,7 +58,7 @@ class Calls:
             "RotationSpline": ori.RotationSpline(T, rotations), "Slerp": ori.Slerp(T, rotations), "Samples": stack.sample(rate=2),
             "Scene": scene, "Smoothing": ori.smooth(recording, smoothing_time=0.1), "Reduction": ori.reduce(recording, "1deg"),
             "Retiming": ori.retime(keys, max_rate=1), "Tuning": ori.tune(keys, "quintic"), "Mean": ori.mean(Q[:2]), "Comparison": ori.compare(recording, ["slerp"]),
-            "Rates": ori.Rates(T, np.zeros((3, 3))), "Alignment": ori.align(recording, recording, body_rotation=False)}
+            "Rates": ori.Rates(T, np.zeros((3, 3))), "Alignment": ori.align(recording, recording, body_turn=False)}
         self.clock = 0.0
 
     def __iter__(self):

@@ -10,8 +10,8 @@
 
 #include <orispline/curve/motion.hpp>
 #include <orispline/analysis.hpp>
-#include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/jobs.hpp>
 
 #include "arrays.hpp"
 #include "errors.hpp"
@@ -105,7 +105,8 @@ nb::dict rate_error_of(const PythonCurve& curve, const Numbers& times, const Row
 nb::dict leave_out(const PythonCurve& curve) {
   auto found = [&] {
     const nb::gil_scoped_release release;
-    return leave_out_error(curve.keys().track->keys, curve.method());
+    const Track& track = *curve.keys().track;
+    return jobs::check_without_gaps(track).and_then([&] { return leave_out_error(track.keys, curve.method()); });
   }();
   return dictionary_of(value_of(std::move(found)));
 }
@@ -167,9 +168,12 @@ nb::dict settings_of(const PythonCurve& curve) {
 }
 
 void bands_at(const PythonCurve& curve, double share, const Numbers& times, const MutableNumbers& out) {
-  const MotionBand band = value_of([&] {
+  const BandInStretches band = value_of([&] {
     const nb::gil_scoped_release release;
-    return MotionBand::make(curve.method(), curve.keys().track->keys, share);
+    const Track& track = *curve.keys().track;
+    return stretches_of(track).and_then([&](const std::vector<Stretch>& stretches) {
+      return BandInStretches::make(curve.method(), track.keys, stretches, share);
+    });
   }());
   map_numbers(times, out, [&band](double t) { return band(t); });
 }

@@ -9,6 +9,7 @@
 
 #include <orispline/batch/baked_curve.hpp>
 #include <orispline/batch/sample.hpp>
+#include <orispline/jobs.hpp>
 
 #include "arrays.hpp"
 #include "errors.hpp"
@@ -145,7 +146,9 @@ void add(nb::module_& module, nb::class_<PythonCurve>& curve_class, const char* 
       bake_name,
       [](const PythonCurve& curve, double tolerance) {
         return value_of(interruptible([&](const Progress& progress) {
-          return bake<T>(curve.pose().orientation, tolerance, {}, progress);
+          return jobs::check_without_gaps(*curve.keys().track).and_then([&] {
+            return bake<T>(curve.pose().orientation, tolerance, {}, progress);
+          });
         }));
       },
       "tolerance"_a);

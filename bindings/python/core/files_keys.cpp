@@ -114,6 +114,33 @@ Keys in_axes(const Keys& keys, const io::StatedOptions& stated) {
   return shared(std::move(*turned));
 }
 
+/// Keys of arrays, as options of reading would have those of a file: turned back, in their frames, with their gaps.
+Keys as_read(const Keys& keys, const io::StatedOptions& stated) {
+  io::Reading reading;
+  auto track = io::take_options(reading, stated)
+                   .and_then([&] { return io::check_frames(reading.options); })
+                   .and_then([&] {
+                     KeyframeData data = keys.track->keys.data();
+                     if (reading.options.conjugate) data = conjugated(std::move(data));
+                     if (reading.options.inverse_poses) data = inverted(std::move(data));
+                     return Keyframes::make(std::move(data), keys.track->recipe.signs);
+                   })
+                   .and_then([&](const Keyframes& turned) {
+                     return in_frames(keys.track->with_keys(turned), reading.options.frames);
+                   });
+  if (!track) raise(in_words(std::move(track.error())));
+  if (reading.options.gap) track->recipe.gap = reading.options.gap;
+  return shared(std::move(*track));
+}
+
+/// The rows that recordings begin with among those of these times, and whether sorting would mix them.
+nb::tuple sessions_of(const Numbers& times) {
+  std::vector<Decimal> exact;
+  for (const double t : span_of(times)) exact.push_back(Decimal::from_double(t));
+  const auto starts = io::session_starts(exact);
+  return nb::make_tuple(starts, io::would_interleave(exact, starts));
+}
+
 /// The method that the keys are for, `otherwise` where the file names none, but for what these names say otherwise and
 /// with these rules for its ends.
 MethodText method_for(const Keys& keys, const std::vector<std::string>& names, const std::string& otherwise,
@@ -156,6 +183,9 @@ void add_key_origins(nb::module_& module) {
              "method"_a, "signs_as_given"_a, "line"_a, "is_dated"_a, "blending"_a = "", "gap"_a.none() = nb::none(),
              "times_apart"_a = std::vector<double>(), "positions_apart"_a = std::vector<double>());
   module.def("keys_in_axes", &in_axes, "keys"_a, "stated"_a);
+  module.def("keys_as_read", &as_read, "keys"_a, "stated"_a);
+  module.def("sessions_of", &sessions_of, "times"_a);
+  module.def("gap_of_keys", [](const Keys& keys) { return keys.track->recipe.gap; }, "keys"_a);
   module.def("keys_since", &since, "keys"_a, "epoch"_a, "is_dated"_a);
   module.def("method_for_keys", &method_for, "keys"_a, "names"_a, "otherwise"_a, "ends"_a.none());
   module.def("recipe_set_aside", &set_aside, "keys"_a, "method"_a);

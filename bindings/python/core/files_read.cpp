@@ -13,6 +13,7 @@
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 
+#include "arrays.hpp"
 #include "errors.hpp"
 #include "files.hpp"
 #include "keys.hpp"
@@ -126,11 +127,16 @@ nb::dict repairs_of(const io::RepairReport& repairs) {
   return result;
 }
 
-nb::dict read(const std::string& path, const io::StatedOptions& stated,
-              const std::map<std::string, std::string>& columns) {
+io::Reading reading_of(const io::StatedOptions& stated, const std::map<std::string, std::string>& columns) {
   io::Reading reading;
   value_of(io::take_options(reading, stated));
   for (const auto& [name, column] : columns) reading.options.columns.emplace(name, column);
+  return reading;
+}
+
+nb::dict read(const std::string& path, const io::StatedOptions& stated,
+              const std::map<std::string, std::string>& columns) {
+  io::Reading reading = reading_of(stated, columns);
   auto file = [&] {
     const nb::gil_scoped_release release;
     return read_keys(path, std::move(reading));
@@ -145,6 +151,34 @@ nb::dict read(const std::string& path, const io::StatedOptions& stated,
   result["ignored_columns"] = ignored;
   result["keys"] = nb::cast(Keys{std::make_shared<const Track>(std::move(file->track))});
   return result;
+}
+
+std::size_t sessions(const std::string& path, const io::StatedOptions& stated,
+                     const std::map<std::string, std::string>& columns) {
+  const io::Reading reading = reading_of(stated, columns);
+  auto count = [&] {
+    const nb::gil_scoped_release release;
+    return io::sessions_in(path, reading.options);
+  }();
+  if (!count) raise(in_words(std::move(count.error())));
+  return *count;
+}
+
+/// The rates of a gyro: seconds since the first one, rates, the exact time of that, and warnings.
+nb::tuple read_rates(const std::string& path, const io::StatedOptions& stated,
+                     const std::map<std::string, std::string>& columns) {
+  const io::Reading reading = reading_of(stated, columns);
+  auto rows = [&] {
+    const nb::gil_scoped_release release;
+    return io::read_rates(path, reading.options);
+  }();
+  if (!rows) raise(in_words(std::move(rows.error())));
+  const Decimal& first = rows->exact_times.front();
+  std::vector<double> seconds;
+  for (const Decimal& time : rows->exact_times) seconds.push_back((time - first).to_double());
+  return nb::make_tuple(array_of(seconds.data(), seconds.size(), 0),
+                        array_of(rows->rates.front().data(), rows->rates.size(), 3), first.to_string(),
+                        told(rows->warnings));
 }
 
 template <class Target>
@@ -167,6 +201,15 @@ void add_files(nb::module_& module) {
   add_key_writing(module);
   add_sample_writing(module);
   module.def("read", &read, "path"_a, "stated"_a, "columns"_a);
+  module.def(
+      "check_reading",
+      [](const io::StatedOptions& stated) {
+        const io::Reading reading = reading_of(stated, {});
+        value_of(io::check_frames(reading.options).map_error([](Error error) { return in_words(std::move(error)); }));
+      },
+      "stated"_a);
+  module.def("sessions", &sessions, "path"_a, "stated"_a, "columns"_a);
+  module.def("read_rates", &read_rates, "path"_a, "stated"_a, "columns"_a);
   module.def("reading_options", [] { return listed(io::reading_options()); });
   module.def("writing_options", [] { return listed(io::writing_options()); });
 }

@@ -77,13 +77,15 @@ Expected<void> write_rows(io::SampleWriter& writer, io::SampleColumns columns, c
                           std::span<const double> seconds, const Rows4& orientations, const Columns& there) {
   columns.frame = io::Frame::body;
   io::SampleRows rows(columns);
+  std::size_t even = 0;  // of the grid, of which some times may be left out
   for (std::size_t k = 0; k < seconds.size(); ++k) {
     const double t = seconds[k];
     if (!std::isfinite(t)) return failure(ErrorCode::bad_data, "found a time that is not finite", {.time_index = k});
     const io::Sample sample = sample_of(orientations, there, k);
-    const bool is_even = times.grid && k < *times.grid->size() && (*times.grid)[k].t == t;
+    while (times.grid && even < *times.grid->size() && (*times.grid)[even].t < t) ++even;
+    const bool is_even = times.grid && even < *times.grid->size() && (*times.grid)[even].t == t;
     auto appended =
-        is_even ? rows.append(times.start, times.grid->offset(k), sample) : rows.append(times.epoch, t, sample);
+        is_even ? rows.append(times.start, times.grid->offset(even), sample) : rows.append(times.epoch, t, sample);
     if (!appended) return appended;
     if (rows.bytes().size() < io::written_block) continue;
     if (auto written = writer.write(rows); !written) return written;

@@ -85,6 +85,7 @@ void add_compare(nb::module_& module) {
   auto outcome_class = nb::class_<CompareOutcome>(module, "Comparison");
   outcome_class.def("measures", &infos_of)
       .def("texts", &texts_of)
+      .def_prop_ro("alignment", [](const CompareOutcome& outcome) { return outcome.alignment; })
       .def("keys_of", [](const CompareOutcome& outcome, std::size_t row) {
         return shared(outcome.data.key_sets[outcome.methods.at(row).key_set].track);
       });

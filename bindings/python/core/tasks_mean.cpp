@@ -17,10 +17,18 @@ namespace {
 
 using jobs::MeanOutcome;
 
-MeanOutcome mean_found(const Keys& keys, const std::optional<Numbers>& weights, const nb::dict& stated) {
-  jobs::MeanRequest request{.rows = keys.track, .options = options_in<MeanOptions>(stated)};
+/// Of the rows of one track, or of several that are one set.
+jobs::MeanRequest request_of(const std::vector<Keys>& keys, const MeanOptions& options) {
+  if (keys.size() == 1) return {.rows = keys.front().track, .options = options};
+  std::vector<Track> tracks;
+  for (const Keys& one : keys) tracks.push_back(*one.track);
+  return value_of(jobs::mean_of_all(tracks, options));
+}
+
+MeanOutcome mean_found(const std::vector<Keys>& keys, const std::optional<Numbers>& weights, const nb::dict& stated) {
+  jobs::MeanRequest request = request_of(keys, options_in<MeanOptions>(stated));
   if (weights) {
-    Track weighted = *keys.track;
+    Track weighted = *request.rows;
     const auto numbers = span_of(*weights);
     weighted.settings[std::string(jobs::weight_name)] = {numbers.begin(), numbers.end()};
     request.rows = std::make_shared<const Track>(std::move(weighted));

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from ._comparison import Comparison, compare
     from ._mean import Mean, mean
     from ._measures import DistanceStatistics, Energies, HandleTurn, KeyStatistics, Peak, Peaks, Spread
-    from ._rates import Rates
+    from ._rates import Rates, read_rates
     from ._results import Alignment, Certificate, OpenDirection, Reduction, Retiming, Smoothing, Tuning
     from ._scene import Channel, Clip, Scene, SceneReduction, Skeleton, Worst
     from ._scenes import read_scene, reduce_scene, shell_distance
@@ -39,14 +39,14 @@ __all__ = ["AccessError", "Alignment", "ArgumentError", "BakedCurve", "Blending"
            "CurveStack", "DataError", "DistanceStatistics", "Energies", "Error", "HandleTurn", "KeyStatistics", "Keys", "Mean", "Motion", "OnlineCurve", "OpenDirection",
            "Peak", "Peaks", "Rates", "Reduction", "Retiming", "RotationSpline", "Samples", "Scene", "SceneReduction", "ShapeWarning",
            "Skeleton", "Slerp", "Smoothing", "Spread", "Tuning", "Worst", "align", "blending", "compare", "mean", "methods", "plot_comparison", "plot_sphere",
-           "read", "read_blending", "read_scene", "reduce", "reduce_scene", "reduce_tracks", "retime", "shell_distance", "smooth", "tune", "write"]
+           "read", "read_blending", "read_rates", "read_scene", "reduce", "reduce_scene", "reduce_tracks", "retime", "shell_distance", "smooth", "tune", "write"]
 __version__: str = _core.version
 
 # Tasks and measures are imported when they are first asked for, so that a curve does not wait for them.
 _ROOMS = {"_comparison": ("Comparison", "compare"),
           "_mean": ("Mean", "mean"),
           "_measures": ("DistanceStatistics", "Energies", "HandleTurn", "KeyStatistics", "Peak", "Peaks", "Spread"),
-          "_rates": ("Rates",),
+          "_rates": ("Rates", "read_rates"),
           "_results": ("Alignment", "Certificate", "OpenDirection", "Reduction", "Retiming", "Smoothing", "Tuning"),
           "_scene": ("Channel", "Clip", "Scene", "SceneReduction", "Skeleton", "Worst"),
           "_scenes": ("read_scene", "reduce_scene", "shell_distance"),

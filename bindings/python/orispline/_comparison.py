@@ -18,7 +18,7 @@ from ._html import table
 from ._keys import Keys
 from ._methods import method_words
 from ._options import checked_keys, checked_threads, new_keys, plain, reference_of
-from ._results import now
+from ._results import Alignment, now
 
 if TYPE_CHECKING:
     from ._curve import Curve
@@ -51,6 +51,13 @@ class Comparison:
     def to_pandas(self) -> Any:
         """The same as a pandas DataFrame."""
         return importlib.import_module("pandas").DataFrame(self.table())
+
+    @property
+    def alignment(self) -> Alignment | None:
+        """With `align=True` what brought the keys onto the reference; else None."""
+        if not self._is_aligned or self._reference is None:
+            return None
+        return Alignment._of(self._task().alignment, self._given, (self._reference, {}))
 
     def keys(self, row: int = 0) -> Keys:
         """The keys that the method of a row was given; with `align=True` as they lie beside the reference."""

@@ -29,9 +29,10 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from ._measures import DistanceStatistics, Energies, HandleTurn, Peaks
-    from ._types import AngleUnit, Extrapolate, Frame, Method, Rate, Side, Signs, Time, TimeUnit, Vector
+    from ._types import AngleUnit, Extrapolate, Frame, Method, Number, Rate, Side, Signs, Time, TimeUnit, Vector
 
 BEYOND = tuple(_core.extrapolations())
+LEAVE_OUT = "leave-out"
 SIDES = ("right", "left")
 ALONE = 1  # thread, of an int and not of what equals one
 ORIENTATION, VELOCITY, ACCELERATION, JERK, POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION = range(7)
@@ -60,9 +61,10 @@ class Curve(Looks, Orienting):
         A loop: the last key is the first one again.
     period : float, optional
         A loop whose first key returns so many seconds after it.
-    extrapolate : {"hold", "error", "nan", "rate", "segment"}
+    extrapolate : {"hold", "error", "nan", "rate", "segment", "leave-out"}
         What a time outside the curve gets: the end orientation at rest, an error, NaN, the motion at the end's rate, or
-        what the formula of the end segment gives there.
+        what the formula of the end segment gives there. With `"leave-out"` `sample` has no sample outside the curve and in its
+        gaps; functions of time, which have a row for each, give NaN.
     **settings
         Parameters of the method: a number, or one for each key, or a word. `tension=0.4`, `variant="boyle"`.
 
@@ -87,7 +89,7 @@ class Curve(Looks, Orienting):
     (1, 2, 3)
     """
 
-    __slots__ = ("_beyond", "_clock", "_core", "_keys", "_plain", "_scalar_first")
+    __slots__ = ("_beyond", "_clock", "_core", "_keys", "_leaves_out", "_plain", "_scalar_first")
 
     def __init__(self, times: Any, rotations: Any = None, method: Method | None = None, *,
                  ends: str | tuple[str, str] | None = None, start_rate: Any = None, end_rate: Any = None,
@@ -97,13 +99,13 @@ class Curve(Looks, Orienting):
                  signs: Signs | None = None, scalar_first: bool | None = None,
                  normalize: bool | None = None, normalise: bool | None = None, euler: str | None = None,
                  angle_unit: AngleUnit | None = None, drop_invalid: bool | None = None, drop_duplicates: bool | None = None,
-                 sort: bool | None = None, time_unit: TimeUnit | None = None, **settings: Any) -> None:
+                 sort: bool | None = None, time_unit: TimeUnit | None = None, gap: Number | None = None, **settings: Any) -> None:
         of_keys = {"rotations": rotations, "positions": positions, "angular_velocities": angular_velocities,
                    "angular_accelerations": angular_accelerations, "angular_jerks": angular_jerks,
                    "inner_leaving": inner_leaving, "inner_arriving": inner_arriving, "signs": signs,
                    "scalar_first": scalar_first, "normalize": normalize, "normalise": normalise, "euler": euler,
                    "angle_unit": angle_unit, "drop_invalid": drop_invalid, "drop_duplicates": drop_duplicates, "sort": sort,
-                   "time_unit": time_unit}
+                   "time_unit": time_unit, "gap": gap}
         given = {name: value for name, value in of_keys.items() if value is not None}
         if isinstance(times, Keys) and isinstance(rotations, (str, Blending)):
             raise TypeError(f"rotations: found {rotations!r} beside Keys, wanted method={rotations!r}")
@@ -111,10 +113,12 @@ class Curve(Looks, Orienting):
             raise TypeError(f"{next(iter(given))}: found {', '.join(given)} beside Keys, wanted them with the Keys: Keys(times, rotations, …)")
         keys = times if isinstance(times, Keys) else Keys(times, **{"rotations": None, **given})
         text = keys._method_text(method, ends, start_rate, end_rate, closed, period, settings)
-        self._set(keys, _core.Curve(keys._core, text), index_of("extrapolate", extrapolate, BEYOND))
+        self._set(keys, _core.Curve(keys._core, text), extrapolate)
 
-    def _set(self, keys: Keys, core: Any, beyond: int) -> None:
-        self._keys, self._core, self._beyond = keys, core, beyond
+    def _set(self, keys: Keys, core: Any, extrapolate: Extrapolate) -> None:
+        way = index_of("extrapolate", extrapolate, (*BEYOND, LEAVE_OUT))
+        self._leaves_out = extrapolate == LEAVE_OUT
+        self._keys, self._core, self._beyond = keys, core, BEYOND.index("nan") if self._leaves_out else way
         self._clock, self._scalar_first = keys._clock, keys._scalar_first
         self._plain = self._clock.unit == "s" and not self._scalar_first
 
@@ -266,6 +270,7 @@ class Curve(Looks, Orienting):
         even = self._grid_wanted(rate, count, times, start, end, include_end, derivatives)
         seconds = np.empty(len(even)) if even is not None else self._given(times)
         linear = min(derivatives, 2) + 1 if self._core.has_positions else 0
+        self._check_room(out)
         rows = sample_rows(out, (len(seconds),), derivatives, linear, dtype, seconds)
         how = {"world": world, "beyond": self._beyond, "threads": thread_count(threads)}
         if even is None:
@@ -275,7 +280,7 @@ class Curve(Looks, Orienting):
         if self._scalar_first:
             rows[0][...] = rows[0][:, [3, 0, 1, 2]]
         grid = None if even is None else self._grid_stated(rate, count, start, end, include_end)
-        return samples_of(self._keys, seconds, rows, frame, grid)
+        return samples_of(self._keys, *self._there(seconds, rows), frame, grid)
 
     # What it is worth. An `inertia` is a body's tensor about its centre of mass [kg m²], body frame: (3, 3), symmetric and positive
     # definite, or its three principal moments.
@@ -435,7 +440,7 @@ class Curve(Looks, Orienting):
         """How far the method misses keys that it is not given [rad]: each inner key is left out once, with every 4th. It
         estimates the error where nothing denser is known, and is not fit for choosing a method.
 
-        Raises DataError for fewer than 3 keys, and ArgumentError for a setting with a value for each key.
+        Raises DataError for fewer than 3 keys, and ArgumentError for a setting with a value for each key and for gaps.
 
         >>> import orispline as ori
         >>> curve = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
@@ -462,7 +467,7 @@ class Curve(Looks, Orienting):
         """The curve turned into polynomials, to be stored and replayed: no orientation is farther from the curve's own than
         `tolerance` [rad]. float32 is smaller, for tolerances from 1e-6 on. Ctrl-C stops it.
 
-        Raises ArgumentError for a tolerance below 1e-13 (1e-6), and for one that cannot be reached, with the key.
+        Raises ArgumentError for a tolerance below 1e-13 (1e-6), for one that cannot be reached, with the key, and for gaps.
 
         >>> import orispline as ori
         >>> curve = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
@@ -478,7 +483,7 @@ class Curve(Looks, Orienting):
                 f"{self._clock.span(np.array(self._core.domain))}, C{order})")
 
     def __reduce__(self) -> Any:
-        return _restored, (self._keys, self.method, self._beyond)
+        return _restored, (self._keys, self.method, LEAVE_OUT if self._leaves_out else BEYOND[self._beyond])
 
     def _quaternions(self, t: Any) -> NDArray[np.float64]:
         return self._at(ORIENTATION, t, "body", None, np.float64, 1)
@@ -506,6 +511,17 @@ class Curve(Looks, Orienting):
         grid = self._core.grid(text, number, *bounds, include_end)
         check_number(len(grid))
         return grid
+
+    def _check_room(self, out: Any) -> None:
+        if self._leaves_out and out is not None:
+            raise ArgumentError("out: found it with extrapolate='leave-out', wanted none: how many samples there are shows in the end")
+
+    def _there(self, seconds: NDArray[np.float64], rows: list[Any]) -> tuple[NDArray[np.float64], list[Any]]:
+        """Times and rows, without those where the curve is not if they are to be left out."""
+        if not self._leaves_out:
+            return seconds, rows
+        there = ~np.isnan(rows[0]).reshape(len(seconds), -1).any(axis=1)
+        return seconds[there], [None if values is None else values[there] for values in rows]
 
     def _grid_stated(self, rate: Any, count: int | None, start: Any, end: Any, include_end: bool) -> tuple[Any, ...]:
         """A grid as files take it, whose times are exact."""
@@ -557,9 +573,9 @@ class Curve(Looks, Orienting):
 Keys._curve_class = Curve
 
 
-def _restored(keys: Keys, method: str, beyond: int) -> Curve:
+def _restored(keys: Keys, method: str, extrapolate: Extrapolate) -> Curve:
     curve = Curve.__new__(Curve)
-    curve._set(keys, _core.Curve(keys._core, method), beyond)
+    curve._set(keys, _core.Curve(keys._core, method), extrapolate)
     return curve
 
 

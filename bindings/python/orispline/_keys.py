@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from ._curve import Curve
     from ._measures import KeyStatistics
-    from ._types import AngleUnit, Method, Signs, TimeUnit
+    from ._types import AngleUnit, Method, Number, Signs, TimeUnit
 
 SIGNS = ("shortest", "as-given")
 SIGNS_AS_GIVEN = 6  # of origin_of_keys()
@@ -71,6 +71,8 @@ class Keys(Writable):
         Bring the keys into the order of their times.
     time_unit : {"s", "ms", "us", "ns"}, optional
         The unit of integer times.
+    gap : float, str or Fraction, optional
+        Intervals between keys longer than this [s] are gaps, which no curve bridges: there it is NaN.
 
     Raises
     ------
@@ -103,7 +105,7 @@ class Keys(Writable):
                  settings: Mapping[str, Any] | None = None, signs: Signs = "shortest", scalar_first: bool = False,
                  normalize: bool = False, normalise: bool = False, euler: str | None = None, angle_unit: AngleUnit | None = None,
                  drop_invalid: bool = False, drop_duplicates: bool = False, sort: bool = False,
-                 time_unit: TimeUnit | None = None) -> None:
+                 time_unit: TimeUnit | None = None, gap: Number | None = None) -> None:
         index_of("signs", signs, SIGNS)
         scalar_first = flag("scalar_first", scalar_first)
         mending = Mending.of(normalize, normalise, drop_invalid, drop_duplicates, sort)
@@ -131,6 +133,8 @@ class Keys(Writable):
             self._core = _core.keys_since(self._core, self._clock.epoch, self._clock.is_calendar)
         elif epoch != "0" and self._clock == Clock():
             self._core = _core.keys_since(self._core, epoch, False)
+        if gap is not None:
+            self._core = _core.keys_as_read(self._core, stated({"gap": gap}))
 
     @classmethod
     def from_pandas(cls, frame: Any, *, columns: Mapping[str, str] | None = None, **options: Any) -> Keys:
@@ -178,10 +182,10 @@ class Keys(Writable):
         return zip(self.times, self.rotations)
 
     def __eq__(self, other: object) -> bool:
-        """Whether both have the same times, quaternions and all else that keys carry; NaN is as NaN."""
+        """Whether both have the same times, quaternions and all else that keys carry, gaps too; NaN is as NaN."""
         if not isinstance(other, Keys):
             return NotImplemented
-        return (self._clock, self._scalar_first, self._signs_as_given) == (other._clock, other._scalar_first, other._signs_as_given) \
+        return (self._clock, self._scalar_first, self._signs_as_given, self.gap) == (other._clock, other._scalar_first, other._signs_as_given, other.gap) \
             and self.settings == other.settings \
             and all(same(getattr(self._core, name), getattr(other._core, name)) for name in ("times", "orientations", *PARTS))
 
@@ -237,6 +241,12 @@ class Keys(Writable):
     def settings(self) -> dict[str, list[float]]:
         """Values of parameters, one for each key, by name."""
         return dict(self._core.settings)
+
+    @property
+    def gap(self) -> float | None:
+        """Intervals longer than this [s] are gaps, which no curve bridges; None where there are none."""
+        found: float | None = _core.gap_of_keys(self._core)
+        return found
 
     @property
     def report(self) -> dict[str, float]:

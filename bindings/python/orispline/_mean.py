@@ -105,7 +105,7 @@ def mean(rotations: Any, *, every: float | str | None = None, weights: Any = Non
     Parameters
     ----------
     rotations : Keys, (n, 4) quaternions, (n, 3, 3) matrices, (n, 4, 4) poses, a SciPy Rotation or RigidTransform, or a list of Rotations
-        Body to world, as of `Keys`. Keys and poses bring positions.
+        Body to world, as of `Keys`. Keys and poses bring positions. A list of Keys is one set of all their rows, without times.
     weights : (n,) array, optional
         0 or more; without them all weigh the same.
     positions : (n, 3) array, optional
@@ -142,24 +142,33 @@ def mean(rotations: Any, *, every: float | str | None = None, weights: Any = Non
     >>> ori.mean([[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 0.6, 0.8]], kind="median").orientation.tolist()
     [0.0, 0.0, 0.6, 0.8]
     """
-    if isinstance(rotations, Keys):
+    several = _several(rotations)
+    if several:
         _check_none_beside_keys(positions=positions, scalar_first=scalar_first, normalize=normalize, normalise=normalise, euler=euler,
                                 angle_unit=angle_unit)
-        keys, scalar_first = rotations, rotations._scalar_first
+        scalar_first = several[0]._scalar_first
     elif every is not None:
         raise ArgumentError("every: found orientations without times, wanted Keys, whose times make windows")
     else:
         orientations, positions = orientations_of(rotations, positions, flag("scalar_first", scalar_first), euler, angle_unit)
-        keys = _set_of(orientations, positions, normalize=normalize, normalise=normalise)
-    core = _core.mean(keys._core, None if weights is None else _weights(weights), plain({"every": every, **options}))
+        several = [_set_of(orientations, positions, normalize=normalize, normalise=normalise)]
+    core = _core.mean([keys._core for keys in several], None if weights is None else _weights(weights), plain({"every": every, **options}))
     tell(core.warnings)
     members = core.members()
     found = core.windows()
     windows = members.get("windows", [members])
     kind, is_single = members["kind"], "windows" not in members
-    made = [_made(one, scalar_first, kind, None if is_single else keys._clock.time(one["time"]), of_it,
+    made = [_made(one, scalar_first, kind, None if is_single else several[0]._clock.time(one["time"]), of_it,
                   core.summary() if is_single else "") for one, of_it in zip(found, windows)]
     return made[0] if is_single else made
+
+
+def _several(rotations: Any) -> list[Keys]:
+    """Those that are given, one or a list of them; none where it is something else."""
+    if isinstance(rotations, Keys):
+        return [rotations]
+    is_list = isinstance(rotations, (list, tuple)) and len(rotations) > 0 and all(isinstance(one, Keys) for one in rotations)
+    return list(rotations) if is_list else []
 
 
 def _check_none_beside_keys(**stated: Any) -> None:

@@ -3,27 +3,33 @@
 from __future__ import annotations
 
 import datetime
-from typing import TYPE_CHECKING, Any, Mapping, Sequence, Union
+from typing import TYPE_CHECKING, Any, Literal, Mapping, Sequence, overload
 
 import numpy as np
 
 from . import _core
 from ._checks import flag
 from ._clock import Clock
-from ._errors import ArgumentError, tell
-from ._files import Path, explained, flags, path_text, stated
+from ._errors import tell
+from ._files import Options, Path, explained, flags, path_text, stated
 from ._forms import rotation_text
 from ._keys import Keys
 from ._mending import one_spelling
-from ._npy import read_npy
+from ._npy import check_options, read_npy
 
 if TYPE_CHECKING:
-    import fractions
-
-    Number = Union[float, str, fractions.Fraction]
+    from ._types import Number
 
 
-def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, str] | Sequence[str] | None = None, order: str | None = None,
+ALL = "all"  # recordings
+
+
+@overload
+def read(path: Path, *, session: Literal["all"], **options: Any) -> list[Keys]: ...
+@overload
+def read(path: Path, *, session: int | None = None, **options: Any) -> Keys: ...
+def read(path: Path, *, input_format: str | None = None,  # type: ignore[misc]  # which of the options there are is said here only
+         columns: Mapping[str, str] | Sequence[str] | None = None, order: str | None = None,
          input_orientation: str | None = None, euler: str | None = None, angle_unit: str | None = None,
          time_scale: Number | None = None, fps: Number | None = None,
          epoch: str | datetime.date | np.datetime64 | None = None, clip: str | None = None, joint: str | None = None,
@@ -31,7 +37,7 @@ def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, s
          body_axes: str | None = None, world_rotation: Any = None, body_rotation: Any = None, signs: str | None = None,
          ignore_recipe: bool = False, normalise: bool = False, normalize: bool = False, drop_duplicates: bool = False, drop_invalid: bool = False,
          sort: bool = False, session: int | str | None = None, gap: Number | None = None, no_positions: bool = False,
-         scalar_first: bool = False) -> Keys:
+         scalar_first: bool = False) -> Keys | list[Keys]:
     """The keyframes of a file: CSV, TUM or EuRoC, told by its name and its content; of a glTF or BVH file one joint.
 
     Times of the keys are seconds since the first one; `Keys.epoch` has the time of that, with all its digits. So
@@ -42,6 +48,7 @@ def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, s
     The options are those of the command; `columns` is a mapping, such as `{"t": "sclk_ticks", "qw": "q0_w"}`, and `normalize` another
     spelling of `normalise`; a rotation may also be a quaternion x, y, z, w, a matrix or a SciPy Rotation. A NumPy file (.npy) is read as it is written; its columns have no names: 5 are time and quaternion, 17 the
     position and all rates too, 8 are taken for those with the position, which is warned of, and `columns` names all in their order.
+    `session="all"` gives a list with the keys of each recording that the file holds, one behind the other.
 
     Parameters
     ----------
@@ -86,22 +93,28 @@ def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, s
     mending = {"normalise": normalise, "drop_duplicates": drop_duplicates, "drop_invalid": drop_invalid, "sort": sort}
     set_or_not = {"conjugate": conjugate, "inverse_poses": inverse_poses, "ignore_recipe": ignore_recipe, "no_positions": no_positions}
     if name.lower().endswith(".npy") and input_format in (None, "npy"):
-        _check_none({**named, "input_format": None, "signs": None}, set_or_not)
-        return read_npy(name, columns, signs="shortest" if signs is None else signs, scalar_first=scalar_first, **mending)
-    found = _core.read(name, stated(named) + flags({**set_or_not, **mending}), _names(columns))
+        frames = stated({**named, **dict.fromkeys(("input_format", "signs", "session", "time_scale"))}) + flags({**set_or_not, "no_positions": False})
+        check_options(option for option, _ in frames)
+        return read_npy(name, columns, session=session, time_scale=time_scale, no_positions=no_positions, frames=frames,
+                        signs="shortest" if signs is None else signs, scalar_first=scalar_first, **mending)
+    options, names = stated(named) + flags({**set_or_not, **mending}), names_by_meaning(columns)
+    if session != ALL:
+        return _read(name, options, names, scalar_first)
+    count = _core.sessions(name, options, names)
+    each = [option for option in options if option[0] != "session"]
+    return [_read(name, [*each, ("session", str(number))], names, scalar_first) for number in range(1, count + 1)]
+
+
+def _read(name: str, options: Options, names: dict[str, str], scalar_first: bool) -> Keys:
+    found = _core.read(name, options, names)
     tell(found["warnings"])
     keys = Keys._of(found["keys"], Clock(), scalar_first=scalar_first)
     keys._source = {"format": found["format"], "repairs": found["repairs"], "ignored_columns": found["ignored_columns"]}
     return keys
 
 
-def _check_none(named: Mapping[str, Any], flagged: Mapping[str, Any]) -> None:
-    """Raises an error about an option that says nothing of an array of numbers."""
-    for option in [*(option for option, value in named.items() if value is not None), *(option for option, _ in flags(flagged))]:
-        raise ArgumentError(f"{option}: found it with a NumPy file, wanted it with files of text: make the Keys of the array of numpy.load")
-
-
-def _names(columns: Any) -> dict[str, str]:
+def names_by_meaning(columns: Any) -> dict[str, str]:
+    """Columns as the library takes them."""
     if columns is None:
         return {}
     if not isinstance(columns, Mapping) or not all(isinstance(x, str) for pair in columns.items() for x in pair):

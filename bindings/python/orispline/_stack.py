@@ -18,7 +18,7 @@ from ._samples import Samples, samples_of
 from ._types import stacked_quantity, stacked_rate
 
 if TYPE_CHECKING:
-    from ._types import AngleUnit, Extrapolate, Method, Signs, TimeUnit
+    from ._types import AngleUnit, Extrapolate, Method, Number, Signs, TimeUnit
 
 
 class CurveStack:
@@ -64,7 +64,8 @@ class CurveStack:
                  angular_velocities: Any = None, angular_accelerations: Any = None, angular_jerks: Any = None,
                  inner_leaving: Any = None, inner_arriving: Any = None, signs: Signs = "shortest", scalar_first: bool = False,
                  normalize: bool = False, normalise: bool = False, euler: str | None = None,
-                 angle_unit: AngleUnit | None = None, time_unit: TimeUnit | None = None, **options: Any) -> None:
+                 angle_unit: AngleUnit | None = None, time_unit: TimeUnit | None = None, gap: Number | None = None,
+                 **options: Any) -> None:
         for name in ("positions", "settings", "drop_invalid", "drop_duplicates", "sort"):
             if name in options:
                 raise ArgumentError(f"{name}: found it with a CurveStack, wanted it with a Curve of each joint")
@@ -79,7 +80,7 @@ class CurveStack:
         parts = {name: numbers(name, rows, (*array.shape[:2], len(PARTS[name])))
                  for name, rows in given.items() if rows is not None}
         how: dict[str, Any] = {"signs": signs, "scalar_first": scalar_first, "normalize": normalize, "normalise": normalise,
-                               "euler": euler, "angle_unit": angle_unit, "time_unit": time_unit}
+                               "euler": euler, "angle_unit": angle_unit, "time_unit": time_unit, "gap": gap}
         curves = []
         for joint in range(array.shape[1]):
             try:
@@ -159,12 +160,13 @@ class CurveStack:
         seconds = np.empty(len(even)) if even is not None else first._given(times)
         if even is not None:
             even.fill(seconds)
+        first._check_room(out)
         rows = sample_rows(out, (len(seconds), len(self)), derivatives, 0, dtype, seconds)
         self._fill(seconds, rows[:derivatives + 1], frame, threads)
         if first._scalar_first:
             rows[0][...] = rows[0][..., [3, 0, 1, 2]]
         grid = None if even is None else first._grid_stated(rate, count, start, end, include_end)
-        return samples_of(first.keys, seconds, rows, frame, grid)
+        return samples_of(first.keys, *first._there(seconds, rows), frame, grid)
 
     def _at(self, order: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> NDArray[Any]:
         """Orientations, or rates of that order."""

@@ -10,6 +10,7 @@ import numpy as np
 
 from . import _core
 from ._checks import flag, real, wrong_type
+from ._clock import SecondsSince
 from ._errors import ArgumentError, DataError, tell
 from ._keys import Keys
 from ._methods import method_words
@@ -29,8 +30,8 @@ def smooth(keys: Keys, *, gyro: bool | Rates = False, cutoff: float | str | None
     Parameters
     ----------
     keys : Keys
-        The recording. With `gyro=True` its angular velocities are those of a gyro; with `gyro=Rates(...)` the gyro has times of its
-        own, at which the result has keys too.
+        The recording. With `gyro=True` its angular velocities are those of a gyro; with `gyro=Rates(...)` or
+        `gyro=read_rates(path)` the gyro has times of its own, at which the result has keys too.
     cutoff : float or str, optional
         Cut-off frequency 1/(2πτ) [Hz] in the place of the smoothing time τ: half of a motion at this frequency is left.
     {options}
@@ -77,7 +78,10 @@ def smooth(keys: Keys, *, gyro: bool | Rates = False, cutoff: float | str | None
 
 def _finite_rates(keys: Keys, gyro: Rates) -> tuple[Any, Any]:
     """Times [s] since those of the keys, and rates, of the rows that are whole."""
-    seconds = keys._clock.seconds("gyro", gyro.times)
+    if isinstance(gyro.times, SecondsSince):
+        seconds = np.asarray(gyro.times) + float(gyro.epoch - keys.epoch)
+    else:
+        seconds = keys._clock.seconds("gyro", gyro.times)
     whole = np.isfinite(seconds) & np.isfinite(gyro.rates).all(axis=1)
     seconds, rates = np.ascontiguousarray(seconds[whole], dtype=np.float64), np.ascontiguousarray(gyro.rates[whole], dtype=np.float64)
     if len(unordered := np.flatnonzero(np.diff(seconds) <= 0)):

@@ -6,18 +6,20 @@ from typing import TYPE_CHECKING, Any, Callable
 
 if TYPE_CHECKING:
     import datetime
+    import fractions
     from typing import Literal, Protocol, TypeVar, Union, overload
 
     import numpy as np
     from numpy.typing import ArrayLike, DTypeLike, NDArray
 
     Time = Union[float, np.floating[Any], np.integer[Any], np.datetime64, np.timedelta64, datetime.date, datetime.timedelta]  # one
+    Number = Union[float, str, fractions.Fraction]
     Frame = Literal["body", "world"]
     Signs = Literal["shortest", "as-given"]
     Basis = Literal["bernstein", "power", "bezier"]
     TimeUnit = Literal["s", "ms", "us", "ns"]
     AngleUnit = Literal["rad", "deg", "mrad", "arcsec"]
-    Extrapolate = Literal["hold", "error", "nan", "rate", "segment"]
+    Extrapolate = Literal["hold", "error", "nan", "rate", "segment", "leave-out"]
     Side = Literal["right", "left"]
     Vector = np.ndarray[tuple[int], np.dtype[np.float64]]  # (3,) or (4,)
     Vectors = np.ndarray[tuple[int, int], np.dtype[np.float64]]  # one for each joint

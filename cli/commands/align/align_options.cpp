@@ -11,7 +11,7 @@ constexpr auto align_footer = R"(Examples:
   orispline align estimate.csv truth.csv
   orispline align estimate.csv truth.csv -o aligned.csv
   orispline align headset.csv mocap.csv --offset 0
-  orispline align camera.tum truth.tum --no-body-rotation --no-scale -o aligned.tum
+  orispline align camera.tum truth.tum --no-body-turn --no-scale -o aligned.tum
   orispline align imu.csv robot.csv --json
 
 INPUT and REFERENCE are two recordings of one motion, at least as far as they overlap. What is found turns the world and

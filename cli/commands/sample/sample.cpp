@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <orispline/analysis.hpp>
 #include <orispline/jobs/sample.hpp>
 
 #include "commands/sample/sample_curve_scene.hpp"
@@ -28,7 +29,7 @@ struct Source {
   io::TrackFile file;
   jobs::CurveOfKeys shaped;
   SampleTimes times;
-  std::optional<MotionBand> band;
+  std::optional<BandInStretches> band;
 };
 
 Expected<io::TrackFile> track_of(io::KeyReader reader, Signs signs) {
@@ -58,7 +59,9 @@ Expected<Source> open_source(const SampleRequest& request, io::KeyReader keys) {
     if (auto stray = times->outside(domain)) return tl::unexpected(std::move(*stray));
   Source source{std::move(*file), std::move(*shaped), std::move(*times), {}};
   if (request.band) {
-    auto band = MotionBand::make(source.shaped.method, source.file.track.keys, *request.band);
+    auto band = stretches_of(source.file.track).and_then([&](const std::vector<Stretch>& stretches) {
+      return BandInStretches::make(source.shaped.method, source.file.track.keys, stretches, *request.band);
+    });
     if (!band) return bad_option("band", band.error().message);
     source.band = std::move(*band);
   }

@@ -36,8 +36,8 @@ in s, m, rad/s, rad/s^2, rad/s^3, m/s, m/s^2; angular rates in the body frame, p
 TUM and EuRoC files always have positions: zeros when the keys have none.
 At a --rate a method whose segments depend on a few keys is sampled while INPUT is read: memory grows neither with the
 keys nor with the samples, and rows before a bad one are on standard output before it is found. All keys are held for
-the other methods and for squad-timed, shoemake and tcb, with --count, --times, --truth, --band, --sort, --closed or
---period, and for NumPy into a pipe.
+the other methods and for squad-timed, shoemake and tcb, with --count, --times, --truth, --band, --sort, --session,
+--gap, --closed or --period, and for NumPy into a pipe.
 A NumPy file (-o motion.npy) is one array of doubles, shape (samples, columns), with the columns of the CSV.
 Without -o the samples go to standard output as CSV; summaries and warnings go to standard error.)";
 

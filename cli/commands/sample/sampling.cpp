@@ -2,6 +2,7 @@
 #include "commands/sample/sampling.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 #include <orispline/base/parallel.hpp>
@@ -36,7 +37,7 @@ class Chunk {
     made_ = sample_at<double>(sampling.curve, samples_.times(), samples_.room()).and_then([&] {
       return extrapolate<double>(sampling.curve, samples_.times(), sampling.extrapolation, samples_.room());
     });
-    if (sampling.band) std::ranges::transform(samples_.times(), samples_.bands().begin(), *sampling.band);
+    if (sampling.band) std::ranges::transform(samples_.times(), samples_.bands().begin(), std::cref(*sampling.band));
     if (made_) rows_.make(samples_, 0, end - begin, sampling.times.origin(), sampling.curve.orientation.domain());
   }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <orispline/analysis.hpp>
 #include <orispline/curve/extrapolation.hpp>
-#include <orispline/families/motion_band.hpp>
 #include <orispline/io/sample_writer.hpp>
 
 #include "commands/sample/sample_buffer.hpp"
@@ -21,7 +21,7 @@ struct Sampling {
   LeftOut outside = LeftOut::no;
   GapRows gaps = GapRows::none;
   std::size_t threads = 1;
-  const MotionBand* band = nullptr;  ///< where the columns have one
+  const BandInStretches* band = nullptr;  ///< where the columns have one
 };
 
 /// Writes every sample, the same on any number of threads; the number of those outside the curve and in gaps.

@@ -18,8 +18,8 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Which differences between two recordings of one motion are looked for; the others are taken to be none.
 struct AlignOptions {
-  bool world_rotation = true;      ///< of the world's axes
-  bool body_rotation = true;       ///< of the body's axes
+  bool world_turn = true;          ///< of the world's axes
+  bool body_turn = true;           ///< of the body's axes
   bool scale = true;               ///< of positions
   bool translation = true;         ///< of the world's origin
   std::optional<double> offset{};  ///< of the clocks [s], as in Alignment; absent: looked for

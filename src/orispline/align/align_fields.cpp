@@ -43,12 +43,12 @@ constexpr FieldInfo of_positions(std::string_view name, std::string_view sentenc
 template <>
 std::span<const FieldInfo> fields_of<AlignOptions>() noexcept {
   static constexpr std::array fields{
-      field<&AlignOptions::world_rotation>({.name = "world_rotation",
-                                            .sentence = "Look for the rotation between the axes of the two worlds",
-                                            .without = "Take the axes of the two worlds to be the same"}),
-      field<&AlignOptions::body_rotation>({.name = "body_rotation",
-                                           .sentence = "Look for the rotation between the axes of the two bodies",
-                                           .without = "Take the axes of the two bodies to be the same"}),
+      field<&AlignOptions::world_turn>({.name = "world_turn",
+                                        .sentence = "Look for the rotation between the axes of the two worlds",
+                                        .without = "Take the axes of the two worlds to be the same"}),
+      field<&AlignOptions::body_turn>({.name = "body_turn",
+                                       .sentence = "Look for the rotation between the axes of the two bodies",
+                                       .without = "Take the axes of the two bodies to be the same"}),
       field<&AlignOptions::offset>(
           {.name = "offset",
            .sentence = "By how much the stamps of the moved recording are late, negative where they are early",

@@ -156,8 +156,8 @@ std::vector<Eigen::Index> free_unknowns(const AlignmentData& data) {
   const auto add_some = [&](bool is_free, Eigen::Index first, Eigen::Index count) {
     for (Eigen::Index k = first; is_free && k < first + count; ++k) free.push_back(k);
   };
-  add_some(data.options.world_rotation, world_at, 3);
-  add_some(data.options.body_rotation, body_at, 3);
+  add_some(data.options.world_turn, world_at, 3);
+  add_some(data.options.body_turn, body_at, 3);
   add_some(!data.options.offset, offset_at, 1);
   add_some(data.has_positions && data.options.scale, scale_at, 1);
   add_some(data.has_positions && data.options.translation, translation_at, 3);

@@ -76,7 +76,7 @@ std::optional<Intervals> common_intervals(Domain moved, Domain fixed, double int
 void complete(Transform& guess, const AlignmentData& data, const AnyCurve& fixed, const Intervals& intervals) {
   constexpr std::size_t enough = 256;  // of which a median is near to that of all
   const std::size_t stride = 1 + intervals.count / enough;
-  const bool is_of_world = data.options.world_rotation;
+  const bool is_of_world = data.options.world_turn;
   std::vector<Eigen::Quaterniond> seen;
   for (std::size_t i = 0; i <= intervals.count; i += stride) {
     const double t = intervals.start + static_cast<double>(i) * intervals.length;
@@ -122,10 +122,10 @@ std::optional<Transform> guess_alignment(const AlignmentData& data, const AnyCur
   if (!intervals) return std::nullopt;
   Transform guess{.offset = offset};
   const auto& [start, length, count] = *intervals;
-  if (data.options.body_rotation && data.options.world_rotation)
+  if (data.options.body_turn && data.options.world_turn)
     guess.body = rotation_between(turns_in_intervals(moved, start + offset, length, count),
                                   turns_in_intervals(fixed, start, length, count));
-  if (data.options.body_rotation || data.options.world_rotation) complete(guess, data, fixed, *intervals);
+  if (data.options.body_turn || data.options.world_turn) complete(guess, data, fixed, *intervals);
   if (data.has_positions) place(guess, data);
   return guess;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include <orispline/analysis/curve_in_stretches.hpp>
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/keyframe.hpp>
@@ -23,11 +24,6 @@ double rank_of(const ComparedMethod& method, const MeasureInfo& measure, const M
 Expected<void> check_two_keys(const Track& track) {
   if (track.keys.size() >= 2) return {};
   return failure(ErrorCode::bad_data, "found 1 key, wanted 2 at least to compare curves", {.file = track.name});
-}
-
-/// The recording cut at its gaps; none where it states none.
-Expected<std::vector<Stretch>> stretches_of(const Track& track) {
-  return track.recipe.gap ? stretches_between_gaps(track.keys.times(), *track.recipe.gap) : std::vector<Stretch>();
 }
 
 /// Those of each stretch by themselves.

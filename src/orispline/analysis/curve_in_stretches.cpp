@@ -60,4 +60,15 @@ Expected<PoseCurve> curve_in_stretches(const Method& method, const Keyframes& ke
   return joined;
 }
 
+Expected<PoseCurve> curve_beside_gaps(const Method& method, const Keyframes& keys, std::optional<double> gap) {
+  if (!gap) return make_pose_curve(method, keys);
+  return stretches_between_gaps(keys.times(), *gap).and_then([&](const std::vector<Stretch>& stretches) {
+    return curve_in_stretches(method, keys, stretches);
+  });
+}
+
+Expected<std::vector<Stretch>> stretches_of(const Track& track) {
+  return track.recipe.gap ? stretches_between_gaps(track.keys.times(), *track.recipe.gap) : std::vector<Stretch>();
+}
+
 }}  // namespace orispline

@@ -174,6 +174,23 @@ NewFrames::NewFrames(const FrameChange& change) : change_(change) {
   scale_ = std::sqrt(world.squaredNorm() * body.squaredNorm());
 }
 
+Eigen::Vector3d place_of_body(const Eigen::Quaterniond& orientation, const Eigen::Vector3d& origin) {
+  return Eigen::Vector3d::Zero() - to_world<double>(orientation.normalized(), origin);
+}
+
+KeyframeData conjugated(KeyframeData data) {
+  for (auto* const orientations : {&data.orientations, &data.inner_leaving, &data.inner_arriving})
+    for (Eigen::Quaterniond& q : *orientations) q = q.conjugate();
+  return data;
+}
+
+KeyframeData inverted(KeyframeData data) {
+  data = conjugated(std::move(data));
+  for (std::size_t i = 0; i < data.positions.size(); ++i)
+    data.positions[i] = place_of_body(data.orientations[i], data.positions[i]);
+  return data;
+}
+
 KeyframeData in_frames(KeyframeData data, const NewFrames& frames) {
   if (frames.change_nothing()) return data;
   for (auto* const orientations : {&data.orientations, &data.inner_leaving, &data.inner_arriving})

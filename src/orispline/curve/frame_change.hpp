@@ -98,6 +98,15 @@ class ORISPLINE_EXPORT NewFrames {
   double scale_ = 1.0;                              // that the product is too long by
 };
 
+/// Where the body is that has the world's origin there, in its own frame: -R p. `orientation`: of the body, of any
+/// norm.
+[[nodiscard]] ORISPLINE_EXPORT Eigen::Vector3d place_of_body(const Eigen::Quaterniond& orientation,
+                                                             const Eigen::Vector3d& origin);
+/// Keys whose orientations take the world into the body, as keys have them. Rates and positions stay.
+[[nodiscard]] ORISPLINE_EXPORT KeyframeData conjugated(KeyframeData data);
+/// Likewise of poses x_body = R x_world + p: positions become those of the body.
+[[nodiscard]] ORISPLINE_EXPORT KeyframeData inverted(KeyframeData data);
+
 /// Keys in other frames, with all that they carry. Precondition: check(change).
 [[nodiscard]] ORISPLINE_EXPORT KeyframeData in_frames(KeyframeData data, const NewFrames& frames);
 /// A track in other frames, with its recipe: rates of clamped ends turn as the keys do. What its file looked like is

@@ -33,14 +33,6 @@ Expected<void> check_time_scale(const ReadOptions& options) {
                     formatted("the time scale is {}, wanted a number greater than 0", options.time_scale->to_string()));
 }
 
-/// Both say that the orientations are those of the world in the body.
-Expected<void> check_frames(const ReadOptions& options) {
-  if (options.conjugate && options.inverse_poses)
-    return bad_option("inverse_poses",
-                      "found `conjugate` as well, which turns the orientations back, wanted one of them");
-  return check(options.frames);
-}
-
 tl::unexpected<Error> not_read(const FormatInfo& format, const std::string& path) {
   return failure(ErrorCode::bad_argument,
                  formatted("keys are not read from {} files, wanted {}", format.title, any_of(formats_read())),
@@ -113,6 +105,13 @@ Expected<Source> likest_source(const Candidates& candidates, LineReader lines, c
 }
 
 }  // namespace
+
+Expected<void> check_frames(const ReadOptions& options) {
+  if (options.conjugate && options.inverse_poses)
+    return bad_option("inverse_poses",
+                      "found `conjugate` as well, which turns the orientations back, wanted one of them");
+  return check(options.frames);
+}
 
 const FormatInfo* likest(std::span<const FormatInfo* const> formats, const TextTable& table, const ReadOptions& options,
                          Likeness least) {

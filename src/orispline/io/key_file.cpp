@@ -23,8 +23,6 @@ Expected<std::vector<KeyFile>> keys_in(KeyRowsSource source, const ReadOptions& 
 
 /// Each of the recordings in a file, which is read once for each.
 Expected<std::vector<KeyFile>> each_session(const std::string& path, ReadOptions options) {
-  if (path == standard_stream)
-    return bad_option("session", "found all with standard input, which can be read once only; wanted a file");
   const auto count = sessions_in(path, options);
   if (!count) return tl::unexpected(count.error());
   std::vector<KeyFile> files;
@@ -61,6 +59,8 @@ Expected<std::vector<KeyFile>> read_all_keys(const std::string& path, const Read
 }
 
 Expected<std::size_t> sessions_in(const std::string& path, const ReadOptions& options) {
+  if (path == standard_stream)
+    return bad_option("session", "found all with standard input, which can be read once only; wanted a file");
   return KeyInput::open(path, options)
       .and_then([&](KeyInput input) { return open_keys(std::move(input), options); })
       .and_then([&](auto source) -> Expected<std::size_t> {

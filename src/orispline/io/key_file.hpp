@@ -177,7 +177,10 @@ struct KeyFile {
   std::vector<Warning> warnings{};             ///< of reading
 };
 
-/// How many recordings stand one behind the other in a file of keys. Errors: those of read_keys() that concern times.
+/// Error (bad_argument): frames that contradict each other, and orientations that are turned back twice.
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> check_frames(const ReadOptions& options);
+
+/// How many recordings stand one behind the other in a file that can be read again. Errors: those of read_keys().
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::size_t> sessions_in(const std::string& path, const ReadOptions& options);
 
 /// Reads the keyframes of a file of one track, or of standard input for `-`.

@@ -62,11 +62,6 @@ Eigen::Vector3d turned_for_keys(const Eigen::Vector3d& v, Turn turn) {
   return v.cwiseAbs().maxCoeff() > largest_component ? v : Eigen::Vector3d(turn(v));
 }
 
-/// Where the body is that has the world's origin there, in its own frame. `orientation`: of the body, of any norm.
-Eigen::Vector3d place_of_body(const Eigen::Quaterniond& orientation, const Eigen::Vector3d& origin) {
-  return Eigen::Vector3d::Zero() - to_world<double>(orientation.normalized(), origin);
-}
-
 /// A jerk in the frame of the world is turned into the body's by the rates of lower orders, which must not be free.
 Expected<void> check_turned_jerk(const KeyRow& key, const RateColumns& columns, const TextTable& table) {
   if (!columns[2] || columns[2]->frame != Frame::world || is_free(key.rates[2])) return {};

@@ -51,6 +51,7 @@ Expected<Eigen::Vector3d> rate_of(const TextTable& table, const VectorColumns& c
 }  // namespace
 
 Expected<RateRows> read_rates(const std::string& path, const ReadOptions& options) {
+  if (auto checked = check_frames(options); !checked) return tl::unexpected(std::move(checked.error()));
   auto table = TextTable::open(path);
   if (!table) return tl::unexpected(std::move(table.error()));
   auto more = table->next();

@@ -11,8 +11,8 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 /// Reads the rates of a gyro from a table with a header: the time, and `wx,wy,wz` of the body in any of their units.
 /// Rows without a number in one of these three are none. From standard input for `-`.
 ///
-/// Of the options those count that concern times and the names of these columns. Errors: bad_access; bad_data, with
-/// what stands in the way, for columns that are missing, times that do not increase, and no rates at all.
+/// Of the options those count that concern times, frames and the names of these columns. Errors: those of
+/// check_frames(); bad_access; bad_data for columns that are missing, times that do not increase, and no rates at all.
 [[nodiscard]] ORISPLINE_EXPORT Expected<RateRows> read_rates(const std::string& path, const ReadOptions& options = {});
 
 }}}  // namespace orispline::io

@@ -14,7 +14,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 inline constexpr std::size_t fewest_of_session = 3;
 
 /// Tells rows in disorder from those of a further recording, by their times in the order of the file.
-class TimeOrder {
+class ORISPLINE_EXPORT TimeOrder {
  public:
   enum class Row {
     on_time,
@@ -33,19 +33,20 @@ class TimeOrder {
 };
 
 /// The first row of each recording.
-[[nodiscard]] std::vector<std::size_t> session_starts(std::span<const Decimal> times);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<std::size_t> session_starts(std::span<const Decimal> times);
 
 /// Whether recordings overlap in time, so that sorting would mix their rows. Rows in such disorder that hardly three
 /// rise in succession are none.
-[[nodiscard]] bool would_interleave(std::span<const Decimal> times, std::span<const std::size_t> starts);
+[[nodiscard]] ORISPLINE_EXPORT bool would_interleave(std::span<const Decimal> times,
+                                                     std::span<const std::size_t> starts);
 
 /// Whether a time of 0 is far from so many others, which go from the first to the last: many steps of theirs away.
-[[nodiscard]] bool is_far_from_zero(const Decimal& first, const Decimal& last, std::size_t count);
+[[nodiscard]] ORISPLINE_EXPORT bool is_far_from_zero(const Decimal& first, const Decimal& last, std::size_t count);
 
 /// Rows with a time of 0 between rows of other times, which no clock said: not those that begin a recording.
-[[nodiscard]] std::vector<bool> zero_stamps(std::span<const Decimal> times);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<bool> zero_stamps(std::span<const Decimal> times);
 
 /// Whether a stamp that has come twice is one of a clock too coarse for the rows, by the times of some rows after it.
-[[nodiscard]] bool repeat_in_runs(const Decimal& twice, std::span<const Decimal> after);
+[[nodiscard]] ORISPLINE_EXPORT bool repeat_in_runs(const Decimal& twice, std::span<const Decimal> after);
 
 }}}  // namespace orispline::io

@@ -6,7 +6,6 @@
 
 #include <orispline/analysis/curve_in_stretches.hpp>
 #include <orispline/base/formatted.hpp>
-#include <orispline/curve/stretches.hpp>
 #include <orispline/families/measured.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/method_warnings.hpp>
@@ -33,13 +32,6 @@ std::optional<KeyFindings> findings_by(const Method& method, const Track& keys) 
   return key_findings(completed(method, families::Measured::info, keys), keys.keys).value_or(std::nullopt);
 }
 
-Expected<PoseCurve> curve_of(const Method& method, const Keyframes& keys, std::optional<double> gap) {
-  if (!gap) return make_pose_curve(method, keys);
-  return stretches_between_gaps(keys.times(), *gap).and_then([&](const std::vector<Stretch>& stretches) {
-    return curve_in_stretches(method, keys, stretches);
-  });
-}
-
 /// The path of the same kind through positions at times of their own.
 Expected<std::optional<AnyPath>> path_apart(const Method& method, const Track& track) {
   const PositionTrack& apart = track.positions_apart;
@@ -47,14 +39,14 @@ Expected<std::optional<AnyPath>> path_apart(const Method& method, const Track& t
   return Keyframes::make({.times = apart.times,
                           .orientations = std::vector(apart.times.size(), Eigen::Quaterniond::Identity()),
                           .positions = apart.positions})
-      .and_then([&](const Keyframes& keys) { return curve_of(method, keys, track.recipe.gap); })
+      .and_then([&](const Keyframes& keys) { return curve_beside_gaps(method, keys, track.recipe.gap); })
       .map([](PoseCurve curve) { return curve.position; });
 }
 
 }  // namespace
 
 Expected<PoseCurve> curve_through(const Method& method, const Track& keys) {
-  return curve_of(method, keys.keys, keys.recipe.gap).and_then([&](PoseCurve curve) {
+  return curve_beside_gaps(method, keys.keys, keys.recipe.gap).and_then([&](PoseCurve curve) {
     return path_apart(method, keys).map([&](std::optional<AnyPath> path) {
       if (path) curve.position = std::move(path);
       return curve;
@@ -77,9 +69,13 @@ Expected<PoseCurve> shaped_curve(const Method& method, const Track& keys) {
 
 Expected<void> check_without_gaps(const Track& keys) {
   if (!keys.recipe.gap) return {};
-  const std::string reason = keys.recipe.line == 0 ? "" : formatted(", as line {} of the keys says", keys.recipe.line);
-  return bad_option(
-      "gap", formatted("found gaps longer than {} s{}, wanted one curve through all keys", *keys.recipe.gap, reason));
+  const bool is_stated = keys.recipe.line > 0;
+  const std::string reason = is_stated ? formatted(", as line {} of the keys says", keys.recipe.line) : "";
+  return tl::unexpected(Error{.code = ErrorCode::bad_argument,
+                              .message = formatted("found gaps longer than {} s{}, wanted one curve through all keys",
+                                                   *keys.recipe.gap, reason),
+                              .option = "gap",
+                              .remedy = is_stated ? "recipe" : ""});
 }
 
 Expected<CurveOfKeys> curve_of_keys(const Method& method, const Track& keys) {

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include <orispline/analysis/curve_in_stretches.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>
 
@@ -14,12 +15,9 @@ Expected<InspectOutcome> inspect(InspectRequest request) {
   const Track& keys = *request.keys;
   InspectOutcome outcome{
       .request = std::move(request), .statistics = key_statistics(keys.keys), .keyframes = keys.keys.report()};
-  outcome.stretches = {{0, keys.keys.size()}};
-  if (keys.recipe.gap) {
-    auto stretches = stretches_between_gaps(keys.keys.times(), *keys.recipe.gap);
-    if (!stretches) return tl::unexpected(placed(keys, std::move(stretches.error())));
-    outcome.stretches = std::move(*stretches);
-  }
+  auto stretches = stretches_of(keys);
+  if (!stretches) return tl::unexpected(placed(keys, std::move(stretches.error())));
+  outcome.stretches = stretches->empty() ? std::vector<Stretch>{{0, keys.keys.size()}} : std::move(*stretches);
   const KeyFaults& faults = outcome.request.faults;
   outcome.keyframes.non_unit_keys += faults.wrong_norms;
   outcome.keyframes.largest_norm_error = std::max(outcome.keyframes.largest_norm_error, faults.largest_norm_error);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,11 +16,24 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 /// The setting of rows that is their weight.
 inline constexpr std::string_view weight_name = "weight";
 
+/// Where the rows of one of several files begin among all.
+struct RowsOfFile {
+  std::string name;
+  std::size_t first;
+};
+
 struct MeanRequest {
   std::shared_ptr<const Track> rows;  ///< their setting `weight` weighs them, where they have it
   MeanOptions options{};
-  bool has_times = true;  ///< of its own, else they are numbers of rows
+  bool has_times = true;            ///< of its own, else they are numbers of rows
+  std::vector<RowsOfFile> files{};  ///< where the rows are of several; else they are of one
 };
+
+/// The mean of the rows of several files, one at least, which are one set without times.
+///
+/// Errors: bad_data for positions and weights that some have and others have not; bad_argument for windows in time.
+[[nodiscard]] ORISPLINE_EXPORT Expected<MeanRequest> mean_of_all(std::span<const Track> files,
+                                                                 const MeanOptions& options);
 
 /// The mean of rows, or of each window in time, and what was asked for.
 struct ORISPLINE_EXPORT MeanOutcome {

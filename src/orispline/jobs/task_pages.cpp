@@ -47,6 +47,7 @@ report::Page page_of(const CompareOutcome& outcome, const pages::PageHead& head)
                                .measures = outcome.measures(),
                                .sorted_by = outcome.request.sort,
                                .inertia = outcome.request.inertia()};
+  if (!outcome.request.reference) curves.gap = outcome.request.keys->recipe.gap;
   for (const ComparedKeys& keys : outcome.data.key_sets)
     curves.key_sets.push_back(keys.decimation ? name_of(*keys.decimation) : "");
   pages::PageHead titled = head;

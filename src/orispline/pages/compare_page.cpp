@@ -6,10 +6,10 @@
 #include <cmath>
 #include <map>
 
+#include <orispline/analysis/band_in_stretches.hpp>
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
-#include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/pages/curve_page.hpp>
@@ -52,11 +52,11 @@ std::vector<report::PageColumn> columns_of(const ComparedCurves& compared) {
 }
 
 /// Of a method that has a band, where it is to hold 90 % of the truth: about the error, and about the angle from the
-/// start. Nowhere where it is infinite.
+/// start. Nowhere where it is infinite, and not in gaps.
 std::map<std::string, report::PageBand, std::less<>> bands_of(const Candidate& candidate,
                                                               const report::PagePath& path) {
   std::map<std::string, report::PageBand, std::less<>> bands;
-  const auto found = MotionBand::make(candidate.method, candidate.keys, 0.9);
+  const auto found = BandInStretches::make(candidate.method, candidate.keys, candidate.stretches, 0.9);
   if (!found) return bands;
   report::PageBand& error = bands["error"];
   report::PageBand& turn = bands["angle"];
@@ -135,7 +135,8 @@ report::Page compare_page(const ComparedCurves& compared, const PageHead& head, 
       std::ranges::count(compared.methods, std::size_t{0}, &ComparedMethod::key_set));  // they stand first
   report::Page page = begun_page(formatted("{} on {}", counted(in_page, "method"), counted(keys.size(), "key")), head,
                                  compared.epoch, keys);
-  page.reference = report::thinned(truth, samples_per_method);
+  page.reference =
+      report::with_gaps(report::thinned(truth, samples_per_method), covers_of(compared.recording.times, compared.gap));
   page.columns = columns_of(compared);
   page.sorted_by = id_of_word(compared.measures, compared.sorted_by);
   auto [first, second] = pair_that_teaches(compared, in_page);

@@ -99,6 +99,14 @@ report::PageErrors errors_at(const PoseCurve& curve, const report::PagePath& rec
   return errors;
 }
 
+report::Covers covers_of(std::span<const double> times, std::optional<double> gap) {
+  if (!gap) return [](double) { return true; };
+  return [times, longest = *gap](double t) {
+    const auto after = std::upper_bound(times.begin(), times.end(), t);
+    return after == times.begin() || after == times.end() || *after - *(after - 1) <= longest;
+  };
+}
+
 std::vector<std::string> notes_on_samples(std::size_t samples) {
   if (samples <= samples_of_few) return {};
   return {

@@ -66,6 +66,9 @@ void extend(report::PageBand& band, double t, double low, double high);
 /// Angles [deg] between the curve and a recording, at times of the recording that lie on the curve.
 [[nodiscard]] report::PageErrors errors_at(const PoseCurve& curve, const report::PagePath& recording);
 
+/// Whether a recording of these times has a motion at a time: it has none in intervals longer than the gap [s].
+[[nodiscard]] report::Covers covers_of(std::span<const double> times, std::optional<double> gap);
+
 /// What the head says where errors or curves of so many samples are not shown in full.
 [[nodiscard]] std::vector<std::string> notes_on_samples(std::size_t samples);
 

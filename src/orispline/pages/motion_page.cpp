@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include <orispline/analysis/curve_in_stretches.hpp>
 #include <orispline/analysis/curve_measures.hpp>
 #include <orispline/base/counted.hpp>
 #include <orispline/base/file_name.hpp>
@@ -33,7 +34,7 @@ Measures shape_of(const AnyCurve& curve, Seam seam, const Eigen::Matrix3d& inert
 
 Expected<report::Page> motion_page(const Track& track, const Method& method, const PageHead& head,
                                    const std::optional<Eigen::Matrix3d>& inertia) {
-  return make_pose_curve(method, track.keys).map([&](const PoseCurve& curve) {
+  return curve_beside_gaps(method, track.keys, track.recipe.gap).map([&](const PoseCurve& curve) {
     const CurvePage curves{.measures = inertia ? measures_of({MeasureGroup::shape, MeasureGroup::torque})
                                                : measures_of({MeasureGroup::shape}),
                            .inertia = inertia};

@@ -32,13 +32,14 @@ std::vector<report::PageColumn> columns_of(const CurvePage& page) {
   return columns;
 }
 
-report::PageMethod method_of(const CurvePage& page, const std::string& name, const Reduction& reduction) {
-  const Candidate candidate{.method = reduction.method, .keys = reduction.track.keys};
+report::PageMethod method_of(const CurvePage& page, const std::string& name, const Reduction& reduction,
+                             const report::Covers& covers) {
+  const Candidate candidate{.method = reduction.method, .keys = reduction.track.keys, .stretches = reduction.stretches};
   auto curve = curve_of(reduction);
   auto measures = measure(candidate, page.recorded());
   if (!curve || !measures) return {.name = name, .failure = describe(curve ? measures.error() : curve.error())};
   report::PageMethod method = with_errors(method_of(page, {name, reduction.track.keys, *curve, *measures}),
-                                          errors_at(*curve, path_of(page.recording)), [](double) { return true; });
+                                          errors_at(*curve, path_of(page.recording)), covers);
   const auto keys = static_cast<double>(reduction.samples.size());
   method.measures["keys"] = keys;
   method.measures["samples_per_key"] = static_cast<double>(page.recording.size()) / keys;
@@ -62,11 +63,12 @@ report::Page reduce_page(const Track& recording, std::span<const Reduction> redu
     page.notes.push_back(formatted(
         "The recording is shown as it is after smoothing, with a smoothing time of {:.4g} s.", *smoothing_time));
   std::ranges::move(notes_on_samples(recording.keys.size()), std::back_inserter(page.notes));
-  page.reference = report::thinned(path_of(recording.keys), samples_of_few);
+  const report::Covers covers = covers_of(recording.keys.times(), recording.recipe.gap);
+  page.reference = report::with_gaps(report::thinned(path_of(recording.keys), samples_of_few), covers);
   page.limits["error"] = options.tolerance.angle * degrees;
   page.columns = columns_of(curves);
   for (std::size_t i = 0; i < reductions.size(); ++i)
-    page.methods.push_back(method_of(curves, labels[i], reductions[i]));
+    page.methods.push_back(method_of(curves, labels[i], reductions[i], covers));
   const auto first = page.methods.begin() + static_cast<std::ptrdiff_t>(smallest);
   std::rotate(page.methods.begin(), first, first + 1);
   return page;

@@ -60,6 +60,7 @@ struct ComparedCurves {
   std::vector<MeasureInfo> measures{};       ///< that were taken
   std::string_view sorted_by{};              ///< the word of one of them; empty: as the methods stand
   std::optional<Eigen::Matrix3d> inertia{};  ///< [kg m²]: torques are shown too
+  std::optional<double> gap{};               ///< of the recording: intervals longer than this [s] have no motion
 };
 
 /// The page to look at: the curves through the first set of keys, the measures on all sets. On up to `threads` threads;

@@ -36,8 +36,8 @@ double between(double a, double b, std::size_t k, std::size_t steps) {
   return std::lerp(a, b, static_cast<double>(k) / static_cast<double>(steps));
 }
 
-/// The samples of one column of a picture among which the extremes of its charts are: the first one, and those of the
-/// least and the largest rates and angles.
+/// The samples of one column of a picture among which the extremes of its charts are: the first one, those of the
+/// least and the largest rates and angles, and one in a gap.
 class PictureColumn {
  public:
   PictureColumn(const PoseCurve& curve, const Eigen::Quaterniond& start) : curve_(curve), start_(start) {}
@@ -48,6 +48,7 @@ class PictureColumn {
                             angular_distance(start_, m.orientation)};
     const Place place{t, side == Side::right};
     if (!first_) first_ = place;
+    if (m.orientation.coeffs().hasNaN()) missing_ = place;
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (values[i] < least_[i].first) least_[i] = {values[i], place};
       if (values[i] > most_[i].first) most_[i] = {values[i], place};
@@ -60,10 +61,12 @@ class PictureColumn {
     for (const auto& extremes : {least_, most_})
       for (const auto& [value, place] : extremes)
         if (std::isfinite(value)) places.push_back(place);
+    if (missing_) places.push_back(*missing_);
     std::ranges::sort(places);
     places.erase(std::unique(places.begin(), places.end()), places.end());  // Clang 14 cannot take ranges::unique
     for (const auto& [t, is_right] : places) append(samples, curve_, t, is_right ? Side::right : Side::left);
     first_.reset();
+    missing_.reset();
     least_ = none(std::numeric_limits<double>::infinity());
     most_ = none(-std::numeric_limits<double>::infinity());
   }
@@ -80,7 +83,7 @@ class PictureColumn {
 
   const PoseCurve& curve_;
   Eigen::Quaterniond start_;
-  std::optional<Place> first_{};
+  std::optional<Place> first_{}, missing_{};  // the latter in a gap, which the picture shows
   Extremes least_ = none(std::numeric_limits<double>::infinity()),
            most_ = none(-std::numeric_limits<double>::infinity());
 };

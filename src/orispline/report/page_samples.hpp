@@ -15,8 +15,8 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 /// rates on its left, then with those on its right, so that their jumps are seen.
 ///
 /// Of a curve with more than `count` / 4 segments, in `count` / 9 columns of equal width, those samples of each where
-/// the rates and the angle from the start are the least and the largest, so that no peak is missed: at most nine a
-/// column. `count` is at least 2. Of a constant curve, one sample.
+/// the rates and the angle from the start are the least and the largest, so that no peak is missed, and one in a gap:
+/// at most ten a column. `count` is at least 2. Of a constant curve, one sample.
 [[nodiscard]] ORISPLINE_EXPORT PageSamples sampled(const PoseCurve& curve, std::size_t count = 600);
 
 /// Angles [deg] to the reference, which goes the shortest way between its orientations; NaN beyond its ends.
