@@ -35,11 +35,28 @@ TEST(Quadrature, WeighsTheTimesThatANodeIsRoundedTo) {
   for (const double h : {1.0, 1.0 / 64.0, 1.0 / 4096.0}) {
     const auto ninth = [h](double t) { return std::pow((t - today) / h, 9.0); };
     auto at_nodes = each(ninth);
-    const auto found = gauss_integrals<1, 1>(at_nodes, {Piece{today, today + h}})[0];
-    EXPECT_NEAR(found[0] / h, 0.1, 1e-13);
+    const auto found = integrals<1, 1>(at_nodes, {Piece{today, today + h}})[0];
+    EXPECT_NEAR(found.gauss[0] / h, 0.1, 1e-13);
+    EXPECT_NEAR(found.kronrod[0] / h, 0.1, 1e-13);
     const auto wave = [h](double t) { return std::sin(3.0 * (t - today) / h); };
     EXPECT_NEAR(integral(wave, today, today + h) / h, (1.0 - std::cos(3.0)) / 3.0, 1e-11);
   }
+}
+
+TEST(Quadrature, IsExactForPolynomialsUpToItsDegreesAndAsManyAsItHasNodesWhereTheseAreRounded) {
+  struct Case {
+    double start;
+    int kronrod, gauss;
+  };
+  for (const auto& [start, kronrod, gauss] : {Case{0.0, 31, 19}, Case{4e3, 20, 9}, Case{4e6, 20, 9}, Case{4e8, 20, 9}})
+    for (int degree = 0; degree <= kronrod; ++degree) {
+      const double from = start, wanted = degree % 2 == 0 ? 1.0 / (degree + 1) : 0.0;
+      const auto power = [&](double t) { return std::pow(2.0 * (t - from) - 1.0, degree); };
+      auto at_nodes = each(power);
+      const auto found = integrals<1, 1>(at_nodes, {Piece{start, start + 1.0}})[0];
+      EXPECT_NEAR(found.kronrod[0], wanted, 4e-15) << start << ", " << degree;
+      EXPECT_NEAR(found.gauss[0], wanted, degree <= gauss ? 4e-15 : 1.0) << start << ", " << degree;
+    }
 }
 
 TEST(Quadrature, AsksForNoMoreValuesAtTheTimesOfToday) {
@@ -66,7 +83,7 @@ TEST(Quadrature, TakesAPieceOfAFewRoundingsOfTimeAsItIs) {
       return (t - today) / h;
     };
     EXPECT_NEAR(integral(rising, today, today + h) / h, 0.5, 0.5 / roundings);
-    EXPECT_EQ(values, gauss_nodes);
+    EXPECT_EQ(values, quadrature_nodes);
   }
 }
 

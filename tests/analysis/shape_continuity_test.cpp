@@ -191,4 +191,17 @@ TEST(ShapeContinuity, OfALoopIncludesItsSeam) {
   EXPECT_GE(*shape_continuity_at_keys(*curve, Seam::closed).order(), 2);
 }
 
+TEST(ShapeContinuity, ComesWithTheContinuityInTime) {
+  const auto curve = make_curve("squad", tumbling_keys(uneven_spacings));
+  const Continuity both = continuities_at_keys(*curve).in_time, alone = continuity_at_keys(*curve);
+  for (const auto rate :
+       {&Continuity::angular_velocity, &Continuity::angular_acceleration, &Continuity::angular_jerk}) {
+    EXPECT_GT((both.*rate).largest, 0.0);
+    EXPECT_EQ((both.*rate).largest, (alone.*rate).largest);
+    EXPECT_EQ((both.*rate).key, (alone.*rate).key);
+    EXPECT_EQ((both.*rate).magnitude, (alone.*rate).magnitude);
+    EXPECT_EQ((both.*rate).relative, (alone.*rate).relative);
+  }
+}
+
 }}  // namespace orispline

@@ -74,6 +74,22 @@ TEST(PageSamples, OfManySegmentsMissNoPeak) {
   EXPECT_EQ(samples.angular_jerks.size(), samples.path.times.size());
 }
 
+TEST(PageSamples, OfManySegmentsAreTheSameHoweverTheCurveIsLookedAt) {
+  KeyframeData data;
+  for (int k = 0; k < 200; ++k) {
+    data.times.push_back(k);
+    data.orientations.push_back(about_z(30.0 * std::sin(k) + 20.0 * std::sin(0.1 * k)));
+  }
+  const PoseCurve curve = *make_pose_curve("auto", *Keyframes::make(data));
+  std::size_t looks = 0;
+  const auto look = [&](std::size_t segment, std::span<const double> times, std::span<Motion> motions) {
+    ++looks;
+    for (std::size_t k = 0; k < times.size(); ++k) motions[k] = curve.orientation.motion_on(segment, times[k]);
+  };
+  EXPECT_EQ(sampled(curve, 100, look).path.times, sampled(curve, 100).path.times);
+  EXPECT_EQ(looks, 199u);
+}
+
 TEST(PageSamples, OfOneKeyAreOne) {
   const Keyframes key = *Keyframes::make({.times = {2.0}, .orientations = {about_z(10.0)}});
   EXPECT_EQ(sampled(*make_pose_curve("auto", key)).path.times, std::vector{2.0});

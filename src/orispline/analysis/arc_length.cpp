@@ -18,7 +18,8 @@ using Speeds = std::span<Figures<1>>;
 
 /// The speeds on a segment of a curve.
 auto speeds_on(const AnyCurve& curve, std::size_t segment) {
-  return [motions = SegmentMotions(curve, segment)](std::span<const double> times, Speeds speeds) mutable {
+  return [motions = SegmentMotions(curve, segment, MotionPart::angular_velocities)](std::span<const double> times,
+                                                                                    Speeds speeds) mutable {
     motions.evaluate(times);
     for (std::size_t i = 0; i < times.size(); ++i) speeds[i] = motions.angular_velocity(i).norm();
   };

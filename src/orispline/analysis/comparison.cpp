@@ -54,8 +54,11 @@ void measure_errors(Measures& measures, const SampledCurve& samples, const Overl
 
 /// Each of the measures takes long for many keys.
 void measure_shape(Measures& measures, const AnyCurve& curve, const MeasureOptions& options, const Progress& progress) {
-  if (!progress.stopped()) measures.continuity = continuity_at_keys(curve);
-  if (!progress.stopped()) measures.shape = shape_continuity_at_keys(curve, Seam::open, measures.continuity);
+  if (!progress.stopped()) {
+    const Continuities continuities = continuities_at_keys(curve);
+    measures.continuity = continuities.in_time;
+    measures.shape = continuities.of_shape;
+  }
   if (!progress.stopped()) measures.energies = energies(curve, options.inertia);
   if (!progress.stopped()) measures.peaks = peaks(curve, options.inertia);
   if (!progress.stopped()) measures.angle_travelled = AngleTravelled(curve).total();

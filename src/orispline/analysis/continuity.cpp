@@ -16,26 +16,43 @@ namespace {
 using Rate = Eigen::Vector3d Motion::*;
 constexpr std::array<Rate, 3> rates_of_motion{&Motion::angular_velocity, &Motion::angular_acceleration,
                                               &Motion::angular_jerk};
-using Jumps = std::array<RateJump, 3>;
+constexpr std::array<RateJump Continuity::*, 3> jumps_of_rates{
+    &Continuity::angular_velocity, &Continuity::angular_acceleration, &Continuity::angular_jerk};
 
-void widen_magnitudes(Jumps& jumps, const Motion& motion) {
-  for (std::size_t k = 0; k < rates_of_motion.size(); ++k)
-    jumps[k].magnitude = std::max(jumps[k].magnitude, (motion.*rates_of_motion[k]).norm());
+void widen_magnitudes(Continuity& found, const Motion& motion) {
+  for (std::size_t k = 0; k < rates_of_motion.size(); ++k) {
+    double& magnitude = (found.*jumps_of_rates[k]).magnitude;
+    magnitude = std::max(magnitude, (motion.*rates_of_motion[k]).norm());
+  }
+}
+
+/// How large the rates are between the keys and beside them, to rounding, and whether the orientation jumps.
+Continuity between_keys(const AnyCurve& curve) {
+  Continuity found;
+  found.orientation = look_between_keys(curve, [&](const Motion& motion) { widen_magnitudes(found, motion); });
+  return found;
 }
 
 /// Largest jumps, and of those that are not rounding the largest as `relative`, still in the unit of the rate.
-void compare_sides(Jumps& jumps, const Joint& joint) {
-  widen_magnitudes(jumps, joint.left);
-  widen_magnitudes(jumps, joint.right);
+void compare_sides(Continuity& found, const Joint& joint) {
+  widen_magnitudes(found, joint.left);
+  widen_magnitudes(found, joint.right);
   for (std::size_t k = 0; k < rates_of_motion.size(); ++k) {
+    RateJump& largest = found.*jumps_of_rates[k];
     const double jump = (joint.right.*rates_of_motion[k] - joint.left.*rates_of_motion[k]).norm();
-    if (jump > jumps[k].largest) {
-      jumps[k].largest = jump;
-      jumps[k].key = joint.key;
+    if (jump > largest.largest) {
+      largest.largest = jump;
+      largest.key = joint.key;
     }
     if (jump > rounding_of_rates(joint.spacing, static_cast<int>(k) + 1))
-      jumps[k].relative = std::max(jumps[k].relative, jump);
+      largest.relative = std::max(largest.relative, jump);
   }
+}
+
+Continuity with_relative_jumps(Continuity found) {
+  for (const auto of_rate : jumps_of_rates)
+    if (RateJump& jump = found.*of_rate; jump.relative > 0.0) jump.relative /= jump.magnitude;
+  return found;
 }
 
 /// What the rounding of the rates makes of each quantity of the shape, to first order.
@@ -92,6 +109,24 @@ void look_at_rest(ShapeContinuity& found, const Joint& joint, const std::optiona
   else if (found.stands++ == 0) found.first_stand = joint.key;
 }
 
+void compare_sides(ShapeContinuity& found, const AnyCurve& curve, const Joint& joint, const Continuity& in_time) {
+  ++found.joints;
+  const auto before = direction_beside(joint.left, Side::left, joint.spacing, in_time);
+  const auto behind = direction_beside(joint.right, Side::right, joint.spacing, in_time);
+  const bool moves = before && behind && before->order == 1 && behind->order == 1;
+  if (!moves) return look_at_rest(found, joint, before, behind);
+  const PathShape left = path_shape(joint.left), right = path_shape(joint.right);
+  const Rounding rounding = rounding_of(joint);
+  if (const int told = told_order(curve, joint, rounding); told < found.told) {
+    found.told = told;
+    found.hidden_at = joint.key;
+  }
+  for (ShapeJump* jump : {&found.direction, &found.direction_in_motion})
+    compare_sides(*jump, joint.key, left.direction, right.direction, rounding.direction);
+  compare_sides(found.curvature, joint.key, left.curvature, right.curvature, rounding.curvature);
+  compare_sides(found.curvature_rate, joint.key, left.curvature_rate, right.curvature_rate, rounding.curvature_rate);
+}
+
 int order_without_jumps(const ShapeContinuity& shape) noexcept {
   if (shape.direction_in_motion.relative > continuity_tolerance) return 0;
   if (shape.curvature.relative > continuity_tolerance) return 1;
@@ -102,13 +137,11 @@ int order_without_jumps(const ShapeContinuity& shape) noexcept {
 
 std::optional<DirectionBeside> direction_beside(const Motion& motion, Side side, double spacing,
                                                 const Continuity& in_time) {
-  const std::array<const RateJump*, 3> of_curve{&in_time.angular_velocity, &in_time.angular_acceleration,
-                                                &in_time.angular_jerk};
   for (std::size_t k = 0; k < rates_of_motion.size(); ++k) {
     const int order = static_cast<int>(k) + 1;
     const Eigen::Vector3d& rate = motion.*rates_of_motion[k];
     const double rounding = rounding_of_rates(spacing, order), norm = rate.norm();
-    if (norm <= std::max(continuity_tolerance * of_curve[k]->magnitude, rounding)) continue;
+    if (norm <= std::max(continuity_tolerance * (in_time.*jumps_of_rates[k]).magnitude, rounding)) continue;
     const double sign = side == Side::left && order == 2 ? -1.0 : 1.0;
     return DirectionBeside{order, sign / norm * rate, rounding / norm};
   }
@@ -123,13 +156,9 @@ int Continuity::order() const noexcept {
 }
 
 Continuity continuity_at_keys(const AnyCurve& curve, Seam seam) {
-  Jumps jumps{};
-  const auto widen = [&](const Motion& motion) { widen_magnitudes(jumps, motion); };
-  const OrientationJump between_keys = look_between_keys(curve, widen);
-  for_each_joint(curve, seam, [&](const Joint& joint) { compare_sides(jumps, joint); });
-  for (RateJump& jump : jumps)
-    if (jump.relative > 0.0) jump.relative /= jump.magnitude;
-  return {jumps[0], jumps[1], jumps[2], between_keys};
+  Continuity found = between_keys(curve);
+  for_each_joint(curve, seam, [&](const Joint& joint) { compare_sides(found, joint); });
+  return with_relative_jumps(found);
 }
 
 PathShape path_shape(const Motion& motion) noexcept {
@@ -160,29 +189,17 @@ std::pair<double, std::size_t> ShapeContinuity::corner() const noexcept {
 bool ShapeContinuity::is_hidden() const noexcept { return order() == told && order_without_jumps(*this) > told; }
 
 ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam) {
-  return shape_continuity_at_keys(curve, seam, continuity_at_keys(curve, seam));
+  return continuities_at_keys(curve, seam).of_shape;
 }
 
-ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam, const Continuity& in_time) {
-  ShapeContinuity found;
-  found.broken = in_time.orientation.angle > 0.0;
+Continuities continuities_at_keys(const AnyCurve& curve, Seam seam) {
+  Continuities found{.in_time = between_keys(curve)};
+  found.of_shape.broken = found.in_time.orientation.angle > 0.0;
   for_each_joint(curve, seam, [&](const Joint& joint) {
-    ++found.joints;
-    const auto before = direction_beside(joint.left, Side::left, joint.spacing, in_time);
-    const auto behind = direction_beside(joint.right, Side::right, joint.spacing, in_time);
-    const bool moves = before && behind && before->order == 1 && behind->order == 1;
-    if (!moves) return look_at_rest(found, joint, before, behind);
-    const PathShape left = path_shape(joint.left), right = path_shape(joint.right);
-    const Rounding rounding = rounding_of(joint);
-    if (const int told = told_order(curve, joint, rounding); told < found.told) {
-      found.told = told;
-      found.hidden_at = joint.key;
-    }
-    for (ShapeJump* jump : {&found.direction, &found.direction_in_motion})
-      compare_sides(*jump, joint.key, left.direction, right.direction, rounding.direction);
-    compare_sides(found.curvature, joint.key, left.curvature, right.curvature, rounding.curvature);
-    compare_sides(found.curvature_rate, joint.key, left.curvature_rate, right.curvature_rate, rounding.curvature_rate);
+    compare_sides(found.in_time, joint);
+    compare_sides(found.of_shape, curve, joint, found.in_time);
   });
+  found.in_time = with_relative_jumps(found.in_time);
   return found;
 }
 

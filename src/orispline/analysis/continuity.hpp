@@ -101,8 +101,14 @@ struct ORISPLINE_EXPORT ShapeContinuity {
 /// order is told where this is too small to hide a corner of 1e-3 rad, or a jump of 1 in 1/rad or 1/rad², by the turns
 /// beside the key where these are smaller than 1 rad.
 [[nodiscard]] ORISPLINE_EXPORT ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam = Seam::open);
-/// For callers who have what continuity_at_keys() says of the curve, which is half the work.
-[[nodiscard]] ORISPLINE_EXPORT ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam,
-                                                                        const Continuity& in_time);
+
+/// In time and of the shape.
+struct Continuities {
+  Continuity in_time{};
+  ShapeContinuity of_shape{};
+};
+
+/// Both, from one look at every key.
+[[nodiscard]] ORISPLINE_EXPORT Continuities continuities_at_keys(const AnyCurve& curve, Seam seam = Seam::open);
 
 }}  // namespace orispline

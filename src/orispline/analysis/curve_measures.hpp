@@ -21,11 +21,11 @@ struct Energies {
   double torque = 0.0;        ///< ∫|J α + ω × J ω|² dt [N² m² s]; the first one for unit inertia
 };
 
-/// By adaptive Gauss quadrature, to 1e-10 relative in each segment, whatever the epoch of the times.
+/// By adaptive Gauss–Kronrod quadrature, to 1e-10 relative in each segment, whatever the epoch of the times.
 ///
 /// A closed form exists only where a segment turns about a fixed axis (slerps, keys about one axis): there the rates of
-/// the polynomial methods are polynomials of time, and one Gauss rule of ten points is that closed form, exact to
-/// degree 19. With turning axes the integrands hold sines of the factors' angles, and no closed form is known.
+/// the polynomial methods are polynomials of time, and the rule of 21 points is that closed form, exact to degree 31.
+/// With turning axes the integrands hold sines of the factors' angles, and no closed form is known.
 [[nodiscard]] ORISPLINE_EXPORT Energies energies(const AnyCurve& curve,
                                                  const Eigen::Matrix3d& inertia = Eigen::Matrix3d::Identity());
 
@@ -57,8 +57,8 @@ struct Peaks {
 /// How far a curve has gone, its arc length, and the inverse of that: the angle ∫|ω| dt of orientations [rad], the
 /// distance ∫|v| dt of positions [m].
 ///
-/// Made once per curve by adaptive Gauss quadrature, to 1e-10 relative in each segment (less where the speed touches
-/// zero and has a kink).
+/// Made once per curve by adaptive Gauss–Kronrod quadrature, to 1e-10 relative in each segment (less where the speed
+/// touches zero and has a kink).
 template <class C>
 class ORISPLINE_EXPORT ArcLength {
  public:

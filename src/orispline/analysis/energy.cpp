@@ -24,15 +24,16 @@ Energies energies(const AnyCurve& curve, const Eigen::Matrix3d& inertia) {
   const bool is_unit = inertia == Eigen::Matrix3d::Identity();  // whose torque is α
   Figures<3> sum = Figures<3>::Zero();
   for (std::size_t segment = 0; segment + 1 < knots.size(); ++segment) {
-    if (is_gap(curve, segment)) continue;
-    SegmentMotions motions(curve, segment);
+    SegmentMotions motions(curve, segment, MotionPart::rates);
+    if (motions.is_gap()) continue;
     const auto integrands = [&](std::span<const double> times, std::span<Figures<3>> values) {
       motions.evaluate(times);
       for (std::size_t i = 0; i < times.size(); ++i) {
         const double acceleration = motions.angular_acceleration(i).squaredNorm();
-        values[i] = {acceleration, motions.angular_jerk(i).squaredNorm(),
-                     is_unit ? acceleration : torque(motions.rates(i), inertia).squaredNorm()};
+        values[i] = {acceleration, motions.angular_jerk(i).squaredNorm(), acceleration};
       }
+      if (!is_unit)
+        for (std::size_t i = 0; i < times.size(); ++i) values[i][2] = torque(motions.rates(i), inertia).squaredNorm();
     };
     const double start = knots[segment], end = knots[segment + 1];
     sum += adaptive_integral<3>(integrands, start, end, rounding_of(end - start, inertia.norm()));

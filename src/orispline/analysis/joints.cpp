@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
+
+#include <orispline/math/chord.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -15,43 +18,44 @@ constexpr double smallest_jump = 1e-6;  // [rad]
 constexpr double widest_look = 0.1;
 constexpr int deepest_look = 6;
 
-class JumpSearch {
- public:
-  JumpSearch(const AnyCurve& curve, std::size_t segment) : curve_(curve), segment_(segment) {}
-
-  [[nodiscard]] OrientationJump between(const TimedMotion& a, const TimedMotion& b, int depth = 0) const noexcept {
-    const double way = angular_distance(a.motion.orientation, b.motion.orientation);
-    const double reach =
-        std::max(a.motion.angular_velocity.norm(), b.motion.angular_velocity.norm()) * (b.time - a.time);
-    const bool jumps = way > 2.0 * reach + smallest_jump;
-    if (!jumps && (reach <= widest_look || depth >= deepest_look)) return {};
-    const double middle = std::midpoint(a.time, b.time);
-    if (!(a.time < middle && middle < b.time))
-      return jumps ? OrientationJump{.angle = way, .time = a.time, .key = segment_} : OrientationJump{};
-    const TimedMotion between_them{middle, curve_.motion_on(segment_, middle)};
-    const OrientationJump first = between(a, between_them, depth + 1);
-    return first.angle > 0.0 ? first : between(between_them, b, depth + 1);
-  }
-
- private:
-  const AnyCurve& curve_;
-  std::size_t segment_;
-};
+/// At least the angle between two orientations [rad]: up to half a turn, an arc is at most π/√8 times as long as its
+/// chord, and the angle is twice the arc in R⁴.
+double longest_way(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) noexcept {
+  return std::numbers::pi / std::numbers::sqrt2 * std::sqrt(chord_square(a, b));
+}
 
 }  // namespace
 
-std::array<TimedMotion, 5> probes_of(const AnyCurve& curve, std::size_t segment) noexcept {
+Probes::Probes(const AnyCurve& curve, std::size_t segment) noexcept
+    : motions_(curve, segment, MotionPart::all), segment_(segment) {
+  if (motions_.is_gap()) return;
   const KnotSpan span = curve.knots().span(segment);
-  const auto at = [&](double t) -> TimedMotion { return {t, curve.motion_on(segment, t)}; };
-  const auto within = [&](double u) { return at(std::lerp(span.start(), span.end(), u)); };
-  return {at(span.start()), within(0.25), within(0.5), within(0.75), at(span.end())};
+  const auto within = [&](double u) { return std::lerp(span.start(), span.end(), u); };
+  const std::array times{span.start(), within(0.25), within(0.5), within(0.75), span.end()};
+  motions_.evaluate(times);
+  count_ = times.size();
+  for (std::size_t k = 0; k < count_; ++k) probes_[k] = {times[k], motions_.motion(k)};
 }
 
-OrientationJump jump_between(std::span<const TimedMotion> probes, const AnyCurve& curve, std::size_t segment) noexcept {
-  const JumpSearch search(curve, segment);
-  for (std::size_t k = 0; k + 1 < probes.size(); ++k)
-    if (const OrientationJump found = search.between(probes[k], probes[k + 1]); found.angle > 0.0) return found;
+OrientationJump Probes::jump() noexcept {
+  for (std::size_t k = 0; k + 1 < count_; ++k)
+    if (const OrientationJump found = jump_between(probes_[k], probes_[k + 1]); found.angle > 0.0) return found;
   return {};
+}
+
+OrientationJump Probes::jump_between(const TimedMotion& a, const TimedMotion& b, int depth) noexcept {
+  const Eigen::Quaterniond &from = a.motion.orientation, &to = b.motion.orientation;
+  const double rate = std::max(a.motion.angular_velocity.squaredNorm(), b.motion.angular_velocity.squaredNorm());
+  const double reach = std::sqrt(rate) * (b.time - a.time), longest = 2.0 * reach + smallest_jump;
+  const bool jumps = longest_way(from, to) > longest && angular_distance(from, to) > longest;
+  if (!jumps && (reach <= widest_look || depth >= deepest_look)) return {};
+  const double middle = std::midpoint(a.time, b.time);
+  if (!(a.time < middle && middle < b.time))
+    return {.angle = jumps ? angular_distance(from, to) : 0.0, .time = a.time, .key = segment_};
+  motions_.evaluate({&middle, 1});
+  const TimedMotion between_them{middle, motions_.motion(0)};
+  const OrientationJump first = jump_between(a, between_them, depth + 1);
+  return first.angle > 0.0 ? first : jump_between(between_them, b, depth + 1);
 }
 
 }}  // namespace orispline

@@ -6,7 +6,7 @@
 #include <span>
 
 #include <orispline/analysis/continuity.hpp>
-#include <orispline/curve/stretched_curve.hpp>
+#include <orispline/analysis/segment_motions.hpp>
 
 // The places where segments of a curve meet, with the rates on both sides, and what lies between them.
 
@@ -24,8 +24,7 @@ template <class Look>
 void for_each_joint(const AnyCurve& curve, Seam seam, Look&& look) {
   const auto t = curve.knots().times();
   for (std::size_t i = 1; i + 1 < t.size(); ++i)
-    look(Joint{i, std::min(t[i] - t[i - 1], t[i + 1] - t[i]), curve.motion(t[i], Side::left),
-               curve.motion(t[i], Side::right)});
+    look(Joint{i, std::min(t[i] - t[i - 1], t[i + 1] - t[i]), curve.motion_on(i - 1, t[i]), curve.motion_on(i, t[i])});
   if (seam == Seam::open || t.size() < 2) return;
   const std::size_t last = t.size() - 1;
   look(Joint{0, std::min(t[1] - t[0], t[last] - t[last - 1]), curve.motion(t[last]), curve.motion(t[0])});
@@ -37,13 +36,26 @@ struct TimedMotion {
   Motion motion;
 };
 
-/// On one segment: at its ends and at three places between them.
-[[nodiscard]] std::array<TimedMotion, 5> probes_of(const AnyCurve& curve, std::size_t segment) noexcept;
+/// One segment at its ends and at three places between them.
+class Probes {
+ public:
+  Probes(const AnyCurve& curve, std::size_t segment) noexcept;
+  Probes(const Probes&) = delete;
 
-/// The first jump of a segment, looked for between neighbouring probes where the orientations lie farther apart than
-/// the rates between them allow. One that is smaller than 1e-6 rad is rounding.
-[[nodiscard]] OrientationJump jump_between(std::span<const TimedMotion> probes, const AnyCurve& curve,
-                                           std::size_t segment) noexcept;
+  /// None in a gap.
+  [[nodiscard]] std::span<const TimedMotion> all() const noexcept { return {probes_.data(), count_}; }
+  /// The first jump, looked for between neighbours where the orientations lie farther apart than the rates between them
+  /// allow. One that is smaller than 1e-6 rad is rounding.
+  [[nodiscard]] OrientationJump jump() noexcept;
+
+ private:
+  [[nodiscard]] OrientationJump jump_between(const TimedMotion& a, const TimedMotion& b, int depth = 0) noexcept;
+
+  SegmentMotions motions_;
+  std::size_t segment_;
+  std::array<TimedMotion, 5> probes_;
+  std::size_t count_ = 0;
+};
 
 /// Calls `look` with motions that show how fast the curve is: at the ends and at three points of each segment. Gives
 /// the largest jump of the orientation between its keys.
@@ -51,10 +63,9 @@ template <class Look>
 [[nodiscard]] OrientationJump look_between_keys(const AnyCurve& curve, Look&& look) {
   OrientationJump largest;
   for (std::size_t i = 0; i < curve.knots().segments(); ++i) {
-    if (is_gap(curve, i)) continue;
-    const auto probes = probes_of(curve, i);
-    for (const TimedMotion& probe : probes) look(probe.motion);
-    const OrientationJump found = jump_between(probes, curve, i);
+    Probes probes(curve, i);
+    for (const TimedMotion& probe : probes.all()) look(probe.motion);
+    const OrientationJump found = probes.jump();
     if (found.angle > largest.angle) largest = found;
   }
   return largest;

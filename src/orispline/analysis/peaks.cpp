@@ -31,12 +31,20 @@ Height height_of(const Eigen::Vector3d& rate, const Eigen::Vector3d& derivative)
 struct Searched {
   const AnyCurve& curve;
   const Eigen::Matrix3d& inertia;
+  std::size_t rates = inertia == Eigen::Matrix3d::Identity() ? 2 : 3;  // of unit inertia the torque is α
 
-  [[nodiscard]] Heights of(const Motion& m) const {
-    return {height_of(m.angular_velocity, m.angular_acceleration), height_of(m.angular_acceleration, m.angular_jerk),
-            height_of(torque(m, inertia), torque_rate(m, inertia))};
+  [[nodiscard]] Heights of(const Eigen::Vector3d& velocity, const Eigen::Vector3d& acceleration,
+                           const Eigen::Vector3d& jerk) const {
+    Heights heights{height_of(velocity, acceleration), height_of(acceleration, jerk)};
+    if (rates < heights.size()) return heights;
+    const Motion m{.angular_velocity = velocity, .angular_acceleration = acceleration, .angular_jerk = jerk};
+    heights[2] = height_of(torque(m, inertia), torque_rate(m, inertia));
+    return heights;
   }
-  [[nodiscard]] Heights at(std::size_t segment, double t) const { return of(curve.motion_on(segment, t)); }
+  [[nodiscard]] Heights at(std::size_t segment, double t) const {
+    const Motion m = curve.motion_on(segment, t);
+    return of(m.angular_velocity, m.angular_acceleration, m.angular_jerk);
+  }
 };
 
 using Steps = std::array<double, steps_per_segment + 1>;  // the times of a segment's steps, both ends among them
@@ -64,6 +72,10 @@ struct Search {
     square = found;
     time = at;
   }
+  [[nodiscard]] double floor() const { return worth_searching * square; }
+  void climb_later(const Summit& summit) {
+    if (summit.square >= floor()) summits.push_back(summit);
+  }
 };
 
 void climb(Search& search, const Summit& summit, const Searched& searched, std::size_t rate) {
@@ -77,7 +89,7 @@ void climb(Search& search, const Summit& summit, const Searched& searched, std::
 }
 
 Peak peak_of(Search& search, const Searched& searched, std::size_t rate) {
-  const double floor = worth_searching * search.square;
+  const double floor = search.floor();
   for (const Summit& summit : search.summits)
     if (summit.square >= floor) climb(search, summit, searched, rate);
   return {std::sqrt(std::max(search.square, 0.0)), search.time};
@@ -91,23 +103,26 @@ Peaks peaks(const AnyCurve& curve, const Eigen::Matrix3d& inertia) {
   if (knots.size() < 2) return {{0.0, knots.front()}, {0.0, knots.front()}, {0.0, knots.front()}};
   std::array<Search, 3> searches;
   for (std::size_t segment = 0; segment + 1 < knots.size(); ++segment) {
-    if (is_gap(curve, segment)) continue;
+    SegmentMotions motions(curve, segment, MotionPart::rates);
+    if (motions.is_gap()) continue;
     const Steps times = steps_between(knots[segment], knots[segment + 1]);
-    SegmentMotions motions(curve, segment);
     motions.evaluate(times);
     Heights last{};
     for (std::size_t step = 0; step < times.size(); ++step) {
-      const Heights now = searched.of(motions.rates(step));
-      for (std::size_t rate = 0; rate < searches.size(); ++rate) {
+      const Heights now =
+          searched.of(motions.angular_velocity(step), motions.angular_acceleration(step), motions.angular_jerk(step));
+      for (std::size_t rate = 0; rate < searched.rates; ++rate) {
         searches[rate].see(now[rate].square, times[step]);
         if (step > 0 && last[rate].slope > 0.0 && now[rate].slope < 0.0)
-          searches[rate].summits.push_back(
+          searches[rate].climb_later(
               {segment, times[step - 1], times[step], std::max(last[rate].square, now[rate].square)});
       }
       last = now;
     }
   }
-  return {peak_of(searches[0], searched, 0), peak_of(searches[1], searched, 1), peak_of(searches[2], searched, 2)};
+  const Peak acceleration = peak_of(searches[1], searched, 1);
+  return {peak_of(searches[0], searched, 0), acceleration,
+          searched.rates < 3 ? acceleration : peak_of(searches[2], searched, 2)};
 }
 
 }}  // namespace orispline

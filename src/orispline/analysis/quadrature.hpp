@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 #include <Eigen/Core>
 
-#include <orispline/math/gauss_legendre.hpp>
+#include <orispline/base/abi.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -15,12 +16,14 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 template <int N>
 using Figures = Eigen::Array<double, N, 1>;
 
-/// Of the rule, exact for polynomials up to degree 19.
-inline constexpr std::size_t gauss_nodes = 10;
+/// Of Kronrod's rule, exact for polynomials up to degree 31. Every second one is a node of Gauss's rule of ten, exact
+/// up to degree 19: from the same values comes a second integral, which tells how good the first one is.
+inline constexpr std::size_t quadrature_nodes = 21;
 
-/// The Gauss rule on a piece of time: Σ weight f(time) is the mean of f.
+/// Both rules on a piece of time: Σ weight f(time) is the mean of f.
 struct TimeRule {
-  std::array<double, gauss_nodes> times, weights;
+  std::array<double, quadrature_nodes> times, weights;
+  std::array<double, quadrature_nodes / 2> gauss_weights;  ///< of the times 1, 3, …
 };
 
 /// From a to b [s]. At times of today a node is rounded by a ten millionth of a second, which would move the sum more
@@ -37,22 +40,33 @@ struct Piece {
   [[nodiscard]] double middle() const noexcept { return 0.5 * (start + end); }
 };
 
-/// ∫ f dt over each piece by the Gauss rule; f(times, values) writes its Figures<N> at all nodes together.
+/// An integral by both rules.
+template <int N>
+struct Integral {
+  Figures<N> kronrod, gauss;
+};
+
+/// ∫ f dt over each piece; f(times, values) writes its Figures<N> at all nodes together.
 template <int N, std::size_t Pieces, class F>
-[[nodiscard]] std::array<Figures<N>, Pieces> gauss_integrals(F& f, const std::array<Piece, Pieces>& pieces) {
-  std::array<TimeRule, Pieces> rules;
-  std::array<double, Pieces * gauss_nodes> times;
-  for (std::size_t k = 0; k < Pieces; ++k) {
-    rules[k] = time_rule(pieces[k].start, pieces[k].end);
-    std::ranges::copy(rules[k].times, times.begin() + k * gauss_nodes);
+[[nodiscard]] std::array<Integral<N>, Pieces> integrals(F& f, const std::array<Piece, Pieces>& pieces) {
+  const auto rules = [&]<std::size_t... K>(std::index_sequence<K...>) {
+    return std::array{time_rule(pieces[K].start, pieces[K].end)...};
   }
-  std::array<Figures<N>, Pieces * gauss_nodes> values;
+  (std::make_index_sequence<Pieces>());
+  std::array<double, Pieces * quadrature_nodes> times;
+  for (std::size_t k = 0; k < Pieces; ++k) std::ranges::copy(rules[k].times, times.begin() + k * quadrature_nodes);
+  std::array<Figures<N>, Pieces * quadrature_nodes> values;
   f(std::span<const double>(times), std::span<Figures<N>>(values));
-  std::array<Figures<N>, Pieces> sums;
+  std::array<Integral<N>, Pieces> sums;
   for (std::size_t k = 0; k < Pieces; ++k) {
-    sums[k].setZero();
-    for (std::size_t i = 0; i < gauss_nodes; ++i) sums[k] += rules[k].weights[i] * values[k * gauss_nodes + i];
-    sums[k] *= pieces[k].end - pieces[k].start;
+    const auto* const here = &values[k * quadrature_nodes];
+    auto& [kronrod, gauss] = sums[k];
+    kronrod.setZero();
+    gauss.setZero();
+    for (std::size_t i = 0; i < quadrature_nodes; ++i) kronrod += rules[k].weights[i] * here[i];
+    for (std::size_t i = 0; i < quadrature_nodes / 2; ++i) gauss += rules[k].gauss_weights[i] * here[2 * i + 1];
+    kronrod *= pieces[k].end - pieces[k].start;
+    gauss *= pieces[k].end - pieces[k].start;
   }
   return sums;
 }
@@ -62,32 +76,27 @@ template <int N, std::size_t Pieces, class F>
 /// Then a piece is left as it is, and where times are too coarse for its halves.
 inline constexpr int most_halvings = 10;
 
-/// The integral over a piece from those over its halves, which are halved in turn until they agree with `whole`, the
-/// rule over both, within `allowed`.
+/// The integral over a piece, which is halved in turn until both rules agree within `allowed`.
 template <int N, class F>
-[[nodiscard]] Figures<N> halved_integral(F& f, const Piece& piece, const Figures<N>& whole, const Figures<N>& left,
-                                         const Figures<N>& right, const Figures<N>& allowed, int halvings) {
-  Figures<N> sum = left + right;
-  const double middle = piece.middle();
-  if (halvings <= 1 || !((sum - whole).abs() > allowed).any() || !can_be_halved(piece.start, middle)) return sum;
-  const Piece first{piece.start, middle}, second{middle, piece.end};
-  const auto quarters =
-      gauss_integrals<N, 4>(f, {Piece{first.start, first.middle()}, Piece{first.middle(), first.end},
-                                Piece{second.start, second.middle()}, Piece{second.middle(), second.end}});
+[[nodiscard]] Figures<N> halved_integral(F& f, const Piece& piece, const Integral<N>& found, const Figures<N>& allowed,
+                                         int halvings) {
+  const bool agree = !((found.kronrod - found.gauss).abs() > allowed).any();
+  if (agree || halvings == 0 || !can_be_halved(piece.start, piece.end)) return found.kronrod;
+  const Piece first{piece.start, piece.middle()}, second{piece.middle(), piece.end};
+  const auto halves = integrals<N, 2>(f, {first, second});
   const Figures<N> half = 0.5 * allowed;
-  return halved_integral<N>(f, first, left, quarters[0], quarters[1], half, halvings - 1) +
-         halved_integral<N>(f, second, right, quarters[2], quarters[3], half, halvings - 1);
+  return halved_integral<N>(f, first, halves[0], half, halvings - 1) +
+         halved_integral<N>(f, second, halves[1], half, halvings - 1);
 }
 
 /// ∫ f dt over a piece on which f is smooth, to quadrature_tolerance() relative to the piece's own integral or, where
-/// that is more, to `rounding`: adaptive. f(times, values) writes Figures<N> at up to 40 times together.
+/// that is more, to `rounding`: adaptive. f(times, values) writes Figures<N> at up to 42 times together.
 template <int N, class F>
 [[nodiscard]] Figures<N> adaptive_integral(F&& f, double a, double b, const Figures<N>& rounding) {
   const Piece piece{a, b};
-  if (!can_be_halved(a, b)) return gauss_integrals<N, 1>(f, {piece})[0];
-  const auto found = gauss_integrals<N, 3>(f, {piece, Piece{a, piece.middle()}, Piece{piece.middle(), b}});
-  const Figures<N> allowed = (quadrature_tolerance(a, b) * found[0].abs()).max(rounding);
-  return halved_integral<N>(f, piece, found[0], found[1], found[2], allowed, most_halvings);
+  const Integral<N> found = integrals<N, 1>(f, {piece})[0];
+  const Figures<N> allowed = (quadrature_tolerance(a, b) * found.kronrod.abs()).max(rounding);
+  return halved_integral<N>(f, piece, found, allowed, most_halvings);
 }
 
 }}  // namespace orispline

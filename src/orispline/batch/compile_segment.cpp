@@ -189,7 +189,7 @@ CompiledSegment<CumulativeRecord<T>> compile_segment(const CumulativeForm& form,
 template <class T>
 CompiledSegment<ChartRecord<T>> compile_segment(const ChartForm& form, const KnotSpan& span) noexcept {
   const Place place = place_of(span);
-  CompiledSegment<ChartRecord<T>> compiled{};
+  CompiledSegment<ChartRecord<T>> compiled;
   compiled.record.middle = place.middle;
   compiled.record.per_step = place.per_step;
   compiled.record.short_degree = form.degree <= 5;
@@ -202,11 +202,14 @@ CompiledSegment<ChartRecord<T>> compile_segment(const ChartForm& form, const Kno
     });
     store(powers, 1.0, k, compiled.record.rotation_vector);
   }
+  for (auto& row : compiled.record.rotation_vector) row[3] = T(0);
+  double longest = 0.0;
   for (std::size_t i = 0; i <= form.degree; ++i) {
     const auto& v = form.rotation_vector;
-    const double bound = Eigen::Vector3d(v[0].coefficients[i], v[1].coefficients[i], v[2].coefficients[i]).norm();
-    compiled.half_angle = std::max(compiled.half_angle, 0.5 * bound);
+    const Eigen::Vector3d control(v[0].coefficients[i], v[1].coefficients[i], v[2].coefficients[i]);
+    longest = std::max(longest, control.squaredNorm());
   }
+  compiled.half_angle = 0.5 * std::sqrt(longest);
   return compiled;
 }
 

@@ -28,9 +28,8 @@ Expected<InspectOutcome> inspect(InspectRequest request) {
     if (!shaped) return tl::unexpected(std::move(shaped.error()));
     const AnyCurve& curve = shaped->curve.orientation;
     const Seam seam = method.options.loop ? Seam::closed : Seam::open;
-    const Continuity continuity = continuity_at_keys(curve, seam);
-    outcome.methods.push_back(
-        {labels[i], continuity, shape_continuity_at_keys(curve, seam, continuity), std::move(shaped->findings)});
+    const Continuities found = continuities_at_keys(curve, seam);
+    outcome.methods.push_back({labels[i], found.in_time, found.of_shape, std::move(shaped->findings)});
     std::ranges::move(shaped->warnings, std::back_inserter(outcome.warnings));
   }
   return outcome;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <orispline/analysis/sampled.hpp>
+#include <orispline/analysis/segment_motions.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/version.hpp>
 #include <orispline/curve/motion.hpp>
@@ -66,7 +67,12 @@ std::vector<report::PageColumn> measure_columns(std::vector<MeasureInfo> measure
 
 report::PageSamples samples_of(const PoseCurve& curve, const std::optional<Eigen::Matrix3d>& inertia,
                                std::size_t count) {
-  report::PageSamples samples = report::sampled(curve, count);
+  const auto look = [&](std::size_t segment, std::span<const double> times, std::span<Motion> found) {
+    SegmentMotions motions(curve.orientation, segment, MotionPart::all);
+    motions.evaluate(times);
+    for (std::size_t k = 0; k < times.size(); ++k) found[k] = motions.motion(k);
+  };
+  report::PageSamples samples = report::sampled(curve, count, look);
   if (inertia) samples.torques = torques_of(samples, *inertia);
   return samples;
 }

@@ -22,9 +22,9 @@ std::string title_of(const Track& track, const Method& method) {
 }
 
 Measures shape_of(const AnyCurve& curve, Seam seam, const Eigen::Matrix3d& inertia) {
-  const Continuity continuity = continuity_at_keys(curve, seam);
-  return {.continuity = continuity,
-          .shape = shape_continuity_at_keys(curve, seam, continuity),
+  const Continuities continuities = continuities_at_keys(curve, seam);
+  return {.continuity = continuities.in_time,
+          .shape = continuities.of_shape,
           .energies = energies(curve, inertia),
           .peaks = peaks(curve, inertia),
           .angle_travelled = AngleTravelled(curve).total()};

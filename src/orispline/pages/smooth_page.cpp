@@ -85,8 +85,9 @@ struct Source {
 report::PageMethod method_of(const Source& source, const CurvePage& page, ShownCurve shown, std::string_view method) {
   auto shape = shape_of({.method = std::string(method), .keys = shown.keys}, source.smoothing.stretches);
   if (!shape) return {.name = std::move(shown.name), .failure = describe(shape.error())};
-  shown.measures.continuity = continuity_at_keys(shown.curve.orientation);
-  shown.measures.shape = shape_continuity_at_keys(shown.curve.orientation, Seam::open, shown.measures.continuity);
+  const Continuities continuities = continuities_at_keys(shown.curve.orientation);
+  shown.measures.continuity = continuities.in_time;
+  shown.measures.shape = continuities.of_shape;
   shown.measures.energies = shape->energies;
   shown.measures.peaks = shape->peaks;
   report::PageMethod result = method_of(page, shown);

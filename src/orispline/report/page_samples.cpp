@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include <orispline/math/chord.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/math/geodesic.hpp>
 
@@ -18,7 +19,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t most_seen = 2'000'000;  // of a curve, for its extremes
+constexpr std::size_t most_seen = 2'000'000, most_places = 8;  // of a curve and of a segment, for their extremes
 const Eigen::Quaterniond no_orientation(nan, nan, nan, nan);
 
 void append(PageSamples& samples, const PoseCurve& curve, double t, Side side) {
@@ -42,10 +43,9 @@ class PictureColumn {
  public:
   PictureColumn(const PoseCurve& curve, const Eigen::Quaterniond& start) : curve_(curve), start_(start) {}
 
-  void see(double t, Side side) {
-    const Motion m = curve_.orientation.motion(t, side);
-    const std::array values{m.angular_velocity.norm(), m.angular_acceleration.norm(), m.angular_jerk.norm(),
-                            angular_distance(start_, m.orientation)};
+  void see(double t, Side side, const Motion& m) {
+    const std::array values{m.angular_velocity.squaredNorm(), m.angular_acceleration.squaredNorm(),
+                            m.angular_jerk.squaredNorm(), chord_square(start_, m.orientation)};
     const Place place{t, side == Side::right};
     if (!first_) first_ = place;
     if (m.orientation.coeffs().hasNaN()) missing_ = place;
@@ -89,29 +89,39 @@ class PictureColumn {
 };
 
 /// Of more segments than can be shown each: what is extreme in even columns.
-PageSamples envelope(const PoseCurve& curve, std::size_t columns) {
+PageSamples envelope(const PoseCurve& curve, std::size_t columns, const SegmentLook& look) {
   PageSamples samples;
   const Knots& knots = curve.orientation.knots();
   const Domain domain = curve.orientation.domain();
-  const std::size_t segments = knots.segments(), places = std::clamp<std::size_t>(most_seen / segments, 2, 8);
+  const std::size_t segments = knots.segments(), places = std::clamp<std::size_t>(most_seen / segments, 2, most_places);
   const auto column_of = [&](double t) {
     const double share = (t - domain.start) / (domain.end - domain.start);
     return std::min(columns - 1, static_cast<std::size_t>(share * static_cast<double>(columns)));
   };
   PictureColumn column(curve, curve.orientation(domain.start));
   std::size_t current = 0;
-  for (std::size_t i = 0; i < segments; ++i)
+  std::array<double, most_places + 1> times;
+  std::array<Motion, most_places + 1> motions;
+  for (std::size_t i = 0; i < segments; ++i) {
+    for (std::size_t k = 0; k <= places; ++k) times[k] = between(knots.times()[i], knots.times()[i + 1], k, places);
+    look(i, {times.data(), places + 1}, {motions.data(), places + 1});
     for (std::size_t k = 0; k <= places; ++k) {
-      const double t = between(knots.times()[i], knots.times()[i + 1], k, places);
-      if (const std::size_t next = column_of(t); next != current) {
+      if (const std::size_t next = column_of(times[k]); next != current) {
         column.flush(samples);
         current = next;
       }
-      column.see(t, k == places ? Side::left : Side::right);
+      column.see(times[k], k == places ? Side::left : Side::right, motions[k]);
     }
+  }
   column.flush(samples);
   if (samples.path.times.back() != domain.end) append(samples, curve, domain.end, Side::left);
   return samples;
+}
+
+SegmentLook one_by_one(const AnyCurve& curve) {
+  return [&curve](std::size_t segment, std::span<const double> times, std::span<Motion> motions) {
+    for (std::size_t k = 0; k < times.size(); ++k) motions[k] = curve.motion_on(segment, times[k]);
+  };
 }
 
 /// The time in the reference's interval that ends at `after`, by the shortest way.
@@ -157,13 +167,14 @@ PageKeys page_keys(const Keyframes& keys) {
       .positions = {keys.positions().begin(), keys.positions().end()}};
 }
 
-PageSamples sampled(const PoseCurve& curve, std::size_t count) {
+PageSamples sampled(const PoseCurve& curve, std::size_t count, const SegmentLook& look) {
   PageSamples samples;
   const Knots& knots = curve.orientation.knots();
   const Domain domain = curve.orientation.domain();
   const std::size_t segments = knots.segments();
   if (segments == 0) append(samples, curve, domain.start, Side::right);
-  if (4 * segments > count) return envelope(curve, std::max<std::size_t>(1, count / 9));
+  if (4 * segments > count)
+    return envelope(curve, std::max<std::size_t>(1, count / 9), look ? look : one_by_one(curve.orientation));
   for (std::size_t i = 0; i < segments; ++i) {
     const double from = knots.times()[i], to = knots.times()[i + 1];
     const double share = (to - from) / (domain.end - domain.start);

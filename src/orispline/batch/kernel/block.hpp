@@ -64,10 +64,11 @@ template <class T, class Record>
   }
 }
 
-/// From planes of one length to the caller's layout.
+/// From planes of one length to the caller's layout, if he wants them.
 template <class T, int Components, int Length>
 [[gnu::always_inline]] inline void lay_out(const T (&from)[Components][Length], int count, T* to, std::size_t at,
                                            std::ptrdiff_t planes) {
+  if (!to) return;
   if (planes != 0) {
     for (int k = 0; k < Components; ++k) {
       T* plane = to + k * planes + at;
@@ -90,16 +91,15 @@ template <Rates Wanted, class T>
 [[gnu::always_inline]] inline void lay_out(const OutputPlanes<T>& planes, int count, const Target<T>& target,
                                            std::size_t at) {
   lay_out(planes.q, count, target.orientation, at, target.planes);
-  if constexpr (Wanted != Rates::none)
-    if (target.angular_velocity) lay_out(planes.omega, count, target.angular_velocity, at, target.planes);
-  if constexpr (Wanted >= Rates::second)
-    if (target.angular_acceleration) lay_out(planes.alpha, count, target.angular_acceleration, at, target.planes);
+  if constexpr (Wanted != Rates::none) lay_out(planes.omega, count, target.angular_velocity, at, target.planes);
+  if constexpr (Wanted >= Rates::second) lay_out(planes.alpha, count, target.angular_acceleration, at, target.planes);
   if constexpr (Wanted >= Rates::third) lay_out(planes.jerk, count, target.angular_jerk, at, target.planes);
 }
 
-/// One sample to the caller's layout.
+/// One sample likewise.
 template <class T>
 [[gnu::always_inline]] inline void put(const Lanes<T>& q, std::size_t at, const Target<T>& target) {
+  if (!target.orientation) return;
   if (target.planes != 0) {
     for (int k = 0; k < 4; ++k) target.orientation[k * target.planes + static_cast<std::ptrdiff_t>(at)] = q[k];
   } else {

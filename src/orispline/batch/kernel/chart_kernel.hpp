@@ -9,19 +9,17 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace batch { namespace {
 
-/// base exp(φ) with x = ‖φ‖² ≤ 4, as qx, qy, qz, qw.
+/// base exp(φ), ‖φ‖² ≤ 4, as qx, qy, qz, qw.
 template <class T>
 struct ChartSample {
-  T x, q[4];
+  T q[4];
 };
 template <class T>
 [[gnu::always_inline]] inline ChartSample<T> chart_sample(const T (&base)[4], const Vector<T>& phi) {
-  const T x = phi.x * phi.x + phi.y * phi.y + phi.z * phi.z;
-  const T u = T(0.25) * x;
+  const T u = T(0.25) * dot(phi, phi);
   const T w = T(1) + u * polynomial(Series<T>::cos_wide, u);
   const Vector<T> v = (T(0.5) + T(0.5) * u * polynomial(Series<T>::sin_wide, u)) * phi;
-  return {x,
-          {(base[3] * v.x + base[0] * w) + (base[1] * v.z - base[2] * v.y),
+  return {{(base[3] * v.x + base[0] * w) + (base[1] * v.z - base[2] * v.y),
            (base[3] * v.y + base[1] * w) + (base[2] * v.x - base[0] * v.z),
            (base[3] * v.z + base[2] * w) + (base[0] * v.y - base[1] * v.x),
            (base[3] * w - base[0] * v.x) - (base[1] * v.y + base[2] * v.z)}};
@@ -29,9 +27,10 @@ template <class T>
 
 /// ω = J_r(φ) φ̇ and its derivatives: each term is a coefficient in x = ‖φ‖² times φ × φ̇ or φ × (φ × φ̇).
 template <Rates Wanted, class T>
-[[gnu::always_inline]] inline BodyRates<T> chart_rates(const Taylor<T> (&phi)[3], T x, T per_step) {
+[[gnu::always_inline]] inline BodyRates<T> chart_rates(const Taylor<T> (&phi)[3], T per_step) {
   using S = Series<T>;
   const Vector<T> v{phi[0].value, phi[1].value, phi[2].value}, d{phi[0].first, phi[1].first, phi[2].first};
+  const T x = dot(v, v);
   const T versine = polynomial(S::versine, x), defect = polynomial(S::sine_defect, x);
   const Vector<T> turn = cross(v, d), tilt = cross(v, turn);
   BodyRates<T> body{.omega = per_step * (d + (defect * tilt - versine * turn)), .alpha = {}, .jerk = {}};
@@ -61,7 +60,7 @@ template <Rates Wanted, class T>
 template <int Degree, Rates Wanted, class T>
 void chart_block(const ChartRecord<T>& r, const Clock& clock, std::size_t count, const Target<T>& target) {
   const T per_step = static_cast<T>(r.per_step);
-  alignas(64) Plane<T> s;
+  alignas(64) Plane<T> s, values[3];
   OutputPlanes<T> out;
   in_blocks(
       count, [&](std::size_t at, int here, int padded) __attribute__((always_inline)) {
@@ -75,12 +74,14 @@ void chart_block(const ChartRecord<T>& r, const Clock& clock, std::size_t count,
             };
             if constexpr (Wanted == Rates::none) phi[k].value = value<Degree, T>(s[i], coefficient);
             else phi[k] = taylor<Degree, T>(s[i], coefficient);
+            values[k][i] = phi[k].value;
           }
-          const ChartSample<T> sample = chart_sample(r.base, {phi[0].value, phi[1].value, phi[2].value});
+          if constexpr (Wanted != Rates::none) out.template store<Wanted>(i, chart_rates<Wanted>(phi, per_step));
+        }
+        for (int i = 0; target.orientation && i < padded; ++i) {
+          const ChartSample<T> sample = chart_sample(r.base, {values[0][i], values[1][i], values[2][i]});
 #pragma GCC unroll 4
           for (int k = 0; k < 4; ++k) out.q[k][i] = sample.q[k];
-          if constexpr (Wanted != Rates::none)
-            out.template store<Wanted>(i, chart_rates<Wanted>(phi, sample.x, per_step));
         }
         lay_out<Wanted>(out, here, target, at);
       });
@@ -100,7 +101,7 @@ template <Rates Wanted, class T>
     Taylor<T> phi[3];
 #pragma GCC unroll 3
     for (int k = 0; k < 3; ++k) phi[k] = {all.value[k], all.first[k], all.second[k], all.third[k]};
-    put(chart_rates<Wanted>(phi, sample.x, static_cast<T>(r.per_step)), at, target);
+    put(chart_rates<Wanted>(phi, static_cast<T>(r.per_step)), at, target);
   }
 }
 

@@ -101,7 +101,7 @@ void cumulative_block(const CumulativeRecord<T>& r, const Clock& clock, std::siz
         turn_factor<Degree, Outer, Wanted>(r, 0, p.s, padded, p.factors[0]);
         turn_factor<Degree, Inner, Wanted>(r, 1, p.s, padded, p.factors[1]);
         turn_factor<Degree, Outer, Wanted>(r, 2, p.s, padded, p.factors[2]);
-        for (int i = 0; i < padded; ++i) {
+        for (int i = 0; target.orientation && i < padded; ++i) {
           const Circle<T> a = p.circle(0, i), b = p.circle(1, i), c = p.circle(2, i);
 #pragma GCC unroll 4
           for (int k = 0; k < 4; ++k)
