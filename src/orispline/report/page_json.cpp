@@ -87,7 +87,7 @@ std::string json_of(const PageSamples& samples, std::string times) {
                     {"torque", halves_json(samples.torques)},
                     {"p", floats_json(samples.positions)},
                     {"error_t", doubles_json(samples.error_times)},
-                    {"error_deg", floats_json(samples.errors)},
+                    {"error_deg", halves_json(samples.errors)},
                     {"exactness_deg", number_or_null(samples.exactness)}});
 }
 

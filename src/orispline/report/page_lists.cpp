@@ -94,8 +94,9 @@ std::string floats_json(std::span<const double> values) {
 std::string floats_json(std::span<const Eigen::Vector3d> values) { return floats_json(flat(values)); }
 std::string floats_json(std::span<const Eigen::Quaterniond> values) { return floats_json(flat(values)); }
 
-std::string halves_json(std::span<const Eigen::Vector3d> vectors) {
-  const std::vector<double> values = flat(vectors);
+std::string halves_json(std::span<const Eigen::Vector3d> values) { return halves_json(flat(values)); }
+
+std::string halves_json(std::span<const double> values) {
   if (values.size() <= most_in_array) return array_json(values, Digits::few);
   double largest = 0.0;
   for (const double value : values)

@@ -22,6 +22,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 /// Scalar first.
 [[nodiscard]] std::string floats_json(std::span<const Eigen::Quaterniond> values);
 /// In 16 bits, in a unit of their own.
+[[nodiscard]] std::string halves_json(std::span<const double> values);
 [[nodiscard]] std::string halves_json(std::span<const Eigen::Vector3d> values);
 /// Times that do not decrease, in whole steps of a part in 2³² of all.
 [[nodiscard]] std::string steps_json(std::span<const double> times);
