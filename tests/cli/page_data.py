@@ -3,6 +3,7 @@
 import base64
 import struct
 
+HALF_FLOAT = 2 ** -10  # the relative distance of two neighbours
 CODES = {"f8": "d", "f4": "f", "f2": "e", "u4": "I"}
 
 

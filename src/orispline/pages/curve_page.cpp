@@ -66,7 +66,7 @@ std::vector<report::PageColumn> measure_columns(std::vector<MeasureInfo> measure
 
 report::PageSamples samples_of(const PoseCurve& curve, const std::optional<Eigen::Matrix3d>& inertia,
                                const report::Fineness& fineness) {
-  report::PageSamples samples = report::drawn(curve, fineness);
+  report::PageSamples samples = report::drawn_samples(curve, fineness);
   if (inertia) samples.torques = torques_of(samples, *inertia);
   return samples;
 }

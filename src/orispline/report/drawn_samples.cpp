@@ -104,6 +104,7 @@ class NodesOfCurve {
     const std::size_t most = fineness_.most - fineness_.most / 4;
     if (!is_long_) return refined(nodes, source_, wanted, most);
     auto found = refined(nodes, source_, {wanted.angle / 16.0, wanted.distance / 4.0}, 4 * most);
+    if (!found) found = refined(nodes, source_, wanted, 4 * most);
     if (found) found = thinned(*found, source_, wanted);
     return found && found->size() <= most ? std::move(found) : std::nullopt;
   }
@@ -140,7 +141,7 @@ PageSamples samples_of(const std::vector<CurveNode>& nodes, bool has_positions) 
 
 }  // namespace
 
-PageSamples drawn(const PoseCurve& curve, const Fineness& fineness) {
+PageSamples drawn_samples(const PoseCurve& curve, const Fineness& fineness) {
   const bool has_positions = curve.position.has_value();
   if (curve.orientation.knots().segments() == 0) {
     const double start = curve.orientation.domain().start;

@@ -79,16 +79,17 @@ std::string json_of(const PageKeys& keys) {
 
 /// `times`: the JSON of those of the path.
 std::string json_of(const PageSamples& samples, std::string times) {
-  return object_of({{"t", std::move(times)},
-                    {"q", floats_json(samples.path.orientations)},
-                    {"w", halves_json(samples.angular_velocities)},
-                    {"a", halves_json(samples.angular_accelerations)},
-                    {"j", halves_json(samples.angular_jerks)},
-                    {"torque", halves_json(samples.torques)},
-                    {"p", floats_json(samples.positions)},
-                    {"error_t", doubles_json(samples.error_times)},
-                    {"error_deg", halves_json(samples.errors)},
-                    {"exactness_deg", number_or_null(samples.exactness)}});
+  return object_of(
+      {{"t", std::move(times)},
+       {"q", floats_json(samples.path.orientations)},
+       {"w", halves_json(samples.angular_velocities)},
+       {"a", halves_json(samples.angular_accelerations)},
+       {"j", halves_json(samples.angular_jerks)},
+       {"torque", halves_json(samples.torques)},
+       {"p", floats_json(samples.positions)},
+       {"error_t", doubles_json(samples.error_times)},
+       {"error_deg", samples.error_times.empty() ? halves_json(samples.errors) : floats_json(samples.errors)},
+       {"exactness_deg", number_or_null(samples.exactness)}});
 }
 
 std::string_view name_of(Better better) {

@@ -37,7 +37,7 @@ struct Fineness {
 /// jumps by more than a thousandth of its largest. Of others few where the curve is smooth, and all together up to
 /// `least` or a quarter more than the angle takes where the lines of rates are farthest from straight ones, so that no
 /// peak is missed.
-[[nodiscard]] ORISPLINE_EXPORT PageSamples drawn(const PoseCurve& curve, const Fineness& fineness = {});
+[[nodiscard]] ORISPLINE_EXPORT PageSamples drawn_samples(const PoseCurve& curve, const Fineness& fineness = {});
 
 /// Angles [deg] to the reference, which goes the shortest way between its orientations; NaN beyond its ends.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<double> errors_to(const PagePath& reference, const PagePath& path);
