@@ -95,6 +95,8 @@ struct Recording {
 std::optional<Recording> recording_of(const std::string& path, std::size_t count, std::size_t every) {
   io::ReadOptions options;
   options.drop_duplicates = options.drop_invalid = true;
+  if (path.find("broad") != std::string::npos)
+    options.columns = {{"qw", "opt_qw"}, {"qx", "opt_qx"}, {"qy", "opt_qy"}, {"qz", "opt_qz"}};
   const auto file = io::read_keys(path, options);
   if (!file) return ADD_FAILURE() << describe(file.error()), std::nullopt;
   Recording recording;
