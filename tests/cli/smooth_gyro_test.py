@@ -66,6 +66,14 @@ class SmoothWithGyro(CommandTest):
         stated, there = self.smoothed("04n_99ms.csv", "--gyro-offset", "0.099")
         self.assertIsNone(stated["gyro_offset_sigma_s"])
         self.assert_near_truth(there, "04n_true.csv", 0.079)
+        # The stamps end 0.1 s before the orientations: the last ten rows have no gyro, and α = 0 at the end.
+        silent = 10
+        truth = orientations(CASES / "04n_true.csv")
+        self.assertLessEqual(rms_degrees(found[:-silent], truth[:-silent]), 0.075)
+        self.assertLessEqual(rms_degrees(found[-silent:], truth[-silent:]), 0.37)
+        _, by_jerk = self.smoothed("04n_99ms.csv", "--penalty", "jerk")
+        self.assert_near_truth(by_jerk, "04n_true.csv", 0.067)
+        self.assertLessEqual(rms_degrees(by_jerk[-silent:], truth[-silent:]), 0.2)
         said = self.run_command(["smooth", str(CASES / "04n_99ms.csv"), "--gyro", "-o", "out.csv"]).stderr
         self.assertRegex(said, r"clock +99\.\d* ms late, σ 0\.1\d* ms: corrected")
 
@@ -80,6 +88,18 @@ class SmoothWithGyro(CommandTest):
         rates = vectors(rows_of(self.folder / "out.csv"), "wx,wy,wz")
         for x, y, z in rates:
             self.assertLess(abs(math.degrees(z) - 90.0) + abs(x) + abs(y), 1e-6)
+        text = self.read("out.csv")
+        self.assertTrue(text.startswith("# orispline: method=hermite-c2 signs=as-given\n"))
+        comment, header, *keys = text.splitlines()
+        self.write("far.csv", "\n".join([comment, header, *keys[::3]]) + "\n")
+        for name, turn in (("out.csv", 90), ("far.csv", 270)):
+            with self.subTest(name):
+                read = vectors(rows_of(self.folder / name), "qw,qx,qy,qz")
+                steps = {round(2 * math.degrees(math.acos(sum(x * y for x, y in zip(a, b, strict=True))))) for a, b in zip(read, read[1:])}
+                self.assertEqual(steps, {turn})
+                self.output_of(f"sample {name} --rate 20 -o samples.csv")
+                for _, _, z in vectors(rows_of(self.folder / "samples.csv"), "wx,wy,wz"):
+                    self.assertLess(abs(math.degrees(z) - 90.0), 1e-6)
         text = (CASES / "34_spinner.csv").read_text("utf-8").replace("1.5707963267948966", "2.6179938779914944")
         self.write("fast.csv", text)
         done = self.run_command("smooth fast.csv --gyro -o nothing.csv")

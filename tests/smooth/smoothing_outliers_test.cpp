@@ -69,4 +69,21 @@ TEST(SmoothingVerdict, AsksTheNeighboursThatCount) {
   EXPECT_EQ(verdict({9, 1, 1, 1, 1, 1, 1, 9}, {10, 17}).in_runs, (Indices{10, 17}));  // of one side only
 }
 
+TEST(OutstandingSamples, AreThoseOfWhichTheMotionDoesNotTheLike) {
+  const std::vector<Stretch> stretches{{10, 8}, {20, 8}};
+  const auto verdict = [&](Indices single, Indices in_runs, const Indices& motion = {}) {
+    const std::vector<double> before{1, 30, 1, 1, 7, 8, 7, 1}, after{1, 1, 6, 1, 1, 1, 9, 1};
+    return outstanding({.single = std::move(single), .in_runs = std::move(in_runs)}, motion, {before, after},
+                       stretches);
+  };
+  EXPECT_EQ(verdict({11, 22}, {}).single, (Indices{11, 22}));
+  EXPECT_EQ(verdict({11, 22}, {14, 15, 16}).single, (Indices{11, 22}));  // one place, and two single samples
+  EXPECT_EQ(verdict({22}, {14, 15, 16}).in_runs, (Indices{14, 15, 16, 22}));
+  EXPECT_EQ(verdict({11}, {14, 15, 16, 26}).single, Indices{11});  // more than three times as far as any of them
+  EXPECT_EQ(verdict({11, 22}, {14, 15, 16, 26}).in_runs, (Indices{14, 15, 16, 22, 26}));
+  EXPECT_EQ(verdict({22}, {}, {14, 15, 16}).in_runs, Indices{22});  // motion beside another fit
+  EXPECT_EQ(verdict({22}, {}, {22}).single, Indices{22});
+  EXPECT_EQ(verdict({22}, {}, {10, 12, 13, 17}).single, Indices{22});  // which is followed now
+}
+
 }}  // namespace orispline

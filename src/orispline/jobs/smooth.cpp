@@ -119,8 +119,8 @@ std::string outlier_lines(const SmoothOutcome& outcome) {
     text += formatted("rejected        {}\n", counted_places(outcome, smoothing.rejected));
   if (const auto& kept = smoothing.retained_outlier_runs; !kept.empty())
     text += formatted(
-        "far, but kept   {}; the samples beside them are far too, which is rather motion than "
-        "outliers (if they are faults, set the loss huber)\n",
+        "far, but kept   {}; the samples beside them are far too, or the motion does the like "
+        "elsewhere, which is rather motion than outliers (if they are faults, set the loss huber)\n",
         counted_places(outcome, kept));
   return text;
 }

@@ -169,9 +169,9 @@ std::vector<std::string> notes_of(const Smoothing& smoothing) {
         "Bands are one standard deviation of the smoothed motion: of its angle from the truth, where "
         "errors are plotted, and of the length of its angular velocity.");
   if (const std::size_t kept = smoothing.retained_outlier_runs.size(); kept > 0)
-    notes.push_back(
-        formatted("{} far from what the others predict, and so are the samples beside: they are kept as motion.",
-                  counted(kept, "sample") + (kept == 1 ? " is" : " are")));
+    notes.push_back(formatted(
+        "{} far from what the others predict, and so are the samples beside or many others: they are kept as motion.",
+        counted(kept, "sample") + (kept == 1 ? " is" : " are")));
   if (smoothing.stretches.size() > 1)
     notes.push_back(formatted("The gaps leave {} stretches. In a gap there is no curve, and nothing is measured.",
                               smoothing.stretches.size()));

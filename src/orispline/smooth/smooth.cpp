@@ -438,6 +438,9 @@ Expected<Track> track_of(const Request& request, Smoothed& found) {
   });
 }
 
+/// Nothing else can, so that no risk without the gyro is known.
+bool counts_turns(const GyroFinding& gyro) { return gyro.used && !gyro.risk; }
+
 void measure_positions(Smoothing& smoothing, const Keyframes& recording) {
   if (!smoothing.positions) return;
   smoothing.positions->distances = position_distances_of(smoothing, recording, CountedSamples::all);
@@ -463,6 +466,7 @@ Expected<Smoothing> smoothed(const Request& request) {
         forget_stated_noise(smoothing.track);
         smoothing.track.recipe = recipe_for(smoothing.method, recording);
         smoothing.track.recipe.gap = request.options.gap;
+        if (smoothing.gyro && counts_turns(*smoothing.gyro)) smoothing.track.recipe.signs = Signs::as_given;
         if (progress.stopped()) return cancellation();
         smoothing.distances = distances_of(smoothing, keys, CountedSamples::all);
         smoothing.accepted_distances = distances_of(smoothing, keys, CountedSamples::accepted);

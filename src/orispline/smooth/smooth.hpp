@@ -123,7 +123,7 @@ struct ORISPLINE_EXPORT PositionSmoothing {
   double noise = 0.0;         ///< σ per axis [m], from the residuals
   double local_noise = 0.0;   ///< from neighbouring samples [m]; 0 where they lie on straight lines to rounding
   std::vector<std::size_t> rejected{};                ///< samples whose positions do not count
-  std::vector<std::size_t> retained_outlier_runs{};   ///< as far away, with neighbours that are far too: motion
+  std::vector<std::size_t> retained_outlier_runs{};   ///< as far away, and kept as motion
   SampleDistances distances{}, accepted_distances{};  ///< [m], to all samples, and to those that are not rejected
 
   /// The frequency at which the smoother's gain is one half [Hz].
@@ -167,7 +167,7 @@ struct ORISPLINE_EXPORT Smoothing {
   std::optional<double> degrees_of_freedom{};         ///< effective ones of the curve, 3 tr; absent with a gyro
   std::optional<GyroFinding> gyro{};                  ///< with a gyro
   std::vector<std::size_t> rejected{};                ///< samples that do not count
-  std::vector<std::size_t> retained_outlier_runs{};   ///< samples as far away whose neighbours are far too: motion
+  std::vector<std::size_t> retained_outlier_runs{};   ///< samples as far away, kept as motion
   SampleDistances distances{}, accepted_distances{};  ///< to all samples, and to those that are not rejected
   std::optional<PositionSmoothing> positions{};       ///< where the recording has some
   std::optional<SmoothingCriterion> criterion{};      ///< by which τ was chosen; absent: as stated

@@ -211,9 +211,9 @@ constexpr std::array of_orientations{
                                        .quantity = &quantities::angle}),
     field<&Smoothing::rejected>({.name = "rejected", .sentence = "Samples that were rejected as outliers"}),
     field<&rejected_gyro>({.name = "rejected_gyro", .sentence = "Samples whose rates were rejected"}),
-    field<&Smoothing::retained_outlier_runs>(
-        {.name = "retained_outlier_runs",
-         .sentence = "Samples as far away that were kept, since their neighbours are far away too"}),
+    field<&Smoothing::retained_outlier_runs>({.name = "retained_outlier_runs",
+                                              .sentence = "Samples as far away that were kept, since their neighbours "
+                                                          "are far away too, or the motion does the like elsewhere"}),
     field<&Smoothing::samples_in_short_stretches>(
         {.name = "samples_in_short_stretches",
          .sentence = "Samples that were left out, because too few of them lie between two gaps"}),
@@ -272,7 +272,7 @@ constexpr std::array of_their_positions{
         {.name = "rejected_positions", .sentence = "Samples whose positions were rejected", .absent = "no positions"}),
     field<&of_positions<&PositionSmoothing::retained_outlier_runs>>(
         {.name = "retained_position_runs",
-         .sentence = "Samples whose positions are as far away and were kept, since their neighbours are far away too",
+         .sentence = "Samples whose positions are as far away and were kept likewise",
          .absent = "no positions"}),
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include <orispline/smooth/smoothing_element.hpp>
@@ -17,6 +18,9 @@ constexpr double agreement = 3.5;          // of neighbours; of normal ones 7 in
 constexpr double prominence = 5.0;         // of an outlier over neighbours that do not agree
 constexpr std::size_t neighbours = 2;      // on either side
 constexpr int levels = 4;                  // of prominence over each other
+constexpr double like_it = 3.0;            // times nearer is still the like of a sample
+constexpr double same_level = 1.02;        // of distances that are counted together
+constexpr std::size_t usual_singles = 2;   // single samples for each place where the motion is as far
 
 /// From the node to its sample.
 double distance_at(const SmoothingProblem& problem, const SmoothedNodes& nodes, std::size_t i) {
@@ -86,6 +90,35 @@ class Judge {
   const std::vector<bool>& left_out_;
 };
 
+/// A far sample and its error.
+struct Far {
+  std::size_t sample;
+  double error;
+};
+
+std::vector<Far> with_errors(const std::vector<std::size_t>& samples, const std::vector<std::vector<double>>& errors,
+                             const std::vector<Stretch>& stretches) {
+  std::vector<Far> far;
+  std::size_t k = 0;
+  for (const std::size_t sample : samples) {
+    while (sample >= stretches[k].first + stretches[k].count) ++k;
+    far.push_back({sample, errors[k][sample - stretches[k].first]});
+  }
+  return far;
+}
+
+/// In how many places some are beyond a level; neighbours are in one place.
+std::size_t places_beyond(double level, const std::vector<Far>& far) {
+  std::size_t places = 0;
+  std::optional<std::size_t> before;
+  for (const auto& [sample, error] : far) {
+    if (error < level) continue;
+    if (!before || sample - *before > neighbours) ++places;
+    before = sample;
+  }
+  return places;
+}
+
 }  // namespace
 
 std::vector<std::vector<double>> prediction_errors(const StretchProblems& problems, const StretchFits& fits,
@@ -137,6 +170,30 @@ FarSamples judged(const FarSamples& far, const std::vector<std::vector<double>>&
     for (std::size_t i = 0; i < count; ++i)
       if (left_out[i]) (judge.is_outlier(i) ? verdict.single : verdict.in_runs).push_back(first + i);
   }
+  std::ranges::sort(verdict.in_runs);
+  return verdict;
+}
+
+FarSamples outstanding(const FarSamples& far, const std::vector<std::size_t>& motion,
+                       const std::vector<std::vector<double>>& errors, const std::vector<Stretch>& stretches) {
+  std::vector<std::size_t> samples_of_motion;
+  std::ranges::set_union(far.in_runs, motion, std::back_inserter(samples_of_motion));
+  std::erase_if(samples_of_motion, [&](std::size_t i) { return std::ranges::binary_search(far.single, i); });
+  const std::vector<Far> single = with_errors(far.single, errors, stretches),
+                         moving = with_errors(samples_of_motion, errors, stretches);
+  std::vector<Far> by_error = single;
+  std::ranges::sort(by_error, {}, &Far::error);
+  FarSamples verdict{.single = {}, .in_runs = far.in_runs};
+  double level = 0.0;
+  bool is_motion = false;
+  for (const auto& [sample, error] : by_error) {
+    if (const double wanted = std::max(agreement, error / like_it); wanted > same_level * level) {
+      level = wanted;
+      is_motion = usual_singles * places_beyond(level, moving) > places_beyond(level, single);
+    }
+    (is_motion ? verdict.in_runs : verdict.single).push_back(sample);
+  }
+  std::ranges::sort(verdict.single);
   std::ranges::sort(verdict.in_runs);
   return verdict;
 }

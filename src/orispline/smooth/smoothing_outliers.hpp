@@ -34,6 +34,15 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 [[nodiscard]] FarSamples judged(const FarSamples& far, const std::vector<std::vector<double>>& errors,
                                 const std::vector<Stretch>& stretches);
 
+/// What the rest of the recording says of outliers by their neighbours, beside a fit that follows the motion.
+///
+/// `motion`: samples that were far in runs beside another fit, which count as those in `far.in_runs` do. A sample is no
+/// outlier where the motion does the like: where it is a third as far, and farther than noise, in half as many places
+/// as single samples are, or in more. The sample goes to `in_runs` then.
+[[nodiscard]] FarSamples outstanding(const FarSamples& far, const std::vector<std::size_t>& motion,
+                                     const std::vector<std::vector<double>>& errors,
+                                     const std::vector<Stretch>& stretches);
+
 /// A sample farther than this from what the others predict, in standard deviations per axis, is far. Of normal ones
 /// 15 in a million are.
 inline constexpr double far_threshold = 5.0;

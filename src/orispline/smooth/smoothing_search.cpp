@@ -102,7 +102,7 @@ void SmoothingSearch::refit(const SmoothingIteration& iteration) {
 
 /// From Huber's fit, whose τ single outliers must not choose; all samples may count again.
 Expected<void> SmoothingSearch::fit_with_tukey() {
-  if (auto found = find_outliers(); !found) return found;
+  if (auto found = find_outliers(Beside::huber); !found) return found;
   fit(roughly());
   if (objective_.stopped()) return cancellation();
   finding_.rejected.clear();
@@ -124,18 +124,19 @@ void SmoothingSearch::note_given_up() {
 /// beside a fit whose τ was chosen without outliers and with the strikes.
 Expected<void> SmoothingSearch::fit_without_outliers() {
   objective_.loss = LossFunction::l2;
-  for (int search = 0; search < 2; ++search) {
+  for (const Beside beside : {Beside::huber, Beside::motion}) {
     const auto before = finding_.rejected;
-    if (auto found = find_outliers(); !found) return found;
-    if (search > 0 && finding_.rejected == before) refit();
-    else fit(search > 0 ? SmoothingIteration{} : roughly());
+    if (auto found = find_outliers(beside); !found) return found;
+    const bool is_last = beside == Beside::motion;
+    if (is_last && finding_.rejected == before) refit();
+    else fit(is_last ? SmoothingIteration{} : roughly());
     if (objective_.stopped()) return cancellation();
   }
   return {};
 }
 
-/// Leaves out what is far, and takes back what the neighbours do not call an outlier.
-Expected<void> SmoothingSearch::find_outliers() {
+/// Leaves out what is far, and takes back what the neighbours do not call an outlier, nor the rest of the recording.
+Expected<void> SmoothingSearch::find_outliers(Beside beside) {
   const double noise = std::max(plan_.noise, noise_of_most());
   const auto errors = [&] { return prediction_errors(problems_, fits_, objective_, noise); };
   const FarSamples candidates = far_candidates(errors(), stretches_);
@@ -146,7 +147,9 @@ Expected<void> SmoothingSearch::find_outliers() {
   if (!far->single.empty()) {
     refit(roughly());
     if (objective_.stopped()) return cancellation();
-    far = judged(*far, errors(), stretches_);
+    const auto without = errors();
+    far = judged(*far, without, stretches_);
+    if (beside == Beside::motion) far = outstanding(*far, finding_.retained_outlier_runs, without, stretches_);
     readmit(problems_, plan_.noise);
     if (far = reject(problems_, stretches_, *far, plan_.penalty); !far) return tl::unexpected(std::move(far.error()));
   }

@@ -60,6 +60,9 @@ class SmoothingSearch {
   [[nodiscard]] NodeSigmas sigmas(double noise) const;
 
  private:
+  /// The fit beside which outliers are looked for: Huber's lags behind strikes, one by squares does not.
+  enum class Beside { huber, motion };
+
   [[nodiscard]] SmoothingIteration roughly() const;
   void fit(const SmoothingIteration& iteration = {});
   void set_lambda(SmoothingCriterion criterion);
@@ -69,7 +72,7 @@ class SmoothingSearch {
   [[nodiscard]] Expected<void> fit_with_tukey();
   void note_given_up();
   [[nodiscard]] Expected<void> fit_without_outliers();
-  [[nodiscard]] Expected<void> find_outliers();
+  [[nodiscard]] Expected<void> find_outliers(Beside beside);
   [[nodiscard]] Expected<void> check() const;
   [[nodiscard]] double noise_of_most() const;
   /// Calls `take` with every residual in units of the σ of its sample, times that of a usual one.
