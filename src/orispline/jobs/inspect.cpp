@@ -33,6 +33,7 @@ Expected<InspectOutcome> inspect(InspectRequest request) {
     const Continuity continuity = continuity_at_keys(curve, seam);
     outcome.methods.push_back(
         {labels[i], continuity, shape_continuity_at_keys(curve, seam, continuity), std::move(shaped->findings)});
+    outcome.curves.push_back(std::move(shaped->curve));
     std::ranges::move(shaped->warnings, std::back_inserter(outcome.warnings));
   }
   return outcome;
