@@ -237,10 +237,8 @@ report::SkeletonPage scene_page(const NamedClips& scene, const PageLengths& leng
   const std::string title = formatted("{}: {}, {}", file_name_of(scene.name), counted(scene.skeleton.size(), "joint"),
                                       counted(scene.clips.size(), "clip"));
   report::SkeletonPage page = begun_skeleton_page(title, scene.name, "", lengths, head);
-  if (scene.skeleton.size() == 0)
-    page.notes.emplace_back("There is no joint to show.");
-  else if (scene.clips.empty())
-    page.notes.emplace_back("No clip moves the skeleton: it is shown in its rest pose.");
+  if (scene.skeleton.size() == 0) page.notes.emplace_back("There is no joint to show.");
+  else if (scene.clips.empty()) page.notes.emplace_back("No clip moves the skeleton: it is shown in its rest pose.");
   std::vector<std::size_t> joints(scene.skeleton.size());
   std::iota(joints.begin(), joints.end(), std::size_t{0});
   add_clips(page, scene.skeleton, joints, pairs, threads, [&](const ClipPair& pair, const ClipComparison& comparison) {
