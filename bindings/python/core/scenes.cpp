@@ -151,6 +151,10 @@ nb::dict attributes_of_reduction(const jobs::ReduceSceneOutcome& outcome) {
   return attributes;
 }
 
+nb::bytes page_of_reduction(const jobs::ReduceSceneOutcome& outcome, const std::string& date) {
+  return bytes_of([&] { return report::skeleton_document(page_of(outcome, "reduced", pages::PageHead{.date = date})); });
+}
+
 jobs::ClipFile file_of(const scenes::Scene& scene) {
   if (!scene.format) return {.name = scene.name};
   return {.name = scene.name,
@@ -216,7 +220,7 @@ void add_scenes(nb::module_& module) {
       .def("reduced", &reduce_scene, "method"_a, "options"_a, "closed"_a, "position_scale"_a.none(), "threads"_a)
       .def("write", &write_scene, "path"_a, "euler"_a.none(), "rate"_a.none(), "bones"_a);
   auto outcome_class = nb::class_<jobs::ReduceSceneOutcome>(module, "SceneReduction");
-  outcome_class.def("attributes", &attributes_of_reduction);
+  outcome_class.def("attributes", &attributes_of_reduction).def("page", &page_of_reduction, "date"_a);
   add_words(outcome_class);
   module.def("read_scene", &read_scene, "path"_a, "drop_duplicates"_a);
 }

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ._checks import flag, real
 from ._errors import ArgumentError, tell
 from ._files import Path, path_text
+from ._view import Viewed, now
 
 Array = NDArray[np.float64]
 
@@ -213,7 +214,7 @@ class Worst:
 
 
 @dataclasses.dataclass(frozen=True)
-class SceneReduction:
+class SceneReduction(Viewed):
     """What `reduce_scene` did to the clips of a scene.
 
     Attributes
@@ -249,6 +250,7 @@ class SceneReduction:
     from_stored: Worst
     _members: dict[str, Any] = dataclasses.field(repr=False, compare=False)
     _summary: str = dataclasses.field(repr=False, compare=False)
+    _core: Any = dataclasses.field(repr=False, compare=False)
 
     def as_dict(self) -> dict[str, Any]:
         """By name with unit, as the JSON of the command has it."""
@@ -258,7 +260,16 @@ class SceneReduction:
     def _of(cls, core: Any) -> SceneReduction:
         found: dict[str, Any] = {name: Worst(*value) if isinstance(value, tuple) else value
                                  for name, value in core.attributes().items()}
-        return cls(**found, _members=core.members(), _summary=core.summary())
+        return cls(**found, _members=core.members(), _summary=core.summary(), _core=core)
+
+    def _page(self) -> bytes:
+        """Both skeletons, before and after."""
+        if self._core is None:
+            raise ArgumentError("found a reduction that was copied or pickled, wanted the one that reduce_scene gave: it alone has the clips of its page")
+        return bytes(self._core.page(now()))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_core": None}
 
     def __str__(self) -> str:
         return self._summary.rstrip("\n")

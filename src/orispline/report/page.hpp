@@ -114,6 +114,9 @@ struct Page {
 /// Not in a build without ORISPLINE_PAGE; the JSON alone (page_json.hpp) is in every build.
 [[nodiscard]] ORISPLINE_EXPORT std::string document(const Page& page);
 
+/// The JSON document in it, for a viewer that is given its data.
+[[nodiscard]] ORISPLINE_EXPORT std::string data_of(const Page& page);
+
 /// A joint of the skeleton that a page shows.
 struct PageJoint {
   std::string name;

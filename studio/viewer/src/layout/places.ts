@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of a viewer, where they are.
+import { element } from '../look/element';
+
+export interface Places {
+  main: HTMLElement; // all but the playback
+  measures: HTMLElement;
+  scenes: HTMLElement;
+  plots: HTMLElement;
+  playback: HTMLElement;
+  keys: EventTarget; // where keys are heard
+}
+
+const part = (className: string, role: string, label: string) => element('div', { className, attributes: { role, 'aria-label': label } });
+
+export function placesIn(root: HTMLElement, keys: EventTarget): Places {
+  const measures = part('measures', 'region', 'Measures');
+  const scenes = part('scenes', 'region', 'Motion in space');
+  const plots = part('plots', 'region', 'Motion over time');
+  const main = element('div', { className: 'main' }, measures, scenes, plots);
+  const playback = part('playback', 'group', 'Playback');
+  root.append(main, playback);
+  return { main, measures, scenes, plots, playback, keys };
+}
