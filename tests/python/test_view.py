@@ -53,14 +53,18 @@ def undated(page):
     return re.sub(r"\d{4}-\d\d-\d\d \d\d:\d\d", "", page)
 
 
-def reduced_scene(tmp_path):
+def scene(tmp_path):
     (tmp_path / "nod.bvh").write_text(BVH, "utf-8")
-    return ori.reduce_scene(ori.read_scene(tmp_path / "nod.bvh"), "1deg")[1]
+    return ori.read_scene(tmp_path / "nod.bvh")
+
+
+def reduced_scene(tmp_path):
+    return ori.reduce_scene(scene(tmp_path), "1deg")[1]
 
 
 RESULTS = {"curve": lambda _: CURVE, "comparison": lambda _: ori.compare(RECORDING, ["slerp", "auto"]),
            "smoothing": lambda _: ori.smooth(RECORDING), "reduction": lambda _: ori.reduce(RECORDING, "2deg"),
-           "retiming": lambda _: ori.retime(CURVE.keys, max_rate=1), "skeleton": reduced_scene}
+           "retiming": lambda _: ori.retime(CURVE.keys, max_rate=1), "skeleton": reduced_scene, "scene": scene}
 
 
 @pytest.mark.parametrize("name", RESULTS)

@@ -120,10 +120,11 @@ class Clip:
         return f"Clip({self.name!r}, {self.start:g} … {self.end:g} s)"
 
 
-class Scene:
+class Scene(Viewed):
     """A skeleton with its clips, of `read_scene`. It never changes.
 
-    What else the file holds, such as meshes and materials, is kept, and written again in the same format.
+    What else the file holds, such as meshes and materials, is kept, and written again in the same format. Its page shows the
+    skeleton as the clips move it.
     """
 
     def __init__(self) -> None:
@@ -154,6 +155,10 @@ class Scene:
         """The animations, in the order of the file."""
         return tuple(Clip(name, start, end, self._core, i, self.skeleton.names, self._scalar_first)
                      for i, (name, start, end) in enumerate(self._core.clips))
+
+    def _page(self) -> bytes:
+        """The skeleton as the clips move it."""
+        return bytes(self._core.page(now()))
 
     def write(self, path: Path, *, output_euler: str | None = None, rate: float | None = None, bones: bool = True) -> None:
         """Writes the scene in the format of the path's extension: .glb, .gltf or .bvh.

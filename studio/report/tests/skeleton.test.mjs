@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The report of an arm whose clips were reduced, in a browser: ARM_PAGE names the file, PICTURES a folder for pictures.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { drawn, faultsOf, launch, open, phone, tooWide } from './browser.mjs';
@@ -180,6 +181,44 @@ onPage('has table and motion on the first screen of a laptop', { viewport: { wid
   assert.ok(scene.x >= table.x + table.width);
   for (const { y, height } of [table, scene]) assert.ok(y + height <= bar);
 });
+
+/** The page of one motion, of the data of the first ones. */
+function alone() {
+  const one = structuredClone(data);
+  one.skeleton.after = '';
+  for (const clip of one.skeleton.clips) {
+    Object.assign(clip.poses, { after: [], offset_step: 1 });
+    for (const counts of [clip.rotation_keys, clip.translation_keys, ...clip.joints.map(({ keys }) => keys)]) counts[1] = 0;
+  }
+  return one;
+}
+
+for (const [name, options] of [['', {}], [' on a phone', phone]])
+  test(`of one motion of a skeleton shows it alone${name}`, async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'orispline-page-'));
+    const single = join(folder, 'one.html');
+    const text = JSON.stringify(alone()).replaceAll('<', '\\u003c');
+    writeFileSync(single, readFileSync(file, 'utf8').replace(/(id="report-data">).*?(<\/script>)/s, (_, start, end) => start + text + end));
+    const page = await open(browser, single, options);
+    await drawn(page);
+    assert.deepEqual(await clipNames(page), clips.map(({ name: clip }) => clip)); // in their order
+    const heads = await page.locator('.measures th[data-id]').evaluateAll((all) => all.map((head) => head.dataset.id));
+    assert.deepEqual(heads, ['name', 'before', 'distance', 'distance_at', 'angle_deg', 'angle_at', 'duration']);
+    assert.equal(await page.locator('.measures tbody tr').first().locator('td').count(), heads.length - 1);
+    assert.deepEqual(await page.locator('.joints tbody th').allTextContents(), joints.map(({ name: joint }) => joint));
+    assert.ok(Math.abs((await clock(page)) - clips[0].start) < 0.01);
+    assert.doesNotMatch(await sceneCaption(page), /small\.glb|farthest/);
+    assert.match(await sceneCaption(page), /arm\.glb/);
+    assert.match(await caption(page, 'distance'), /Shell distance from where the clip begins in the world/);
+    assert.equal(await page.locator('label.choice:has-text("Differences")').count(), 0);
+    await page.locator('.measures tbody tr').nth(2).click();
+    await drawn(page);
+    assert.equal(await page.locator('.measures tr.is-first th').textContent(), clips[2].name);
+    assert.deepEqual(await faultsOf(page), []);
+    assert.deepEqual(await tooWide(page), []);
+    await page.finish();
+    rmSync(folder, { recursive: true });
+  });
 
 test('of a skeleton shows the rest where there is no WebGL', async () => {
   const plain = await launch('--disable-3d-apis');

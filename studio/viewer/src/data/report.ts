@@ -93,7 +93,7 @@ export interface Poses {
   step: number;
   before: Numbers; // x, y, z of every joint at the first time; then how far each is from that of the time before
   offset_step: number;
-  after: Numbers; // x, y, z of every joint at every time, from where it is before
+  after: Numbers; // x, y, z of every joint at every time, from where it is before; empty: there is only one motion
 }
 
 /** Of every joint, in steps; empty where all is 0. */
@@ -116,10 +116,10 @@ export interface Clip {
   joints: ClipJoint[];
 }
 
-/** A skeleton that moves in two ways; lengths have one unit. */
+/** A skeleton that moves in two ways, or in one; lengths have one unit. */
 export interface Skeleton {
   before: string; // what the motions are called
-  after: string;
+  after: string; // empty: there is only the one before, and errors are from where a clip begins
   unit: string; // of lengths; empty: not known
   shell: number;
   up: 'y' | 'z';
@@ -177,6 +177,7 @@ export const reportOf = (given: Partial<Report>): Report => ({
   ...given,
 });
 
+export const isAlone = ({ after }: Skeleton) => after === '';
 export const hasSamples = ({ samples }: Method) => samples.t.length > 1;
 export const hasPositions = ({ samples, keys }: Method) => samples.p.length > 0 && keys.p.length > 0;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A skeleton that moves in two ways.
-import type { Skeleton } from '../data/report';
+// A skeleton that moves in two ways, or in one.
+import { isAlone, type Skeleton } from '../data/report';
 import { playbackOf } from '../controls/playback';
 import { element, menu } from '../look/element';
 import { firstJoint, worstJoint } from '../motion/poses';
@@ -37,7 +37,7 @@ function menus({ choose, subscribe }: Store, skeleton: Skeleton): HTMLElement[] 
   return [clip, joint];
 }
 
-function controls({ choose, subscribe }: Store, scene: SkeletonScene): HTMLElement {
+function controls({ choose, subscribe }: Store, skeleton: Skeleton, scene: SkeletonScene): HTMLElement {
   const from = sides.map(([name, eye]) => element('button', { type: 'button', className: 'side', onclick: () => scene.lookFrom(eye) }, name));
   const [placeChoice, placeSelect] = menu('Seen', places, (where) => choose({ place: where as State['place'] }));
   const [magnifyChoice, magnifySelect] = menu(
@@ -49,13 +49,13 @@ function controls({ choose, subscribe }: Store, scene: SkeletonScene): HTMLEleme
     placeSelect.value = state.place;
     magnifySelect.value = String(state.magnified);
   });
-  return element('div', { className: 'controls' }, element('div', { className: 'choice', attributes: { role: 'group', 'aria-label': 'Seen from' } }, ...from), placeChoice, magnifyChoice);
+  return element('div', { className: 'controls' }, element('div', { className: 'choice', attributes: { role: 'group', 'aria-label': 'Seen from' } }, ...from), placeChoice, ...(isAlone(skeleton) ? [] : [magnifyChoice]));
 }
 
 export function showSkeleton(store: Store, skeleton: Skeleton, { main, measures, scenes, plots, playback, keys }: Places): void {
   const { clips } = skeleton;
   if (clips.length === 0 || skeleton.joints.length === 0) return;
-  const [, time] = clips[0].joints[worstJoint(clips[0], 'distance')].distance;
+  const time = isAlone(skeleton) ? clips[0].start : clips[0].joints[worstJoint(clips[0], 'distance')].distance[1];
   const isOne = skeleton.joints.length === 1; // a body, of which the path is all that can be seen
   store.choose({ ...withClip(clips, 0, time), joint: firstJoint(skeleton, clips[0]), place: isOne ? 'path' : 'follow' });
   main.classList.add('of-skeleton');
@@ -64,7 +64,7 @@ export function showSkeleton(store: Store, skeleton: Skeleton, { main, measures,
   playback.append(...playbackOf(store, menus(store, skeleton), keys));
   if (canDraw()) {
     const scene = new SkeletonScene(store, skeleton);
-    scenes.append(controls(store, scene), element('div', { className: 'stages' }, scene.figure));
+    scenes.append(controls(store, skeleton, scene), element('div', { className: 'stages' }, scene.figure));
   } else scenes.append(noScenes());
   showPlots(store, plots, skeletonQuantities(skeleton), ['clip', 'joint']);
   plots.append(jointTable(store, skeleton));

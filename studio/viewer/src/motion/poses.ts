@@ -2,7 +2,7 @@
 // Where joints are, and how far they are off, at any time of a clip.
 import type { Numbers } from '../data/numbers';
 import { once } from '../data/once';
-import type { Clip, Errors, Joint, Poses, Skeleton } from '../data/report';
+import { isAlone, type Clip, type Errors, type Joint, type Poses, type Skeleton } from '../data/report';
 import { fraction, spanAt } from './orientation';
 
 /** x, y, z of every joint at every time. */
@@ -18,7 +18,7 @@ function decoded({ t, step, before, offset_step, after }: Poses): Places {
   for (let i = 0; i < before.length; ++i) {
     if (i >= width) steps[i % width] += before[i];
     places.before[i] = step * steps[i % width];
-    places.after[i] = places.before[i] + offset_step * after[i];
+    places.after[i] = places.before[i] + offset_step * (after[i] ?? 0);
   }
   return places;
 }
@@ -81,7 +81,8 @@ export function firstJoint(skeleton: Skeleton, clip: Clip): number {
   const { joints } = skeleton;
   const worst = worstJoint(clip, 'distance');
   if (clip.joints[worst].distance[0] <= roundingsOf(skeleton).distance) return mostKeys(clip);
-  for (let joint: number | null = worst; joint !== null; joint = joints[joint].parent) if (clip.joints[joint].key_t.length > 2) return joint;
+  const keysOf = (joint: number) => clip.joints[joint].keys[isAlone(skeleton) ? 0 : 1];
+  for (let joint: number | null = worst; joint !== null; joint = joints[joint].parent) if (keysOf(joint) > 2) return joint;
   return worst;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is plotted of a clip: how far all joints are off, and the chosen one.
-import type { Skeleton } from '../data/report';
+import { isAlone, type Skeleton } from '../data/report';
 import type { Colours } from '../look/theme';
 import { errorsOf, largestErrors, type Kind } from '../motion/poses';
 import type { State } from '../store/store';
@@ -17,11 +17,12 @@ function linesOf(skeleton: Skeleton, kind: Kind, { clip, joint }: State, colours
 
 /** Keys of the chosen joint are marked where its angle is. */
 export function skeletonQuantities(skeleton: Skeleton): Quantity[] {
+  const from = isAlone(skeleton) ? ' from where the clip begins' : '';
   const keys = ({ clip, joint }: State) => skeleton.clips[clip].joints[joint].key_t;
   return [
     {
       id: 'distance',
-      title: 'Shell distance in the world',
+      title: `Shell distance${from} in the world`,
       unit: skeleton.unit,
       limit: skeleton.distance_limit ?? undefined,
       limitLabel: 'tolerance',
@@ -30,7 +31,7 @@ export function skeletonQuantities(skeleton: Skeleton): Quantity[] {
     },
     {
       id: 'angle',
-      title: 'Angle in the frame of the parent',
+      title: `Angle${from} in the frame of the parent`,
       unit: 'deg',
       limit: skeleton.angle_limit ?? undefined,
       limitLabel: 'tolerance',

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The clips, and the joints of the one that is shown: a click on a row shows it, a click on a time leads there.
-import type { Clip, Largest, Skeleton } from '../data/report';
+import { isAlone, type Clip, type KeyCounts, type Largest, type Skeleton } from '../data/report';
 import { element } from '../look/element';
 import { shown } from '../look/number';
 import { sortable, type Head } from '../look/sortable';
@@ -18,17 +18,30 @@ function wayTo(text: string, where: string, go: () => void): HTMLButtonElement {
   return element('button', { type: 'button', className: 'moment', title: `Go there: ${where}`, onclick }, text);
 }
 
-const errorHeads = (unit: string): Head[] => [
-  { id: 'distance', label: 'Distance', unit, explanation: 'Largest shell distance: between the same points of both motions in the world', isNumber: true, fromLargest: true },
+const ofOne = {
+  distance: 'Largest shell distance: of points that go with a joint from where they are when the clip begins, in the world',
+  angle: 'Largest angle of the rotation from where the clip begins, in the frame of the parent',
+};
+const ofBoth = {
+  distance: 'Largest shell distance: between the same points of both motions in the world',
+  angle: 'Largest angle between both rotations, in the frame of the parent',
+};
+
+const errorHeads = (unit: string, { distance, angle }: typeof ofBoth): Head[] => [
+  { id: 'distance', label: 'Distance', unit, explanation: distance, isNumber: true, fromLargest: true },
   { id: 'distance_at', label: 'at', explanation: 'Where the shell distance is largest', isNumber: true },
-  { id: 'angle_deg', label: 'Angle', unit: 'deg', explanation: 'Largest angle between both rotations, in the frame of the parent', isNumber: true, fromLargest: true },
+  { id: 'angle_deg', label: 'Angle', unit: 'deg', explanation: angle, isNumber: true, fromLargest: true },
   { id: 'angle_at', label: 'at', explanation: 'Where the angle is largest', isNumber: true },
 ];
 
-const keyHeads = ({ before, after }: Skeleton, what: string): Head[] => [
-  { id: 'before', label: 'Keys', explanation: `Keys of ${what} in ${before}`, isNumber: true, fromLargest: true },
-  { id: 'after', label: 'after', explanation: `The same in ${after}`, isNumber: true, fromLargest: true },
+const keyHeads = (skeleton: Skeleton, what: string): Head[] => [
+  { id: 'before', label: 'Keys', explanation: `Keys of ${what} in ${skeleton.before}`, isNumber: true, fromLargest: true },
+  ...(isAlone(skeleton) ? [] : [{ id: 'after', label: 'after', explanation: `The same in ${skeleton.after}`, isNumber: true, fromLargest: true }]),
 ];
+
+const headsOf = (skeleton: Skeleton, what: string) => [...keyHeads(skeleton, what), ...errorHeads(skeleton.unit, isAlone(skeleton) ? ofOne : ofBoth)];
+
+const keyCells = (skeleton: Skeleton, keys: KeyCounts) => keys.slice(0, isAlone(skeleton) ? 1 : 2).map((count) => cell(String(count)));
 
 export function clipTable({ choose, subscribe, moments }: Store, skeleton: Skeleton): HTMLTableElement {
   const { clips } = skeleton;
@@ -47,7 +60,7 @@ export function clipTable({ choose, subscribe, moments }: Store, skeleton: Skele
       'tr',
       { onclick: () => show(clips.indexOf(clip)), attributes: { 'data-clip': clip.name } },
       element('th', { scope: 'row', title: clip.name }, clip.name),
-      ...clip.rotation_keys.map((keys) => cell(String(keys))),
+      ...keyCells(skeleton, clip.rotation_keys),
     );
     for (const kind of ['distance', 'angle_deg'] as const) line.append(cell(shown(largest(clip, kind)[0], roundings[kind])), place(clip, kind));
     line.append(cell(moments.text(clip.end - clip.start)));
@@ -62,12 +75,11 @@ export function clipTable({ choose, subscribe, moments }: Store, skeleton: Skele
   };
   const heads = [
     { id: 'name', label: 'Clip' },
-    ...keyHeads(skeleton, 'rotations, of tracks of three keys and more,'),
-    ...errorHeads(skeleton.unit),
+    ...headsOf(skeleton, 'rotations, of tracks of three keys and more,'),
     { id: 'duration', label: 'Duration', isNumber: true },
   ];
   const { table, lines, sort } = sortable(heads, clips, { lineOf, valueOf });
-  sort('distance');
+  if (!isAlone(skeleton)) sort('distance');
   subscribe(['clip'], (state) => {
     for (const [clip, line] of lines) line.classList.toggle('is-first', clip === clips[state.clip]);
   });
@@ -102,14 +114,14 @@ function jointLines({ choose, moveTo, moments }: Store, skeleton: Skeleton, clip
       'tr',
       { onclick: () => choose({ joint: row.joint }), attributes: { 'data-joint': row.name } },
       element('th', { scope: 'row', title: row.name }, row.name),
-      ...keys.map((count) => cell(String(count))),
+      ...keyCells(skeleton, keys),
       ...cellsOf(distance, roundings.distance, row),
       ...cellsOf(angle_deg, roundings.angle_deg, row),
     );
   };
   const rows = skeleton.joints.flatMap(({ name, is_compared }, joint) => (is_compared ? [{ joint, name }] : []));
-  const made = sortable([{ id: 'name', label: 'Joint' }, ...keyHeads(skeleton, 'its rotation'), ...errorHeads(skeleton.unit)], rows, { lineOf, valueOf });
-  made.sort('distance');
+  const made = sortable([{ id: 'name', label: 'Joint' }, ...headsOf(skeleton, 'its rotation')], rows, { lineOf, valueOf });
+  if (!isAlone(skeleton)) made.sort('distance');
   return made;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Both motions of the skeleton in space, with the joint that is farthest off, and the way of the chosen one.
+// The motions of the skeleton in space, with the joint that is farthest off, and the way of the chosen one.
 import { BufferAttribute, BufferGeometry, Group, InstancedMesh, Line, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from 'three';
-import type { Clip, Skeleton } from '../../data/report';
+import { isAlone, type Clip, type Skeleton } from '../../data/report';
 import { element } from '../../look/element';
 import { chosen, shown } from '../../look/number';
 import { coloursOf, type Colours } from '../../look/theme';
@@ -86,14 +86,21 @@ export class SkeletonScene {
     this.after = new Bones(joints, rigid, ({ is_compared }) => is_compared, { colour: colours.first, opacity: 1 });
     this.worst = mark(colours.mark, ring, 0.4);
     this.one = mark(colours.second, 0.45 * ring, 0.9);
+    this.before.object.visible = !isAlone(this.skeleton);
     const content = new Group().add(grid(this.space, colours.grid), this.after.object, this.before.object, this.worst, this.one);
-    this.stage.describe(`The skeleton in space, moved by ${this.skeleton.before} and ${this.skeleton.after}: ${this.clip.name}`);
+    this.stage.describe(`The skeleton in space, moved by ${this.motions().join(' and ')}: ${this.clip.name}`);
     this.stage.replace(this.content, content);
     this.content = content;
     this.way = new Group();
     content.add(this.way);
     this.showWay(state);
     this.showTime(state);
+  }
+
+  /** What they are called; the last one is in colour. */
+  private motions(): string[] {
+    const { before, after } = this.skeleton;
+    return isAlone(this.skeleton) ? [before] : [before, after];
   }
 
   /** After, with what differs magnified. */
@@ -109,7 +116,8 @@ export class SkeletonScene {
     const way = (all: Float32Array) => this.space.shown(Float32Array.from({ length: (3 * all.length) / width }, (_, i) => all[Math.floor(i / 3) * width + 3 * state.joint + (i % 3)]));
     const line = (points: Float32Array, colour: string) => new Line(new BufferGeometry().setAttribute('position', new BufferAttribute(points, 3)), new LineBasicMaterial({ color: colour }));
     this.content!.remove(this.way);
-    this.way = new Group().add(line(way(places.before), colours.reference), line(way(after), colours.second), this.keys(state, colours));
+    this.way = new Group().add(line(way(after), colours.second), this.keys(state, colours));
+    if (!isAlone(this.skeleton)) this.way.add(line(way(places.before), colours.reference));
     this.content!.add(this.way);
   }
 
@@ -131,7 +139,7 @@ export class SkeletonScene {
     const { before, after } = this.placesAt(state.time, state);
     this.before.move(before);
     this.after.move(after);
-    const worst = worstAt(this.clip, state.time, roundingsOf(this.skeleton).distance);
+    const worst = isAlone(this.skeleton) ? null : worstAt(this.clip, state.time, roundingsOf(this.skeleton).distance);
     this.worst.visible = worst !== null;
     if (worst) this.worst.position.copy(placeOf(after, worst.joint));
     this.one.position.copy(placeOf(after, state.joint));
@@ -148,7 +156,7 @@ export class SkeletonScene {
   }
 
   private showCaption(worst: ReturnType<typeof worstAt>, colours: Colours, { joint }: State): void {
-    const { before, after, unit, joints } = this.skeleton;
+    const { unit, joints } = this.skeleton;
     const sign = (text: string, colour: string, ...more: (Node | string)[]) => {
       const swatch = element('i');
       swatch.style.background = colour;
@@ -157,8 +165,7 @@ export class SkeletonScene {
     const length = (text: string) => (unit ? `${text} ${unit}` : text);
     this.caption.replaceChildren(
       element('strong', {}, this.clip.name),
-      sign(before, colours.reference),
-      sign(after, colours.first),
+      ...this.motions().map((name, i, all) => sign(name, i < all.length - 1 ? colours.reference : colours.first)),
       sign(joints[joint].name, colours.second),
       ...(worst ? [sign(`farthest: ${joints[worst.joint].name} `, colours.mark, element('b', {}, length(shown(worst.distance))))] : []),
       element('span', {}, `squares of ${this.square()}`),
