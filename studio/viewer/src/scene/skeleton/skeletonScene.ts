@@ -20,6 +20,7 @@ export const sides: [string, Vector3][] = [
 
 const ring = 0.09; // radius of what marks a joint
 const dot = 0.022; // likewise of a key
+const mostDots = 300; // of a joint: more would hide its way
 const mostLines = 120; // of the floor
 
 function grid({ path, floor, unit, square, height }: Space, colour: string): LineSegments {
@@ -123,7 +124,8 @@ export class SkeletonScene {
 
   /** The keys of the chosen joint, on its way. */
   private keys(state: State, colours: Colours): InstancedMesh {
-    const times = this.clip.joints[state.joint].key_t;
+    const { key_t } = this.clip.joints[state.joint];
+    const times = key_t.length > mostDots ? key_t.subarray(0, 0) : key_t;
     const dots = new InstancedMesh(new SphereGeometry(dot, 10, 8), new MeshBasicMaterial({ color: colours.second }), times.length);
     times.forEach((time, i) => dots.setMatrixAt(i, new Matrix4().setPosition(placeOf(this.placesAt(time, state).after, state.joint))));
     dots.frustumCulled = false;
