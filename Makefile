@@ -138,8 +138,8 @@ docs: build
 # Builds the page of the reports anew, which is part of the library.
 page:
 	tools/setup.sh build test
-	tests/page/prepare.sh $(CURDIR)/studio/report $(CURDIR)/build/page
-	cp build/page/dist/index.html src/orispline/report/page_template.html
+	tests/page/prepare.sh $(CURDIR)/studio $(CURDIR)/build/page
+	cp build/page/report/dist/index.html src/orispline/report/page_template.html
 
 format:
 	tools/setup.sh test

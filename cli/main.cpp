@@ -193,8 +193,8 @@ class CommandLine {
     try {
       const std::span arguments(argv, static_cast<std::size_t>(argc));
       if (arguments.size() < 2) return tell(first_steps), ExitCode::bad_usage;
-      for (ReportOptions* report : {&compare_.report, &difference_.report, &smooth_.report, &reduce_.report,
-                                    &retime_.report, &reproduce_.report})
+      for (ReportOptions* report : {&inspect_.report, &difference_.report, &compare_.report, &smooth_.report,
+                                    &reduce_.report, &retime_.report, &reproduce_.report})
         report->command_line = command_line(arguments.subspan(1));
       const auto words = arguments.subspan(1);
       const auto done =

@@ -10,6 +10,7 @@
 #include <orispline/jobs/curve_of_keys.hpp>
 #include <orispline/jobs/difference.hpp>
 #include <orispline/jobs/inspect.hpp>
+#include <orispline/jobs/inspect_scene.hpp>
 #include <orispline/jobs/mean.hpp>
 #include <orispline/jobs/plot.hpp>
 #include <orispline/jobs/reduce.hpp>

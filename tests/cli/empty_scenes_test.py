@@ -108,9 +108,15 @@ class EmptyScenes(SceneTest):
 
     @with_pages
     def test_pages_are_written(self):
-        for file, _, clips in FILES:
+        for file, joints, clips in FILES:
             with self.subTest(file):
                 self.output_of(f"reduce {file} --world-tolerance 1mm -o x.glb --report x.html")
+                self.output_of(f"smooth {file} -o x.glb --report x.html")
+                self.assertIn("0 rotations", self.page("x.html")["title"])
+                self.output_of(f"inspect {file} --report x.html")
+                notes = ["There is no joint to show."] if joints == 0 else \
+                    ["No clip moves the skeleton: it is shown in its rest pose."] if clips == 0 else []
+                self.assertEqual(self.page("x.html")["notes"], notes)
                 if clips > 0:
                     self.output_of(f"difference {file} {file} --report y.html")
 

@@ -6,7 +6,7 @@ import math
 import re
 import shutil
 
-from command import EXPECTED, KEYS, SUCCESS, CommandTest, main
+from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, EXPECTED, KEYS, SUCCESS, CommandTest, main, with_pages
 
 TIMED = ("timed-c1", "timed-c2", "timed-c3", "timed-sextic")
 
@@ -73,6 +73,54 @@ class Report(CommandTest):
     def test_steps_near_a_half_turn_are_named(self):
         report = self.report_of("-", input="t,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n2,0,1,0,0\n")
         self.assertEqual((report["near_180_steps"], report["near_180_after_keys"]), (1, [1]))
+
+
+@with_pages
+class Pages(CommandTest):
+    def shown(self, arguments, **options):
+        """What the page of a file of keys has; standard output is as without it."""
+        self.assertEqual(self.output_of(f"inspect {arguments} --report page.html", **options),
+                         self.output_of(f"inspect {arguments}", **options))
+        return self.page("page.html")
+
+    def test_the_curve_of_the_usual_method_is_shown(self):
+        page = self.shown("keys.csv")
+        self.assertEqual((page["title"], page["command"], page["notes"]),
+                         ("keys.csv: auto, 3 keys", "orispline inspect keys.csv --report page.html", []))
+        self.assertEqual(page["keys"]["t"], [0, 1, 3])
+        self.write("for.csv", "# orispline: method=timed-c3\n" + KEYS)
+        self.assertEqual([method["name"] for method in self.shown("for.csv")["methods"]], ["timed-c3"])
+
+    def test_the_methods_that_are_named_are_shown(self):
+        page = self.shown("keys.csv --method slerp,auto --method quintic:tension=0.5 --json")
+        self.assertEqual([method["name"] for method in page["methods"]], ["slerp", "auto", "quintic"])
+        self.assertEqual(page["title"], "keys.csv: 3 methods, 3 keys")
+        self.assertAlmostEqual(page["methods"][0]["measures"]["peak_rate_rad_s"], math.pi / 4, delta=1e-6)
+
+    def test_faults_are_told_on_the_page_too(self):
+        page = self.shown("-", input="t,qw,qx,qy,qz\n0,1,0,0,0\n1,2,0,0,0\n")
+        self.assertEqual(page["notes"], ["Warning: the keys were mended for this page; other commands say: -:3: key 1: the "
+                                         "quaternion has norm 2, wanted 1 within 0.02 (--normalise takes any norm but 0)."])
+        self.write("no.csv", "# orispline: method=no-such\n" + KEYS)
+        method, = self.shown("no.csv")["methods"]
+        self.assertIn("no-such", method["failure"])
+
+    def test_one_key_is_shown(self):
+        page = self.shown("-", input="t,qw,qx,qy,qz\n5,1,0,0,0\n")
+        self.assertEqual((len(page["keys"]["t"]), page["methods"][0]["failure"]), (1, ""))
+
+    def test_the_page_is_another_file_and_an_older_one_stays_where_something_fails(self):
+        self.assert_fails("inspect keys.csv --report ./keys.csv", BAD_USAGE,
+                          "--report: found './keys.csv', wanted another file than INPUT")
+        self.assert_fails("inspect keys.csv --report -", BAD_USAGE, "--report: found '-', wanted the name of a file")
+        done = self.run_command("inspect keys.csv --report nowhere/page.html")
+        self.assertEqual((done.returncode, done.stdout), (BAD_ACCESS, ""))
+        self.write("old.html", "old")
+        self.write("bad.csv", "t,qw,qx,qy,qz\n0,0,0,0,0\n")
+        for arguments, code in (("bad.csv", BAD_DATA), ("keys.csv --method no-such", BAD_USAGE), ("nowhere.csv", BAD_ACCESS)):
+            done = self.run_command(f"inspect {arguments} --report old.html")
+            self.assertEqual((done.returncode, self.read("old.html")), (code, "old"), arguments)
+        self.assertEqual([path.name for path in self.folder.iterdir() if "part" in path.name], [])
 
 
 class Continuity(CommandTest):

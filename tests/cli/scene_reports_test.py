@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The pages of `reduce` and `difference` for files of skeletons: what they hold, and when they are written."""
+"""The pages of `reduce`, `smooth`, `difference` and `inspect` for files of skeletons: what they hold, and when they are written."""
 import math
 
-from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, main, with_pages
+from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, main, with_pages, without_pages
 from small_scenes import (FRAMES, SceneTest, bvh_text, elbow_angle, parts_of_glb, product, samplers_of, shoulder_turn,
                           turn_about, turned)
 
@@ -105,10 +105,66 @@ class SceneReports(SceneTest):
         self.assertEqual((skeleton["unit"], skeleton["shell"]), ("mm", 30))
         self.assertGreater(len(skeleton["clips"][0]["poses"]["t"]), 50)  # of two keys, which are far apart
 
+    def test_smooth_shows_the_clips_before_and_after(self):
+        report = self.json_of("smooth arm.bvh --smoothing-time 0.02 -o clean.bvh --report page.html")
+        self.assertEqual(self.json_of("smooth arm.bvh --smoothing-time 0.02 -o clean.bvh"), report)
+        page = self.page("page.html")
+        self.assertEqual(page["command"], "orispline smooth arm.bvh --smoothing-time 0.02 -o clean.bvh --report page.html --json")
+        found, = report["clips"]
+        rejected = sum(joint["rejected"] for joint in found["joints"])
+        self.assertEqual(page["title"], f"arm.bvh smoothed: 2 rotations of 1 clip, {rejected} samples rejected")
+        self.assertEqual((page["notes"][0], page["notes"][-1]),
+                         ("The smoothing time is 0.02 s.", "Both motions are compared at every key of the input."))
+        skeleton = page["skeleton"]
+        self.assertEqual((skeleton["before"], skeleton["after"], skeleton["unit"]), ("arm.bvh", "clean.bvh", ""))
+        clip = skeleton["clips"][0]
+        self.assertEqual(clip["rotation_keys"], [2 * FRAMES, 2 * FRAMES])
+        self.assertEqual([joint["name"] for joint in skeleton["joints"][:2]], [joint["joint"] for joint in found["joints"]])
+        for shown, joint in zip(clip["joints"], found["joints"]):
+            self.assertAlmostEqual(shown["angle_deg"][0], joint["change_max_deg"], delta=1e-6)
+            self.assertEqual(len(shown["key_t"]), joint["rejected"])
+        before, after = positions_of(clip["poses"], 3)
+        self.assertGreater(max(math.dist(a[6:], b[6:]) for a, b in zip(before, after)), 0)
+
+    def test_smooth_says_what_it_left_and_warns_of(self):
+        self.write("short.bvh", bvh_text(frames=10))
+        self.output_of("smooth short.bvh -o clean.bvh --report page.html")
+        notes = self.page("page.html")["notes"]
+        self.assertIn("Rotations that rest, are steps or splines, or have too few keys are left as they are: 2.", notes)
+
+    def test_inspect_shows_the_motion_of_the_file(self):
+        plain = self.output_of("inspect arm.bvh")
+        self.assertEqual(self.output_of("inspect arm.bvh --report page.html"), plain)
+        page = self.page("page.html")
+        self.assertEqual((page["title"], page["command"]), ("arm.bvh: 3 joints, 1 clip", "orispline inspect arm.bvh --report page.html"))
+        skeleton = page["skeleton"]
+        self.assertEqual((skeleton["before"], skeleton["after"], skeleton["unit"]), ("arm.bvh", "", ""))
+        clip = skeleton["clips"][0]
+        self.assertEqual((clip["rotation_keys"], clip["poses"]["after"]), ([2 * FRAMES, 0], []))
+        self.assertEqual([len(joint["key_t"]) for joint in clip["joints"]], [FRAMES, FRAMES, 0])
+        elbows = [abs(elbow_angle(frame) - elbow_angle(0)) for frame in range(FRAMES)]
+        self.assertAlmostEqual(clip["joints"][1]["angle_deg"][0], max(elbows), delta=1e-4)
+
+    def test_inspect_shows_the_chosen_clips_or_the_curve_of_a_joint(self):
+        self.output_of("inspect swing.gltf --clip swing --report page.html")
+        self.assertEqual([clip["name"] for clip in self.page("page.html")["skeleton"]["clips"]], ["swing"])
+        self.output_of("inspect arm.bvh --joint Elbow --report page.html")
+        page = self.page("page.html")
+        self.assertEqual([method["name"] for method in page["methods"]], ["auto"])
+        self.assertEqual(len(page["keys"]["t"]), FRAMES)
+
     def test_the_page_is_another_file_than_those_of_the_command(self):
         reduce = "reduce arm.bvh --tolerance 1deg -o small.glb --report"
         for name, other in (("small.glb", "that of -o"), ("./arm.bvh", "INPUT")):
             self.assert_fails(f"{reduce} {name}", BAD_USAGE, f"--report: found '{name}', wanted another file than {other}")
+        smooth = "smooth arm.bvh -o clean.bvh --report"
+        for name, other in (("clean.bvh", "that of -o"), ("./arm.bvh", "INPUT")):
+            self.assert_fails(f"{smooth} {name}", BAD_USAGE, f"--report: found '{name}', wanted another file than {other}")
+        self.assert_fails("inspect swing.gltf --report ./swing.gltf", BAD_USAGE,
+                          "--report: found './swing.gltf', wanted another file than INPUT")
+        for command in (smooth.removesuffix(" --report"), "inspect arm.bvh"):
+            self.assert_fails(f"{command} --report -", BAD_USAGE, "--report: found '-', wanted the name of a file")
+        self.assertFalse((self.folder / "clean.bvh").exists())
         self.assert_fails(f"{reduce} -", BAD_USAGE, "--report: found '-', wanted the name of a file")
         for name, other in (("arm.bvh", "FIRST"), ("swing.gltf", "SECOND")):
             self.assert_fails(f"difference arm.bvh swing.gltf --report {name}", BAD_USAGE,
@@ -120,15 +176,30 @@ class SceneReports(SceneTest):
         self.write("bad.bvh", "HIERARCHY\n")
         for arguments, code in (("reduce bad.bvh --tolerance 1deg -o small.glb", BAD_DATA),
                                 ("reduce arm.bvh --tolerance 1deg -o nowhere/small.glb", BAD_ACCESS),
+                                ("smooth bad.bvh -o clean.bvh", BAD_DATA),
+                                ("smooth arm.bvh -o nowhere/clean.bvh", BAD_ACCESS),
+                                ("smooth arm.bvh --sigma -o clean.bvh", BAD_USAGE),
+                                ("inspect bad.bvh", BAD_DATA),
+                                ("inspect arm.bvh --clip nod", BAD_DATA),
                                 ("difference arm.bvh bad.bvh", BAD_DATA),
                                 ("difference arm.bvh arm.bvh --rate 0", BAD_USAGE)):
             done = self.run_command(f"{arguments} --report old.html")
             self.assertEqual((done.returncode, self.read("old.html")), (code, "old"), arguments)
-        done = self.run_command("reduce arm.bvh --tolerance 1deg -o small.glb --report nowhere/page.html")
-        self.assertEqual(done.returncode, BAD_ACCESS)
-        self.assertIn("nowhere/page.html", done.stderr)
-        self.assertFalse((self.folder / "small.glb").exists())
+        for arguments in ("reduce arm.bvh --tolerance 1deg -o small.glb", "smooth arm.bvh -o clean.bvh", "inspect arm.bvh"):
+            done = self.run_command(f"{arguments} --report nowhere/page.html")
+            self.assertEqual((done.returncode, done.stdout), (BAD_ACCESS, ""))
+            self.assertIn("nowhere/page.html", done.stderr)
+        self.assertEqual([path.name for path in self.folder.iterdir() if path.name.startswith(("small", "clean"))], [])
         self.assertEqual([path.name for path in self.folder.iterdir() if "part" in path.name], [])
+
+
+@without_pages
+class NoReports(SceneTest):
+    def test_a_build_without_pages_says_so_at_once(self):
+        for command in ("smooth arm.bvh -o clean.bvh", "inspect arm.bvh", "inspect arm.bvh --joint Elbow"):
+            self.assert_fails(f"{command} --report page.html", BAD_USAGE,
+                              "--report: orispline was built without pages, wanted a build with ORISPLINE_PAGE")
+        self.assertEqual([path.name for path in self.folder.iterdir() if path.name.startswith(("clean", "page"))], [])
 
 
 if __name__ == "__main__":

@@ -58,8 +58,9 @@ class Parts(SceneTest):
         document["buffers"][0]["uri"] = "swing.bin"
         self.write("swing.gltf", json.dumps(document))
         (self.folder / "swing.bin").write_bytes(data)
-        self.assert_fails("reduce swing.gltf --tolerance 1deg -o small.glb --report swing.bin", BAD_USAGE,
-                          "--report: found 'swing.bin', wanted another file than a part of INPUT")
+        for command in ("reduce swing.gltf --tolerance 1deg -o small.glb", "smooth swing.gltf -o clean.glb", "inspect swing.gltf"):
+            self.assert_fails(f"{command} --report swing.bin", BAD_USAGE,
+                              "--report: found 'swing.bin', wanted another file than a part of INPUT")
         self.assert_fails("convert swing.gltf --joint base --output-format csv -o swing.bin", BAD_USAGE,
                           "-o: found 'swing.bin', wanted another file than a part of INPUT, which would be lost")
         self.assertEqual((self.folder / "swing.bin").read_bytes(), data)

@@ -37,10 +37,10 @@ def elbow_angle(frame):
     return 0.5 * frame
 
 
-def bvh_text():
+def bvh_text(frames=FRAMES):
     rows = "".join(" ".join(f"{number:.6f}" for number in (1, 2.5, 3, *shoulder_angles(k), elbow_angle(k), 0, 0)) + "\n"
-                   for k in range(FRAMES))
-    return f"{BVH_HIERARCHY}MOTION\nFrames: {FRAMES}\nFrame Time: .0083333\n{rows}"
+                   for k in range(frames))
+    return f"{BVH_HIERARCHY}MOTION\nFrames: {frames}\nFrame Time: .0083333\n{rows}"
 
 
 def turn_about(axis, degrees):

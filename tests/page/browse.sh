@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# browse.sh FOLDER: runs the tests of the page in Chromium, in a folder that prepare.sh has filled. Without the browser
+# browse.sh FOLDER: runs the tests of the viewer and of the page in Chromium, in a folder that prepare.sh has filled. Without the browser
 # or the packages it skips (exit 77).
 set -eu
 cd "$1"
@@ -10,4 +10,4 @@ for browser in chromium chromium-browser google-chrome none; do
   if command -v "$browser" >/dev/null; then break; fi
 done
 [ "$browser" != none ] || { echo "page: skipped, Chromium is not here and could not be installed"; exit 77; }
-CHROMIUM=$(command -v "$browser") exec node --test tests/*.test.mjs
+CHROMIUM=$(command -v "$browser") exec node --test viewer/tests/*.test.mjs report/tests/*.test.mjs

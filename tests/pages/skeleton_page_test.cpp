@@ -84,7 +84,10 @@ TEST(SkeletonPage, LosesNoErrorOfALongClip) {
     EXPECT_DOUBLE_EQ(clip.error_times.back(), 27.5);
     EXPECT_NEAR(std::ranges::max(clip.joints[0].angles), 0.01 * degrees, 1e-9);
     EXPECT_EQ(std::ranges::count(clip.error_times, 0.01 * static_cast<double>(key)), 1);
-    EXPECT_EQ(page.notes.size(), 2U);
+    EXPECT_EQ(page.notes.size(), 3U);
+    EXPECT_EQ(page.notes.back(), "Of rotations with more than 2000 keys 2000 are marked, evenly picked.");
+    EXPECT_EQ(clip.joints[0].key_times.size(), 2000U);
+    EXPECT_DOUBLE_EQ(clip.joints[0].key_times.back(), 27.5);
   }
 }
 
@@ -109,6 +112,72 @@ TEST(SkeletonPage, LeavesAloneWhatOneFileHasNot) {
   EXPECT_EQ(page.length_unit, "");
   EXPECT_EQ(page.notes.back(), "Only a.bvh has 1 joint that is shown in grey and not compared.");
   EXPECT_EQ(page.clips[0].before, page.clips[0].after);
+}
+
+TEST(ScenePage, ShowsTheClipsAloneInTheirOrderWithTheWayFromTheirStart) {
+  const Skeleton skeleton = bone();
+  Clip wide = off_at(101, 40, 0.5);
+  wide.rotations[0].times[0] = -1.0;
+  wide.translations = {{.joint = 0, .times = {0.0}, .values = {Eigen::Vector3d(2.0, 0.0, 0.0)}}};
+  const std::vector<Clip> clips{slow(11), wide};
+  const report::SkeletonPage page = pages::scene_page({"folder/a.glb", skeleton, clips}, {.shell = 0.5}, head);
+  EXPECT_EQ(page.title, "a.glb: 2 joints, 2 clips");
+  EXPECT_EQ(page.before, "a.glb");
+  EXPECT_EQ(page.after, "");
+  EXPECT_EQ(page.notes, head.notes);
+  EXPECT_EQ(page.length_unit, "mm");
+  EXPECT_EQ(page.clips[0].end, 0.1);
+  const report::PageClip& clip = page.clips.at(1);
+  EXPECT_EQ(clip.start, -1.0);
+  EXPECT_TRUE(clip.after.empty());
+  EXPECT_EQ(clip.before.size(), 2 * clip.times.size());
+  EXPECT_EQ(clip.rotation_keys.before, 101U);
+  EXPECT_EQ(clip.translation_keys.before, 1U);
+  for (const report::PageKeyCounts& keys : {clip.rotation_keys, clip.translation_keys, clip.joints[0].keys})
+    EXPECT_EQ(keys.after, 0U);
+  EXPECT_EQ(clip.joints[0].key_times, wide.rotations[0].times);
+  EXPECT_EQ(clip.joints[0].angle.time, 0.4);
+  EXPECT_NEAR(clip.joints[0].angle.value, 0.54 * degrees, 1e-9);
+  EXPECT_NEAR(clip.joints[1].distance.value, 1000.0 * 1.5 * 2.0 * std::sin(0.27), 1e-9);
+}
+
+TEST(ScenePage, WithoutAClipShowsTheRestPose) {
+  const Skeleton skeleton = bone();
+  const report::SkeletonPage page = pages::scene_page({"a.bvh", skeleton, {}}, {.are_known = false}, head);
+  EXPECT_EQ(page.title, "a.bvh: 2 joints, 0 clips");
+  EXPECT_EQ(page.notes.back(), "No clip moves the skeleton: it is shown in its rest pose.");
+  ASSERT_EQ(page.clips.size(), 1U);
+  EXPECT_EQ(page.clips[0].name, "rest pose");
+  EXPECT_EQ(page.clips[0].before, (std::vector<Eigen::Vector3d>{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}));
+}
+
+TEST(SmoothedClipsPage, MarksWhatWasRejectedAndSaysWhatWasFound) {
+  const Skeleton skeleton = bone();
+  Clip noisy = turning(200, [](std::size_t i) {
+    return 0.5 * std::sin(0.05 * static_cast<double>(i)) + (i == 70 ? 0.3 : 1e-3 * (i % 2 ? 1.0 : -1.0));
+  });
+  noisy.rotations.push_back(turning(5, [](std::size_t i) { return static_cast<double>(i); }).rotations[0]);
+  noisy.rotations[1].joint = 1;
+  const std::vector<Clip> clips{slow(30), noisy};
+  const auto smoothings = smooth_clips(skeleton, clips, {.smoothing_time = 0.02}).value();
+  const report::SkeletonPage page =
+      pages::smoothed_clips_page({"walk.bvh", skeleton, clips}, "clean.bvh", smoothings, {.are_known = false}, head);
+  EXPECT_EQ(page.title, "walk.bvh smoothed: 2 rotations of 2 clips, 1 sample rejected");
+  EXPECT_EQ(page.after, "clean.bvh");
+  std::vector<std::string> notes = head.notes;
+  for (const char* const note :
+       {"The smoothing time is 0.02 s.", "1 sample is rejected as an outlier and marked.",
+        "Rotations that rest, are steps or splines, or have too few keys are left as they are: 1.",
+        "Both motions are compared at every key of the input."})
+    notes.emplace_back(note);
+  EXPECT_EQ(page.notes, notes);
+  const report::PageClip& clip = page.clips.at(0);  // the one that changed more
+  EXPECT_EQ(clip.rotation_keys.before, 205U);
+  EXPECT_EQ(clip.rotation_keys.after, 205U);
+  EXPECT_EQ(clip.joints[0].key_times, (std::vector{noisy.rotations[0].times[70]}));
+  EXPECT_TRUE(clip.joints[1].key_times.empty());
+  EXPECT_DOUBLE_EQ(clip.joints[0].angle.value, smoothings[1].joints[0].largest_change * degrees);
+  EXPECT_DOUBLE_EQ(clip.joints[0].angle.time, 0.7);
 }
 
 TEST(ReducedClipsPage, HasTheTolerancesAndTheClipThatIsFarthestOffFirst) {

@@ -15,7 +15,7 @@ import orispline as ori
 import pytest
 from conftest import ROOT, wheel
 
-OPTIONAL = {"scipy", "matplotlib", "pandas", "pyarrow", "duckdb", "polars", "pyspark", "IPython"}
+OPTIONAL = {"anywidget", "traitlets", "scipy", "matplotlib", "pandas", "pyarrow", "duckdb", "polars", "pyspark", "IPython"}
 
 
 def oldest_system():
@@ -57,7 +57,7 @@ def test_the_script_is_the_command():
 
 def test_the_files_of_the_package():
     files = {str(file) for file in importlib.metadata.files("orispline") or []}
-    assert {"orispline/py.typed", "orispline/_core.pyi", "orispline/__init__.py", "orispline/_core.abi3.so"} <= files
+    assert {"orispline/py.typed", "orispline/look.json", "orispline/_core.pyi", "orispline/__init__.py", "orispline/_core.abi3.so"} <= files
     assert all(any(name.endswith(f"licenses/{text}") for name in files) for text in ("LICENSE", "NOTICE", "THIRD_PARTY"))
 
 
@@ -73,7 +73,7 @@ def test_what_the_examples_import_comes_with_all():
 def test_the_metadata():
     about = importlib.metadata.metadata("orispline")
     assert about["Version"] == ori.__version__ and about["Requires-Python"] == ">=3.10" and about["License-Expression"] == "Apache-2.0"
-    assert set(about.get_all("Provides-Extra")) == {"plot", "tables", "spark", "all"}
+    assert set(about.get_all("Provides-Extra")) == {"plot", "notebook", "tables", "spark", "all"}
     plain = [wanted for wanted in importlib.metadata.requires("orispline") if "extra ==" not in wanted]
     assert sorted(wanted.split(">")[0] for wanted in plain) == ["nanobind-backend", "numpy"]
 

@@ -62,6 +62,28 @@ def test_charts_hold_what_the_curve_is(curve):
         assert np.array_equal(np.array(marks.get_segments())[:, 0, 0], curve.times)
 
 
+def test_lines_have_the_colours_and_widths_of_the_page(keys):
+    table = json.loads((pathlib.Path(ori.__file__).parent / "look.json").read_text("utf-8"))
+    curves = [ori.Curve(*keys, method) for method in ("auto", "slerp", "squad")]
+    wanted = [(table["light"]["first"], table["widths"]["first"]), (table["light"]["second"], table["widths"]["second"]),
+              (table["further"][0], table["widths"]["second"])]
+    charts = ori.plot_comparison(curves, curves[0])
+    for chart in [*charts, ori.plot_sphere(curves)]:
+        assert [(line.get_color(), line.get_linewidth()) for line in chart.get_lines() if line.get_label()[0] != "_"] == wanted
+    assert [chart.get_ylabel().replace("\n", " ") for chart in charts] == [
+        f"{table['quantities'][word]['title']} [{table['quantities'][word]['unit']}]" for word in ("error", "angle", "rate", "acceleration")]
+    svg = curves[0]._repr_svg_()
+    assert all(f">{row['title']} [{row['unit']}]<" in svg for word, row in table["quantities"].items() if word in QUANTITIES)
+
+
+def test_axes_of_others_keep_their_colours(keys):
+    own = pyplot.figure().add_subplot()
+    own.set_prop_cycle(color=["#111111", "#222222"])
+    for method in ("auto", "slerp"):
+        ori.Curve(*keys, method).plot(own, "rate")
+    assert [line.get_color() for line in own.get_lines()] == ["#111111", "#222222"]
+
+
 def test_ghosts_are_the_bodies_of_the_command_below_the_charts(keys, curve):
     charts = curve.plot(ghosts=7)
     assert len(charts) == 5 and charts[-1].get_ylabel() == "the body at\n7 even times" and charts[-1].get_xlabel() == "time [s]"

@@ -3,6 +3,7 @@
 import base64
 import json
 import math
+import re
 
 import numpy as np
 import orispline as ori
@@ -207,6 +208,27 @@ def test_a_bound_that_is_given_holds_for_what_nearly_rests(tmp_path):
     scene = ori.read_scene(bvh(tmp_path / "still.bvh", 2e-4 * np.sin(np.linspace(0, 6, 121))))
     _, report = ori.reduce_scene(scene, "1e-5deg", method="slerp")
     assert 0 < report.angle.value <= math.radians(1e-5)
+
+
+def shown(path):
+    return json.loads(re.search(r'id="report-data">(.*?)</script>', path.read_text("utf-8"), re.S)[1])
+
+
+def test_the_page_of_a_scene_is_that_of_inspect(arm, tmp_path):
+    arm.report(tmp_path / "mine.html")
+    run("inspect", tmp_path / "arm.bvh", "--report", tmp_path / "by_command.html")
+    mine, other = shown(tmp_path / "mine.html"), shown(tmp_path / "by_command.html")
+    assert mine["title"] == "arm.bvh: 3 joints, 1 clip"
+    assert mine["skeleton"] == other["skeleton"] and mine["skeleton"]["after"] == "" and mine["notes"] == other["notes"]
+    small, reduction = ori.reduce_scene(arm, "1deg")
+    reduction.report(tmp_path / "reduced.html")
+    assert shown(tmp_path / "reduced.html")["skeleton"]["after"] == "reduced"
+    small.report(tmp_path / "small.html")
+    kept = [len(one) for one in small.clips[0].channels if one.property == "rotation"]
+    shown_keys = [joint["keys"] for joint in shown(tmp_path / "small.html")["skeleton"]["clips"][0]["joints"]]
+    assert shown_keys == [[keys, 0] for keys in [*kept, 0]]
+    with pytest.raises(ori.AccessError, match="none"):
+        arm.report(tmp_path / "none" / "page.html")
 
 
 def test_what_is_wrong_is_named(arm, tmp_path):

@@ -100,4 +100,13 @@ TEST(SkeletonPage, OfAClipThatStandsStillAtOnePlaceHasStepsOfOne) {
             1U);
 }
 
+TEST(SkeletonPage, OfOneMotionHasNoPlacesAfter) {
+  SkeletonPage page = small_page();
+  page.after.clear();
+  page.clips[0].after.clear();
+  const std::string json = json_of(page);
+  EXPECT_EQ(count_of(R"("before":"a.glb","after":"",)", json), 1U);
+  EXPECT_EQ(count_of(R"("offset_step":1,"after":[]})", json), 1U);
+}
+
 }}  // namespace orispline::report

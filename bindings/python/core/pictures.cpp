@@ -19,6 +19,7 @@
 
 #include "arrays.hpp"
 #include "errors.hpp"
+#include "page_bytes.hpp"
 #include "python_curve.hpp"
 #include "text.hpp"
 
@@ -49,13 +50,6 @@ nb::tuple drawn(const PythonCurve& curve) {
   for (const report::DrawnQuantity& quantity : report::drawn_quantities())
     charts[text(quantity.word)] = numbers(quantity.values(samples));
   return nb::make_tuple(numbers(samples.path.times), rows(samples.path.orientations), charts);
-}
-
-nb::dict titles_of_charts() {
-  nb::dict titles;
-  for (const report::DrawnQuantity& quantity : report::drawn_quantities())
-    titles[text(quantity.word)] = text(quantity.title);
-  return titles;
 }
 
 std::string svg(const PythonCurve& curve, std::string title) {
@@ -99,37 +93,56 @@ nb::tuple ghosts(const PythonCurve& curve, std::size_t count) {
   return nb::make_tuple(numbers(times), array_of(corners.data(), times.size(), 6), numbers(opacities));
 }
 
-/// Writes the page; `start` is the caller's own time at 0 s.
-void write_page(const PythonCurve& curve, const std::string& path, const std::string& title, const std::string& date,
-                const std::string& start, const std::optional<Inertia>& inertia) {
+/// The page of a curve; `start` is the caller's own time at 0 s.
+report::Page page_of(const PythonCurve& curve, const std::string& title, const std::string& date,
+                     const std::string& start, const std::optional<Inertia>& inertia) {
   std::optional<Eigen::Matrix3d> matrix;
   if (inertia) matrix = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(inertia->data());
-  value_of([&]() -> Expected<void> {
+  return value_of([&]() -> Expected<report::Page> {
     const nb::gil_scoped_release release;
     auto epoch = Decimal::parse(start);
     if (!epoch) return tl::unexpected(std::move(epoch.error()));
-    auto file = io::OutputFile::open(path);
-    if (!file) return tl::unexpected(std::move(file.error()));
     Track track = *curve.keys().track;
     track.epoch = *epoch;
-    const auto page = pages::motion_page(track, curve.method(), {.title = title, .date = date}, matrix);
-    if (!page) return tl::unexpected(page.error());
-    return file->write(report::document(*page)).and_then([&] { return file->finish(); });
+    return pages::motion_page(track, curve.method(), {.title = title, .date = date}, matrix);
+  }());
+}
+
+nb::bytes page(const PythonCurve& curve, const std::string& title, const std::string& date, const std::string& start,
+               const std::optional<Inertia>& inertia) {
+  const report::Page made = page_of(curve, title, date, start, inertia);
+  return bytes_of([&] { return report::document(made); });
+}
+
+nb::bytes page_data(const PythonCurve& curve, const std::string& title, const std::string& date,
+                    const std::string& start, const std::optional<Inertia>& inertia) {
+  const report::Page made = page_of(curve, title, date, start, inertia);
+  return bytes_of([&] { return report::data_of(made); });
+}
+
+void write_page(const std::string& path, const nb::bytes& page) {
+  value_of([&] {
+    const std::string_view text(page.c_str(), page.size());
+    const nb::gil_scoped_release release;
+    return io::OutputFile::open(path).and_then([&](io::OutputFile file) {
+      return file.write(text).and_then([&] { return file.finish(); });
+    });
   }());
 }
 
 }  // namespace
 
 void add_pictures(nb::module_& module, nb::class_<PythonCurve>& curve_class) {
-  module.attr("titles_of_charts") = titles_of_charts();
   module.attr("most_marked_keys") = report::most_marked_keys;
   module.attr("most_ghosts") = report::most_ghosts;
   module.def("drawn_errors", &drawn_errors, "times"_a, "one"_a, "other"_a);
   module.def("directions", &directions, "orientations"_a, "axis"_a);
+  module.def("write_page", &write_page, "path"_a, "page"_a);
   curve_class.def("drawn", &drawn)
       .def("ghosts", &ghosts, "count"_a)
       .def("svg", &svg, "title"_a)
-      .def("write_page", &write_page, "path"_a, "title"_a, "date"_a, "start"_a, "inertia"_a.none());
+      .def("page", &page, "title"_a, "date"_a, "start"_a, "inertia"_a.none())
+      .def("page_data", &page_data, "title"_a, "date"_a, "start"_a, "inertia"_a.none());
 }
 
 }  // namespace orispline::python

@@ -151,6 +151,10 @@ nb::dict attributes_of_reduction(const jobs::ReduceSceneOutcome& outcome) {
   return attributes;
 }
 
+nb::bytes page_of_reduction(const jobs::ReduceSceneOutcome& outcome, const std::string& date) {
+  return bytes_of([&] { return report::skeleton_document(page_of(outcome, "reduced", pages::PageHead{.date = date})); });
+}
+
 jobs::ClipFile file_of(const scenes::Scene& scene) {
   if (!scene.format) return {.name = scene.name};
   return {.name = scene.name,
@@ -176,7 +180,18 @@ nb::tuple reduce_scene(const SharedScene& shared, const MethodText& method, cons
 }
 
 jobs::MotionFile motion_of(const SharedScene& shared) {
-  return {.name = shared.scene->name, .skeleton = shared.scene->skeleton, .clips = shared.scene->clips};
+  const scenes::Scene& scene = *shared.scene;
+  return {.name = scene.name,
+          .skeleton = scene.skeleton,
+          .clips = scene.clips,
+          .has_no_unit = scene.format && scene.format->has_no_unit};
+}
+
+nb::bytes page_of_scene(const SharedScene& shared, const std::string& date) {
+  return bytes_of([&] {
+    const auto outcome = jobs::inspect_scene({.file = motion_of(shared)});
+    return report::skeleton_document(page_of(outcome, pages::PageHead{.date = date}));
+  });
 }
 
 /// By the names of clips and joints of the first scene, all of whose clips are compared; of equal names the largest.
@@ -212,11 +227,12 @@ void add_scenes(nb::module_& module) {
       .def_prop_ro("skeleton", &skeleton_of)
       .def_prop_ro("clips", &clips_of)
       .def("channels", &channels_of, "clip"_a)
+      .def("page", &page_of_scene, "date"_a)
       .def("shell_distances", &shell_distances, "second"_a, "shell"_a)
       .def("reduced", &reduce_scene, "method"_a, "options"_a, "closed"_a, "position_scale"_a.none(), "threads"_a)
       .def("write", &write_scene, "path"_a, "euler"_a.none(), "rate"_a.none(), "bones"_a);
   auto outcome_class = nb::class_<jobs::ReduceSceneOutcome>(module, "SceneReduction");
-  outcome_class.def("attributes", &attributes_of_reduction);
+  outcome_class.def("attributes", &attributes_of_reduction).def("page", &page_of_reduction, "date"_a);
   add_words(outcome_class);
   module.def("read_scene", &read_scene, "path"_a, "drop_duplicates"_a);
 }

@@ -14,6 +14,7 @@
 #include "fields.hpp"
 #include "keys.hpp"
 #include "method_text.hpp"
+#include "page_bytes.hpp"
 
 namespace orispline::python {
 
@@ -38,9 +39,6 @@ inline std::shared_ptr<const Track> reference_in(const std::optional<Keys>& reco
   return recording ? recording->track : nullptr;
 }
 
-/// Writes a page as a file, complete or not at all. Raises AccessError.
-void write_page(const std::string& path, const report::Page& page);
-
 /// What there is to say of an outcome of orispline::jobs, whose document is a dict or a list.
 template <class Document = nanobind::dict, class Outcome>
 void add_words(nanobind::class_<Outcome>& outcome_class) {
@@ -51,11 +49,11 @@ void add_words(nanobind::class_<Outcome>& outcome_class) {
 
 /// Its page.
 template <class Outcome>
-void add_report(nanobind::class_<Outcome>& outcome_class) {
-  const auto write = [](const Outcome& outcome, const std::string& path, const std::string& date) {
-    write_page(path, page_of(outcome, pages::PageHead{.date = date}));
+void add_page(nanobind::class_<Outcome>& outcome_class) {
+  const auto page = [](const Outcome& outcome, const std::string& date) {
+    return bytes_of([&] { return report::document(page_of(outcome, pages::PageHead{.date = date})); });
   };
-  outcome_class.def("report", write, nanobind::arg("path"), nanobind::arg("date"));
+  outcome_class.def("page", page, nanobind::arg("date"));
 }
 
 }  // namespace orispline::python

@@ -90,7 +90,7 @@ void add_compare(nb::module_& module) {
         return shared(outcome.data.key_sets[outcome.methods.at(row).key_set].track);
       });
   add_words<nb::list>(outcome_class);
-  add_report(outcome_class);
+  add_page(outcome_class);
   module.def("compare", &compared, "keys"_a, "reference"_a.none(), "align"_a, "decimations"_a,
              "methods"_a.none(), "tune"_a, "sort"_a, "measured"_a, "threads"_a);
 }

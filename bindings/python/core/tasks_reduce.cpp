@@ -63,7 +63,7 @@ void add_reduce(nb::module_& module) {
       .def_prop_ro("smoothing", &smoothing_of)
       .def("attributes", &attributes_of_reduction);
   add_words(outcome_class);
-  add_report(outcome_class);
+  add_page(outcome_class);
   module.def("reduce", &reduced, "recordings"_a, "methods"_a.none(), "options"_a, "smoothing"_a.none(), "threads"_a);
 }
 

@@ -43,7 +43,7 @@ void add_retime(nb::module_& module) {
       .def_prop_ro("method", [](const RetimeOutcome& outcome) { return MethodText::of(outcome.retiming.method); })
       .def("attributes", &attributes_of_retiming);
   add_words(outcome_class);
-  add_report(outcome_class);
+  add_page(outcome_class);
   module.def("retime", &retimed, "keys"_a, "method"_a.none(), "options"_a);
 }
 

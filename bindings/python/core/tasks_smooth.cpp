@@ -58,7 +58,7 @@ void add_smooth(nb::module_& module) {
                    [](const SmoothOutcome& outcome) { return sigmas_of(outcome, &NodeSigmas::angular_velocities); })
       .def("covers", [](const SmoothOutcome& outcome, double t) { return outcome.smoothing.covers(t); }, "t"_a);
   add_words(outcome_class);
-  add_report(outcome_class);
+  add_page(outcome_class);
   module.def("smooth", &smoothed, "keys"_a, "options"_a, "times"_a = nb::none(), "rates"_a = nb::none());
 }
 

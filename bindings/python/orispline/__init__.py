@@ -24,6 +24,7 @@ from ._reading import read
 from ._samples import Motion, Samples
 from ._scipy_twins import RotationSpline, Slerp
 from ._stack import CurveStack
+from ._view import View
 
 if TYPE_CHECKING:
     from ._comparison import Comparison, compare
@@ -38,7 +39,7 @@ if TYPE_CHECKING:
 __all__ = ["AccessError", "Alignment", "ArgumentError", "BakedCurve", "Blending", "BlendingFinding", "Certificate", "Channel", "Clip", "Comparison", "ConvergenceError", "Curve",
            "CurveStack", "DataError", "DistanceStatistics", "Energies", "Error", "HandleTurn", "KeyStatistics", "Keys", "Mean", "Motion", "OnlineCurve", "OpenDirection",
            "Peak", "Peaks", "Rates", "Reduction", "Retiming", "RotationSpline", "Samples", "Scene", "SceneReduction", "ShapeWarning",
-           "Skeleton", "Slerp", "Smoothing", "Spread", "Tuning", "Worst", "align", "blending", "compare", "mean", "methods", "plot_comparison", "plot_sphere",
+           "Skeleton", "Slerp", "Smoothing", "Spread", "Tuning", "View", "Worst", "align", "blending", "compare", "mean", "methods", "plot_comparison", "plot_sphere",
            "read", "read_blending", "read_rates", "read_scene", "reduce", "reduce_scene", "reduce_tracks", "retime", "shell_distance", "smooth", "tune", "write"]
 __version__: str = _core.version
 

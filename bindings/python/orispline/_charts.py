@@ -11,11 +11,12 @@ from ._arrays import Array, numbers
 from ._checks import whole, wrong_type
 from ._errors import ArgumentError, DataError
 from ._keys import Keys
+from ._look import colours, labels, look
 
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 CHART = (8.0, 2.1)  # inches
 GHOST = 0.33  # inches, of a body where there is room for it
-GREY, INK = "0.75", "0.2"
+CHARTED = ("angle", "rate", "acceleration", "jerk")
 
 
 def charts(named: Mapping[str, Any], reference: Any, axes: Any, quantities: str | Sequence[str], ghosts: int) -> Any:
@@ -23,17 +24,16 @@ def charts(named: Mapping[str, Any], reference: Any, axes: Any, quantities: str 
     if not isinstance(quantities, (str, list, tuple)):
         raise wrong_type("quantities", quantities, "a word, or a list of them")
     words = [quantities] if isinstance(quantities, str) else list(quantities)
-    titles = _core.titles_of_charts
     for word in words:
-        if not isinstance(word, str) or word not in titles:
-            raise ArgumentError(f"quantities: found {word!r}, wanted some of {', '.join(map(repr, titles))}")
+        if not isinstance(word, str) or word not in CHARTED:
+            raise ArgumentError(f"quantities: found {word!r}, wanted some of {', '.join(map(repr, CHARTED))}")
     if not words and reference is None:
         raise ArgumentError("quantities: found none, wanted one at least")
     count = _ghost_count(ghosts)
-    labels = [*(["angle to the reference [deg]"] if reference is not None else []), *(titles[word] for word in words)]
-    axes = _axes(axes, len(labels) + (1 if count else 0))
-    for label, chart in zip(labels, axes):
-        chart.set_ylabel(label.replace(" [", "\n["))
+    shown = ["error", *words] if reference is not None else words
+    axes = _axes(axes, len(shown) + (1 if count else 0))
+    for word, chart in zip(shown, axes):
+        chart.set_ylabel(labels()[word].replace(" [", "\n["))
     for chart in axes:
         _mark_keys(chart, named.values())
     for name, curve in named.items():
@@ -41,7 +41,7 @@ def charts(named: Mapping[str, Any], reference: Any, axes: Any, quantities: str 
         times = curve._clock.charted(seconds)
         if reference is not None:
             axes[0].plot(*_errors(name, curve, curve._clock.back(seconds), orientations, reference), label=name)
-        for word, chart in zip(words, axes[len(labels) - len(words):]):
+        for word, chart in zip(words, axes[len(shown) - len(words):]):
             chart.plot(times, values[word], label=name)
     if count:
         _draw_ghosts(axes[-1], list(named.values()), [line.get_color() for line in axes[0].get_lines()[-len(named):]], count)
@@ -59,16 +59,17 @@ def sphere(named: Mapping[str, Any], axis: Any, axes: Any) -> Any:
     direction, name = _body_axis(axis)
     if axes is None:
         axes = _pyplot().figure(figsize=(6, 6), layout="constrained").add_subplot(projection="3d")
+        _take_turns(axes)
     elif getattr(axes, "name", "") != "3d":
         raise ArgumentError("axes: found flat ones, wanted Axes of three dimensions, projection='3d'")
     around, up = np.meshgrid(np.linspace(0, 2 * np.pi, 61), np.linspace(-np.pi / 2, np.pi / 2, 31))
-    axes.plot_wireframe(np.cos(around) * np.cos(up), np.sin(around) * np.cos(up), np.sin(up), color=GREY, linewidth=0.4,
-                        rstride=5, cstride=5)
+    axes.plot_wireframe(np.cos(around) * np.cos(up), np.sin(around) * np.cos(up), np.sin(up), color=look()["light"]["grid"],
+                        linewidth=0.6, rstride=5, cstride=5)
     for label, curve in named.items():
         axes.plot(*_core.directions(curve._core.drawn()[1], direction).T, label=label)
     keys = [_core.directions(curve._keys._core.orientations, direction) for curve in named.values()]
     for dots in {rows.tobytes(): rows for rows in keys if len(rows) <= _core.most_marked_keys}.values():
-        axes.scatter(*dots.T, color=INK, s=14, depthshade=False)
+        axes.scatter(*dots.T, color=look()["light"]["ink"], s=14, depthshade=False)
     middle = keys[0].mean(axis=0)
     axes.view_init(elev=25, azim=np.degrees(np.arctan2(middle[1], middle[0])) if np.hypot(*middle[:2]) > 1e-9 else -60)
     axes.set(xlabel="x", ylabel="y", zlabel="z", xticks=(-1, 0, 1), yticks=(-1, 0, 1), zticks=(-1, 0, 1),
@@ -95,10 +96,18 @@ def _pyplot() -> Any:
     return pyplot
 
 
+def _take_turns(axes: Any) -> None:
+    """The colours and widths of the curves that will be drawn, in axes of our own; those of others have a cycle of theirs."""
+    widths = look()["widths"]
+    axes.set_prop_cycle(color=colours(), linewidth=[widths["first"], *[widths["second"]] * (len(colours()) - 1)])
+
+
 def _axes(axes: Any, count: int) -> Any:
     if axes is None:
         _, axes = _pyplot().subplots(count, 1, sharex=True, squeeze=False, figsize=(CHART[0], CHART[1] * count + 0.4),
                                   layout="constrained")
+        for chart in axes.flat:
+            _take_turns(chart)
     axes = np.atleast_1d(np.asarray(axes, dtype=object)).ravel()
     if len(axes) != count:
         raise ArgumentError(f"axes: found {len(axes)}, wanted one for each of the {count} charts")
@@ -108,7 +117,8 @@ def _axes(axes: Any, count: int) -> Any:
 def _mark_keys(chart: Any, curves: Iterable[Any]) -> None:
     for times in {curve._keys._core.times.tobytes(): curve._clock.charted(curve._keys._core.times) for curve in curves}.values():
         if len(times) <= _core.most_marked_keys:
-            chart.vlines(times, 0, 1, transform=chart.get_xaxis_transform(), color=GREY, linewidth=0.8, linestyle=(0, (3, 3)))
+            chart.vlines(times, 0, 1, transform=chart.get_xaxis_transform(), color=look()["light"]["reference"], linewidth=0.6,
+                         linestyle=(0, (3, 3)))
 
 
 def _errors(name: str, curve: Any, times: Any, orientations: Array, reference: Any) -> tuple[Any, Array]:

@@ -13,12 +13,12 @@ import numpy as np
 from . import _core
 from ._checks import flag, wrong_type
 from ._errors import ArgumentError, tell
-from ._files import Path, path_text
 from ._html import table
 from ._keys import Keys
 from ._methods import method_words
 from ._options import checked_keys, checked_threads, new_keys, plain, reference_of
-from ._results import Alignment, now
+from ._results import Alignment
+from ._view import Viewed, now
 
 if TYPE_CHECKING:
     from ._curve import Curve
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Comparison:
+class Comparison(Viewed):
     """How near the curves of methods come to a recording, of `compare`.
 
     `measures` says what the columns of the table are: `id`, `label`, `unit`, `explanation`, and the `word` to sort by.
@@ -67,9 +67,8 @@ class Comparison:
         """The curve of a row."""
         return self.keys(row).curve(self._task().texts()[self._row(row)])
 
-    def report(self, path: Path) -> None:
-        """Writes a page to look at, which needs nothing but a browser. AccessError: the file cannot be written."""
-        self._task().report(path_text(path), now())
+    def _page(self) -> bytes:
+        return bytes(self._task().page(now()))
 
     def _row(self, row: int) -> int:
         if isinstance(row, (bool, np.bool_)) or not isinstance(row, (int, np.integer)):

@@ -11,6 +11,7 @@ from ._charts import charts, sphere
 from ._checks import text
 from ._clock import Clock
 from ._files import Path, path_text
+from ._view import HEIGHT, View, now, write_page
 
 if TYPE_CHECKING:
     import pathlib
@@ -62,11 +63,16 @@ class Looks:
         >>> os.path.exists(page)
         True
         """
-        import datetime
-        name = path_text(path)
-        self._core.write_page(os.path.join(os.curdir, name) if name == "-" else name, text("title", title),
-                              datetime.datetime.now().strftime("%Y-%m-%d %H:%M"), self._clock.epoch,
-                              None if inertia is None else inertia_tensor(inertia))
+        path_text(path)  # before the work
+        write_page(path, self._core.page(*self._head(title, inertia)))
+
+    def view(self, *, height: int = HEIGHT, title: str = "", inertia: Any = None) -> View:
+        """The page of `report` for a notebook, as high as that [px]. Without it a notebook shows a small drawing of the curve."""
+        return View._of(self._core.page(*self._head(title, inertia)), height)
+
+    def _head(self, title: str, inertia: Any) -> tuple[Any, ...]:
+        """What the core asks for a page."""
+        return text("title", title), now(), self._clock.epoch, None if inertia is None else inertia_tensor(inertia)
 
     def show(self, *, title: str = "", inertia: Any = None) -> pathlib.Path:
         """Writes the page of `report` into a temporary file and opens it in the browser. Returns the path of the file, which

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 import dataclasses
-import datetime
 import functools
 import keyword
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
@@ -13,21 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._files import Path, path_text
 from ._html import table
 from ._keys import Keys
 from ._options import FIELDS, checked_keys, new_keys, states
+from ._view import Viewed, now
 
 if TYPE_CHECKING:
     from ._curve import Curve
 
 Indices = NDArray[np.intp]
 Found = TypeVar("Found", bound="Result")
-
-
-def now() -> str:
-    """As a page says when it was made."""
-    return datetime.datetime.now().strftime("%Y-%m-%d %H:%M")
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -125,12 +119,11 @@ class CurveResult(Result):
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Reported(CurveResult):
+class Reported(CurveResult, Viewed):
     """One that has a page to look at."""
 
-    def report(self, path: Path) -> None:
-        """Writes a page to look at, which needs nothing but a browser. AccessError: the file cannot be written."""
-        self._task().report(path_text(path), now())
+    def _page(self) -> bytes:
+        return bytes(self._task().page(now()))
 
 
 @states("Smoothing")

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ._checks import flag, real
 from ._errors import ArgumentError, tell
 from ._files import Path, path_text
+from ._view import Viewed, now
 
 Array = NDArray[np.float64]
 
@@ -119,10 +120,11 @@ class Clip:
         return f"Clip({self.name!r}, {self.start:g} … {self.end:g} s)"
 
 
-class Scene:
+class Scene(Viewed):
     """A skeleton with its clips, of `read_scene`. It never changes.
 
-    What else the file holds, such as meshes and materials, is kept, and written again in the same format.
+    What else the file holds, such as meshes and materials, is kept, and written again in the same format. Its page shows the
+    skeleton as the clips move it.
     """
 
     def __init__(self) -> None:
@@ -153,6 +155,10 @@ class Scene:
         """The animations, in the order of the file."""
         return tuple(Clip(name, start, end, self._core, i, self.skeleton.names, self._scalar_first)
                      for i, (name, start, end) in enumerate(self._core.clips))
+
+    def _page(self) -> bytes:
+        """The skeleton as the clips move it."""
+        return bytes(self._core.page(now()))
 
     def write(self, path: Path, *, output_euler: str | None = None, rate: float | None = None, bones: bool = True) -> None:
         """Writes the scene in the format of the path's extension: .glb, .gltf or .bvh.
@@ -213,7 +219,7 @@ class Worst:
 
 
 @dataclasses.dataclass(frozen=True)
-class SceneReduction:
+class SceneReduction(Viewed):
     """What `reduce_scene` did to the clips of a scene.
 
     Attributes
@@ -249,6 +255,7 @@ class SceneReduction:
     from_stored: Worst
     _members: dict[str, Any] = dataclasses.field(repr=False, compare=False)
     _summary: str = dataclasses.field(repr=False, compare=False)
+    _core: Any = dataclasses.field(repr=False, compare=False)
 
     def as_dict(self) -> dict[str, Any]:
         """By name with unit, as the JSON of the command has it."""
@@ -258,7 +265,16 @@ class SceneReduction:
     def _of(cls, core: Any) -> SceneReduction:
         found: dict[str, Any] = {name: Worst(*value) if isinstance(value, tuple) else value
                                  for name, value in core.attributes().items()}
-        return cls(**found, _members=core.members(), _summary=core.summary())
+        return cls(**found, _members=core.members(), _summary=core.summary(), _core=core)
+
+    def _page(self) -> bytes:
+        """Both skeletons, before and after."""
+        if self._core is None:
+            raise ArgumentError("found a reduction that was copied or pickled, wanted the one that reduce_scene gave: it alone has the clips of its page")
+        return bytes(self._core.page(now()))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_core": None}
 
     def __str__(self) -> str:
         return self._summary.rstrip("\n")

@@ -6,10 +6,10 @@
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/jobs/inspect_scene.hpp>
 
 #include "options/file_places.hpp"
 #include "options/scene_input.hpp"
-#include "output/scene_counts.hpp"
 #include "output/scene_output.hpp"
 #include "output/summary.hpp"
 
@@ -23,7 +23,7 @@ struct ConvertedScene {
   std::string_view input_format{}, output_format{};  ///< titles
   std::string_view input_id{}, output_id{};          ///< words
   std::size_t joints = 0, clips = 0;
-  SceneCounts counts{};
+  jobs::SceneCounts counts{};
   scenes::WrittenKeys written{};
 };
 
@@ -75,7 +75,7 @@ Expected<void> convert_scene(const ConvertArguments& options, const InputRequest
                         .output_id = scenes::scene_format_of(options.output.path)->id,
                         .joints = scene->skeleton.size(),
                         .clips = scene->clips.size(),
-                        .counts = counts_of(*scene)};
+                        .counts = jobs::counts_of(scene->skeleton, scene->clips)};
   return write_counted_scene(options.output.path, *scene, *understood)
       .map_error([&](Error error) {
         if (error.where.file.empty()) error.where.file = input.path;

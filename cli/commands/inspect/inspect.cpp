@@ -13,6 +13,7 @@
 #include "commands/inspect/inspect_scene.hpp"
 #include "options/reading_flags.hpp"
 #include "output/json_document.hpp"
+#include "output/report_file.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
@@ -102,16 +103,19 @@ Expected<InspectedFile> inspected_file(const InputRequest& input) {
 }
 
 Expected<void> inspect_keys(const InspectArguments& options, const InputRequest& input, std::vector<Method> methods) {
+  auto page = ReportFile::open(options.report);
+  if (!page) return tl::unexpected(std::move(page.error()));
   auto file = inspected_file(input);
   if (!file) return tl::unexpected(std::move(file.error()));
   file->request.methods = std::move(methods);
   return jobs::inspect(std::move(file->request)).and_then([&](const jobs::InspectOutcome& outcome) {
     std::ranges::copy(outcome.warnings, std::back_inserter(file->warnings));
     warn(file->warnings);
-    if (!options.json) return print_document(summary_of(outcome));
     Json json{{"file", outcome.request.keys->name}, {"format", file->format->id}};
-    json.update(document_of(outcome));
-    return print_document(document(json));
+    if (options.json) json.update(document_of(outcome));
+    return page->write([&](const auto& head) { return page_of(outcome, head); })
+        .and_then([&] { return print_document(options.json ? document(json) : summary_of(outcome)); })
+        .and_then([&] { return page->finish(); });
   });
 }
 
@@ -120,6 +124,7 @@ Expected<void> inspect_keys(const InspectArguments& options, const InputRequest&
 Expected<void> inspect(const InspectArguments& options) {
   auto input = input_request(options.input);
   if (!input) return tl::unexpected(std::move(input.error()));
+  if (auto apart = check_report(options.report, {{"INPUT", options.input.path}}); !apart) return apart;
   if (is_about_scene(options, *input)) return inspect_scene(options, *input);
   if (options.methods.empty() && any_given(options.shape))
     return usage_failure("found options that shape a curve, but no curve; wanted --method as well");

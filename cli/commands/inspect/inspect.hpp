@@ -3,6 +3,7 @@
 
 #include "options/input_options.hpp"
 #include "options/method_options.hpp"
+#include "options/report_options.hpp"
 
 namespace orispline::cli {
 
@@ -12,6 +13,7 @@ struct InspectArguments {
   std::vector<std::string> methods;  ///< each time one method, or a list with commas
   MethodOptions shape;
   bool json = false;
+  ReportOptions report;
 };
 
 /// Says what a file of keys holds, faults included, and how continuous the methods are on it.

@@ -34,17 +34,6 @@ struct Request {
   std::optional<TimeRequest> times;  ///< of samples
 };
 
-/// What the files ask of each other.
-Expected<void> agree(const SmoothArguments& options) {
-  if (auto apart = check_output_apart(options.output.option, options.output.path, {{"INPUT", options.input.path}});
-      !apart)
-    return apart;
-  return check_summary(options.summary, options.output.path, "keys").and_then([&] {
-    return check_report(options.report,
-                        {{place_of_output(options.output), options.output.path}, {"INPUT", options.input.path}});
-  });
-}
-
 /// A file of the gyro asks for it.
 SmoothnessOptions with_gyro(const SmoothArguments& options) {
   SmoothnessOptions smoothness = options.smoothness;
@@ -53,7 +42,7 @@ SmoothnessOptions with_gyro(const SmoothArguments& options) {
 }
 
 Expected<Request> request_in(const SmoothArguments& options) {
-  if (auto agreed = agree(options); !agreed) return tl::unexpected(std::move(agreed.error()));
+  if (auto agreed = check_files(options); !agreed) return tl::unexpected(std::move(agreed.error()));
   if (options.include_end && !options.rate) return usage_failure("--include-end: wanted --rate as well");
   if (options.rate && is_given(options.smoothness.fields, "sigma"))
     return usage_failure("--sigma: found --rate as well, wanted keys: standard deviations are those of keys");
@@ -171,6 +160,15 @@ Expected<void> smooth_one(const SmoothArguments& options) {
 }
 
 }  // namespace
+
+Expected<void> check_files(const SmoothArguments& options) {
+  const OutputOptions& output = options.output;
+  return check_output_apart(output.option, output.path, {{"INPUT", options.input.path}})
+      .and_then([&] { return check_summary(options.summary, output.path, "keys"); })
+      .and_then([&] {
+        return check_report(options.report, {{place_of_output(output), output.path}, {"INPUT", options.input.path}});
+      });
+}
 
 Expected<void> smooth(const SmoothArguments& options) {
   const auto check = [](const SmoothArguments& one) {

@@ -23,6 +23,9 @@ struct SmoothArguments {
   SummaryOptions summary;
 };
 
+/// What the files ask of each other. Error: bad_argument.
+[[nodiscard]] Expected<void> check_files(const SmoothArguments& options);
+
 /// Noisy recordings in, smooth keys with rates, or samples, out.
 [[nodiscard]] Expected<void> smooth(const SmoothArguments& options);
 

@@ -12,7 +12,7 @@ constexpr auto smooth_footer = R"(Examples:
   orispline smooth imu.csv --gyro -o keys.csv
   orispline smooth poses.csv --gyro-file imu.csv -o keys.csv
   orispline smooth noisy.csv --sigma -o keys.csv
-  orispline smooth walk.bvh -o clean.bvh
+  orispline smooth walk.bvh -o clean.bvh --report clean.html
   orispline smooth recordings --output-folder smoothed
   orispline sample keys.csv --method hermite-c2 --rate 500 -o motion.csv
 

@@ -30,8 +30,6 @@ Expected<void> check_clips(const SmoothArguments& options) {
     return usage_failure(
         formatted("{}: found a file of skeletons, whose keys are smoothed, wanted samples of one track",
                   options.rate ? "--rate" : "--include-end"));
-  if (options.report.path)
-    return usage_failure("--report: found a file of skeletons, wanted keys of one track as the output");
   if (is_given(options.smoothness.fields, "sigma"))
     return usage_failure(
         "--sigma: found a file of skeletons, which has no room for standard deviations, wanted a CSV file");
@@ -46,10 +44,7 @@ Expected<SceneRequest> scene_request_in(const SmoothArguments& options) {
                        .smoothing = checked(smoothing_in(options.smoothness)),
                        .threads = static_cast<unsigned>(checked(threads_in(options.inputs.threads)))};
   return std::move(checked).or_else(std::move(request)).and_then([&](SceneRequest read) -> Expected<SceneRequest> {
-    if (auto apart = check_output_apart(options.output.option, options.output.path, {{"INPUT", options.input.path}});
-        !apart)
-      return tl::unexpected(std::move(apart.error()));
-    return check_summary(options.summary, options.output.path, "keys").map([&] { return std::move(read); });
+    return check_files(options).map([&] { return std::move(read); });
   });
 }
 
@@ -62,6 +57,8 @@ Expected<void> check_smooth_scene(const SmoothArguments& options) {
 Expected<void> smooth_scene(const SmoothArguments& options) {
   const auto request = scene_request_in(options);
   if (!request) return tl::unexpected(request.error());
+  auto page = ReportFile::open(options.report);
+  if (!page) return tl::unexpected(std::move(page.error()));
   if (auto able = check_output(options.output.path); !able) return able;
   auto scene = open_scene(request->input);
   if (!scene) return tl::unexpected(std::move(scene.error()));
@@ -70,13 +67,17 @@ Expected<void> smooth_scene(const SmoothArguments& options) {
                                      .skeleton = scene->skeleton,
                                      .clips = std::exchange(scene->clips, {}),
                                      .options = request->smoothing,
-                                     .threads = request->threads});
+                                     .threads = request->threads,
+                                     .has_no_unit = scene->format && scene->format->has_no_unit});
   if (!outcome) return tl::unexpected(said_of_cutoff(options.smoothness, std::move(outcome.error())));
   warn(outcome->warnings);
   for (const ClipSmoothing& smoothed : outcome->clips) scene->clips.push_back(smoothed.clip);
-  return write_scene(options.output.path, *scene, request->writing).and_then([&] {
-    return summarise(options.summary, Written{options.input.path, options.output.path, "", std::move(*outcome)});
-  });
+  return page->write([&](const auto& head) { return page_of(*outcome, options.output.path, head); })
+      .and_then([&] { return write_scene(options.output.path, *scene, request->writing); })
+      .and_then([&] { return page->finish(); })
+      .and_then([&] {
+        return summarise(options.summary, Written{options.input.path, options.output.path, "", std::move(*outcome)});
+      });
 }
 
 }  // namespace orispline::cli

@@ -9,12 +9,22 @@
 #include <orispline/analysis/continuity.hpp>
 #include <orispline/analysis/key_statistics.hpp>
 #include <orispline/base/warning.hpp>
+#include <orispline/curve/path.hpp>
 #include <orispline/curve/stretches.hpp>
 #include <orispline/curve/track.hpp>
 #include <orispline/families/key_findings.hpp>
 #include <orispline/fields/json.hpp>
 
-namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
+namespace report {
+struct Page;
+}
+namespace pages {
+struct PageHead;
+}
+
+namespace jobs {
 
 /// What was mended in a file of keys, for a look at it; a task would refuse the file.
 struct KeyFaults {
@@ -45,6 +55,7 @@ struct InspectOutcome {
   std::vector<Stretch> stretches{};  ///< of the keys: one, where no gap is stated
   KeyframeReport keyframes{};        ///< the keys of a wrong norm among the non-unit ones
   std::vector<InspectedMethod> methods{};
+  std::vector<PoseCurve> curves{};  ///< of the methods
   std::vector<Warning> warnings{};  ///< of the methods
 };
 
@@ -55,5 +66,10 @@ struct InspectOutcome {
 [[nodiscard]] ORISPLINE_EXPORT Json document_of(const InspectOutcome& outcome);
 /// A page for people.
 [[nodiscard]] ORISPLINE_EXPORT std::string summary_of(const InspectOutcome& outcome);
+/// With ORISPLINE_PAGE: the curves of the methods through the keys; where none was asked for, that of the method that
+/// the keys are for, else of the default one. What is wrong with the keys stands above all else that it says.
+[[nodiscard]] ORISPLINE_EXPORT report::Page page_of(const InspectOutcome& outcome, pages::PageHead head);
 
-}}}  // namespace orispline::jobs
+}  // namespace jobs
+
+}}  // namespace orispline

@@ -14,6 +14,7 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace report {
 struct Page;
+struct SkeletonPage;
 }
 namespace pages {
 struct PageHead;
@@ -56,7 +57,8 @@ struct SmoothClipsRequest {
   Skeleton skeleton{};
   std::vector<Clip> clips{};
   SmoothOptions options{};
-  unsigned threads = 0;  ///< 0: one per core
+  unsigned threads = 0;      ///< 0: one per core
+  bool has_no_unit = false;  ///< of length, the file; else it is the metre
 };
 
 /// Clips of a skeleton with their joints smoothed, and what was asked for.
@@ -73,6 +75,10 @@ struct SmoothClipsOutcome {
 [[nodiscard]] ORISPLINE_EXPORT Json document_of(const SmoothClipsOutcome& outcome);
 /// A few lines for people; of a single clip one for every joint.
 [[nodiscard]] ORISPLINE_EXPORT std::string summary_of(const SmoothClipsOutcome& outcome);
+/// With ORISPLINE_PAGE; the warnings stand above all else that it says. `after`: what the page calls the smoothed
+/// clips, such as the name of a file.
+[[nodiscard]] ORISPLINE_EXPORT report::SkeletonPage page_of(const SmoothClipsOutcome& outcome, std::string after,
+                                                            pages::PageHead head);
 
 }  // namespace jobs
 

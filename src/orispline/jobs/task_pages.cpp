@@ -9,8 +9,12 @@
 #include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/families/registry.hpp>
 #include <orispline/jobs/compare.hpp>
+#include <orispline/jobs/curve_of_keys.hpp>
 #include <orispline/jobs/difference.hpp>
+#include <orispline/jobs/inspect.hpp>
+#include <orispline/jobs/inspect_scene.hpp>
 #include <orispline/jobs/reduce.hpp>
 #include <orispline/jobs/retime.hpp>
 #include <orispline/jobs/smooth.hpp>
@@ -19,6 +23,14 @@
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
 namespace {
+
+/// As notes, without the file that the page is about anyway.
+void add_warnings(std::vector<std::string>& notes, const std::vector<Warning>& warnings) {
+  for (Warning warning : warnings) {
+    warning.where = {};
+    notes.push_back(formatted("Warning: {}.", describe(warning)));
+  }
+}
 
 std::vector<std::string> notes_on(const DifferenceOutcome& outcome) {
   const DifferenceRequest& request = outcome.request;
@@ -30,11 +42,20 @@ std::vector<std::string> notes_on(const DifferenceOutcome& outcome) {
     if (!clips->empty())
       notes.push_back(formatted("Only {} has {}, such as {}; not compared.", file_name_of(file->name),
                                 counted(clips->size(), "more clip"), in_quotes(clips->front())));
-  for (Warning warning : outcome.warnings) {
-    warning.where = {};
-    notes.push_back(formatted("Warning: {}.", describe(warning)));
-  }
+  add_warnings(notes, outcome.warnings);
   return notes;
+}
+
+Seam seam_of(const Method& method) { return method.options.loop ? Seam::closed : Seam::open; }
+
+/// Of the method that the keys are for, else of the default one. Its warnings become notes.
+pages::MethodOnKeys usual_curve(const Track& keys, std::vector<std::string>& notes) {
+  auto chosen = chosen_method(std::nullopt, keys, {});
+  if (!chosen) return {std::string(default_method), tl::unexpected(std::move(chosen.error()))};
+  auto curve = curve_of_keys(chosen->method, keys);
+  if (!curve) return {chosen->method.name, tl::unexpected(std::move(curve.error()))};
+  add_warnings(notes, curve->warnings);
+  return {chosen->method.name, std::move(curve->curve), seam_of(chosen->method)};
 }
 
 }  // namespace
@@ -53,6 +74,23 @@ report::Page page_of(const CompareOutcome& outcome, const pages::PageHead& head)
   pages::PageHead titled = head;
   if (titled.title.empty()) titled.title = title_of(outcome, 0);
   return pages::compare_page(curves, titled, outcome.request.threads);
+}
+
+report::Page page_of(const InspectOutcome& outcome, pages::PageHead head) {
+  const Track& keys = *outcome.request.keys;
+  if (const auto& defect = outcome.request.faults.defect)
+    head.notes.push_back(formatted("Warning: the keys were mended for this page; other commands say: {}.", *defect));
+  add_warnings(head.notes, outcome.warnings);
+  std::vector<pages::MethodOnKeys> shown;
+  for (std::size_t i = 0; i < outcome.methods.size(); ++i)
+    shown.push_back({outcome.methods[i].label, outcome.curves[i], seam_of(outcome.request.methods[i])});
+  if (shown.empty()) shown.push_back(usual_curve(keys, head.notes));
+  return pages::keys_page(keys, shown, head);
+}
+
+report::SkeletonPage page_of(const InspectSceneOutcome& outcome, const pages::PageHead& head) {
+  const MotionFile& file = outcome.request.file;
+  return pages::scene_page({file.name, file.skeleton, file.clips}, {.are_known = !file.has_no_unit}, head);
 }
 
 report::Page page_of(const ReduceOutcome& outcome, const pages::PageHead& head) {
@@ -74,11 +112,15 @@ report::Page page_of(const RetimeOutcome& outcome, const pages::PageHead& head) 
 }
 
 report::Page page_of(const SmoothOutcome& outcome, pages::PageHead head) {
-  for (Warning warning : outcome.warnings) {
-    warning.where = {};
-    head.notes.push_back(formatted("Warning: {}.", describe(warning)));
-  }
+  add_warnings(head.notes, outcome.warnings);
   return pages::smooth_page(*outcome.request.recording, outcome.smoothing, head);
+}
+
+report::SkeletonPage page_of(const SmoothClipsOutcome& outcome, std::string after, pages::PageHead head) {
+  const SmoothClipsRequest& request = outcome.request;
+  add_warnings(head.notes, outcome.warnings);
+  return pages::smoothed_clips_page({request.name, request.skeleton, request.clips}, std::move(after), outcome.clips,
+                                    {.are_known = !request.has_no_unit}, head, request.threads);
 }
 
 report::SkeletonPage page_of(const DifferenceOutcome& outcome, const pages::PageHead& head) {

@@ -86,6 +86,13 @@ report::PageMethod method_of(const CurvePage& page, const ShownCurve& curve) {
   return method;
 }
 
+std::vector<std::size_t> evenly_picked(std::size_t count, std::size_t most) {
+  std::vector<std::size_t> places;
+  const std::size_t picked = std::min(count, most);
+  for (std::size_t k = 0; k < picked; ++k) places.push_back(k * (count - 1) / std::max<std::size_t>(picked - 1, 1));
+  return places;
+}
+
 void extend(report::PageBand& band, double t, double low, double high) {
   band.times.push_back(t);
   band.low.push_back(low);

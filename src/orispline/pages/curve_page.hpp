@@ -58,6 +58,9 @@ struct CurvePage {
 /// How many samples of a curve, of a recording and of errors a page has at most where it has few curves.
 inline constexpr std::size_t samples_of_few = 2000;
 
+/// So many of the places of a list, or of fewer all, with both ends.
+[[nodiscard]] std::vector<std::size_t> evenly_picked(std::size_t count, std::size_t most = samples_of_few);
+
 /// The curve with its keys and measures, not yet with errors.
 [[nodiscard]] report::PageMethod method_of(const CurvePage& page, const ShownCurve& curve);
 

@@ -8,6 +8,7 @@
 #include <orispline/base/counted.hpp>
 #include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/parallel.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/pages/curve_page.hpp>
@@ -16,8 +17,9 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
 namespace {
 
-std::string title_of(const Track& track, const Method& method) {
-  const std::string keys = formatted("{}, {}", method.name, counted(track.keys.size(), "key"));
+/// `keys.csv: auto, 5 keys`
+std::string title_of(const Track& track, std::string_view methods) {
+  const std::string keys = formatted("{}, {}", methods, counted(track.keys.size(), "key"));
   return track.name.empty() ? keys : formatted("{}: {}", file_name_of(track.name), keys);
 }
 
@@ -32,18 +34,34 @@ Measures shape_of(const AnyCurve& curve, Seam seam, const Eigen::Matrix3d& inert
 
 }  // namespace
 
+report::Page keys_page(const Track& track, std::span<const MethodOnKeys> methods, const PageHead& head,
+                       const std::optional<Eigen::Matrix3d>& inertia) {
+  const CurvePage curves{.measures = inertia ? measures_of({MeasureGroup::shape, MeasureGroup::torque})
+                                             : measures_of({MeasureGroup::shape}),
+                         .inertia = inertia};
+  const std::string shown = methods.size() == 1 ? methods.front().name : counted(methods.size(), "method");
+  report::Page page = begun_page(title_of(track, shown), head, track.epoch, track.keys);
+  page.columns = measure_columns(curves.measures);
+  page.methods.resize(methods.size());
+  parallel_for(methods.size(), 0, [&](std::size_t i) {
+    const auto& [name, curve, seam] = methods[i];
+    if (!curve) {
+      page.methods[i] = {.name = name, .failure = describe(curve.error())};
+      return;
+    }
+    const Measures measures = shape_of(curve->orientation, seam, inertia.value_or(Eigen::Matrix3d::Identity()));
+    page.methods[i] = method_of(curves, {name, track.keys, *curve, measures});
+  });
+  return page;
+}
+
 Expected<report::Page> motion_page(const Track& track, const Method& method, const PageHead& head,
                                    const std::optional<Eigen::Matrix3d>& inertia) {
-  return curve_beside_gaps(method, track.keys, track.recipe.gap).map([&](const PoseCurve& curve) {
-    const CurvePage curves{.measures = inertia ? measures_of({MeasureGroup::shape, MeasureGroup::torque})
-                                               : measures_of({MeasureGroup::shape}),
-                           .inertia = inertia};
-    Measures measures = shape_of(curve.orientation, method.options.loop ? Seam::closed : Seam::open,
-                                 inertia.value_or(Eigen::Matrix3d::Identity()));
-    report::Page page = begun_page(title_of(track, method), head, track.epoch, track.keys);
-    page.columns = measure_columns(curves.measures);
-    page.methods.push_back(method_of(curves, {text_of(method), track.keys, curve, measures}));
-    return page;
+  return curve_beside_gaps(method, track.keys, track.recipe.gap).map([&](PoseCurve curve) {
+    PageHead titled = head;
+    if (titled.title.empty()) titled.title = title_of(track, method.name);
+    const MethodOnKeys shown{text_of(method), std::move(curve), method.options.loop ? Seam::closed : Seam::open};
+    return keys_page(track, {&shown, 1}, titled, inertia);
   });
 }
 

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -13,6 +16,8 @@
 #include <orispline/base/version.hpp>
 #include <orispline/clip/clip_difference.hpp>
 #include <orispline/math/degrees.hpp>
+#include <orispline/pages/clip_in_page.hpp>
+#include <orispline/pages/curve_page.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
 #include <orispline/reduce/reduce.hpp>
 #include <orispline/report/page.hpp>
@@ -20,155 +25,6 @@
 namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
 namespace {
-
-/// A clip of a skeleton.
-struct ClipOf {
-  const Skeleton& skeleton;
-  const Clip& clip;
-};
-
-/// How two motions of a clip are compared.
-struct ClipComparison {
-  std::span<const std::size_t> counterparts;  ///< of the joints before: the same ones after, or `no_parent`
-  std::span<const double> times;              ///< [s], increasing, one at least
-  double shell = default_shell;
-  std::size_t most = 600;  ///< times that are shown, at least 3
-};
-
-constexpr double longest_step = 1.01 / 30.0;  ///< [s] between positions, which are joined by straight lines
-constexpr std::size_t keys_of_motion = 3;     ///< a track of rotations with fewer holds a joint or turns it once
-
-using Differences = std::vector<JointDifference>;  // of every joint
-
-void take(report::PageLargest& largest, double value, double time) {
-  if (value > largest.value) largest = {value, time};
-}
-
-/// Times that are shown as one, by their places.
-struct Neighbours {
-  std::size_t first = 0, end = 0;
-};
-
-/// All times in at most so many groups: both ends alone, all else in equal parts.
-std::vector<Neighbours> neighbours_in(std::size_t times, std::size_t most) {
-  std::vector<Neighbours> groups;
-  if (times <= most) {
-    for (std::size_t i = 0; i < times; ++i) groups.push_back({i, i + 1});
-    return groups;
-  }
-  const std::size_t parts = most - 2, inner = times - 2;
-  groups.push_back({0, 1});
-  for (std::size_t i = 0; i < parts; ++i) groups.push_back({1 + i * inner / parts, 1 + (i + 1) * inner / parts});
-  groups.push_back({times - 1, times});
-  return groups;
-}
-
-double shell_distance_of(const Differences& joints) {
-  double largest = 0.0;
-  for (const JointDifference& joint : joints) largest = std::max(largest, joint.distance.value);
-  return largest;
-}
-
-/// The errors at all times, with those of neighbours joined into one.
-class ErrorLines {
- public:
-  ErrorLines(report::PageClip& clip, const ClipComparison& comparison) : clip_(clip), comparison_(comparison) {
-    clip_.joints.resize(comparison.counterparts.size());
-    for (report::PageJointErrors& joint : clip_.joints)
-      joint.angle.time = joint.distance.time = comparison.times.front();
-  }
-
-  void add(const Neighbours& neighbours, const ClipMotion& before, const ClipMotion& after) {
-    double shown = comparison_.times[neighbours.first], farthest = -1.0;
-    for (report::PageJointErrors& joint : clip_.joints) {
-      joint.angles.push_back(0.0);
-      joint.distances.push_back(0.0);
-    }
-    for (std::size_t i = neighbours.first; i < neighbours.end; ++i) {
-      const Differences found =
-          differences(before, after, comparison_.counterparts, comparison_.times.subspan(i, 1), comparison_.shell);
-      take_all(found, comparison_.times[i]);
-      if (const double distance = shell_distance_of(found); distance > farthest)
-        farthest = distance, shown = comparison_.times[i];
-    }
-    clip_.error_times.push_back(shown);
-  }
-
- private:
-  void take_all(const Differences& found, double time) {
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      report::PageJointErrors& joint = clip_.joints[i];
-      const double angle = found[i].angle.value * degrees, distance = found[i].distance.value;
-      take(joint.angle, angle, time);
-      take(joint.distance, distance, time);
-      joint.angles.back() = std::max(joint.angles.back(), angle);
-      joint.distances.back() = std::max(joint.distances.back(), distance);
-    }
-  }
-
-  report::PageClip& clip_;
-  const ClipComparison& comparison_;
-};
-
-/// These times, and others between where they are far apart, `most` together or little more.
-std::vector<double> dense_times(const std::vector<double>& times, std::size_t most) {
-  const double span = times.back() - times.front();
-  const double room = most > times.size() ? static_cast<double>(most - times.size()) : 0.5;
-  const double step = std::max(longest_step, span / room);
-  std::vector<double> dense{times.front()};
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    const double gap = times[i] - times[i - 1];
-    const double parts = std::max(std::ceil(gap / step), 1.0);
-    for (double k = 1.0; k < parts; ++k) dense.push_back(times[i - 1] + gap * (k / parts));
-    dense.push_back(times[i]);
-  }
-  return dense;
-}
-
-void add_positions(report::PageClip& clip, const ClipMotion& before, const ClipMotion& after,
-                   std::span<const std::size_t> counterparts) {
-  std::vector<Eigen::Affine3d> poses(before.skeleton().size()), others(after.skeleton().size());
-  for (const double t : clip.times) {
-    before.world_poses(t, poses);
-    after.world_poses(t, others);
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-      clip.before.emplace_back(poses[i].translation());
-      clip.after.emplace_back((counterparts[i] == no_parent ? poses[i] : others[counterparts[i]]).translation());
-    }
-  }
-}
-
-void count_keys(report::PageClip& page, const Clip& before, const Clip& after,
-                std::span<const std::size_t> counterparts) {
-  for (std::size_t i = 0; i < counterparts.size(); ++i) {
-    report::PageJointErrors& joint = page.joints[i];
-    if (const auto* channel = channel_of(before.rotations, i)) joint.keys.before = channel->size();
-    if (const auto* channel = channel_of(after.rotations, counterparts[i])) {
-      joint.keys.after = channel->size();
-      joint.key_times = channel->times;
-    }
-    if (std::max(joint.keys.before, joint.keys.after) < keys_of_motion) continue;
-    page.rotation_keys.before += joint.keys.before;
-    page.rotation_keys.after += joint.keys.after;
-  }
-  for (const VectorChannel& channel : before.translations) page.translation_keys.before += channel.size();
-  for (const VectorChannel& channel : after.translations) page.translation_keys.after += channel.size();
-}
-
-/// The clip in both motions as a page shows it, lengths in the unit of the skeletons. Of more than `most` times those
-/// are shown where the shell distance is the largest of so many neighbours; the angles and distances there are the
-/// largest of these neighbours too. Where times are far apart there are positions between them.
-report::PageClip clip_in_page(const ClipOf& before, const ClipOf& after, const ClipComparison& comparison) {
-  report::PageClip page{.name = before.clip.name, .start = comparison.times.front(), .end = comparison.times.back()};
-  const ClipMotion first(before.skeleton, before.clip), second(after.skeleton, after.clip);
-  ErrorLines lines(page, comparison);
-  for (const Neighbours& neighbours : neighbours_in(comparison.times.size(), comparison.most))
-    lines.add(neighbours, first, second);
-  page.times = dense_times(page.error_times, comparison.most);
-  add_positions(page, first, second, comparison.counterparts);
-  count_keys(page, before.clip, after.clip, comparison.counterparts);
-  return page;
-}
 
 constexpr std::size_t few_clips = 10, times_of_few = 600, times_of_many = 300;
 constexpr double millimetre = 1e-3;  ///< [m]
@@ -198,11 +54,17 @@ void scale(report::PageClip& clip, double factor) {
   }
 }
 
+double farthest_of(const report::SkeletonPage& page) {
+  double largest = 0.0;
+  for (const report::PageClip& clip : page.clips) largest = std::max(largest, largest_distance(clip));
+  return largest;
+}
+
 /// Lengths in metres, or where all that differs is less than one in millimetres.
 void scale(report::SkeletonPage& page, const PageLengths& lengths) {
   double factor = lengths.metres;
   if (lengths.are_known) {
-    const bool is_small = page.clips.empty() || largest_distance(page.clips.front()) * lengths.metres < 1.0;
+    const bool is_small = farthest_of(page) * lengths.metres < 1.0;
     page.length_unit = is_small ? "mm" : "m";
     if (is_small) factor /= millimetre;
   }
@@ -211,50 +73,91 @@ void scale(report::SkeletonPage& page, const PageLengths& lengths) {
   for (report::PageClip& clip : page.clips) scale(clip, factor);
 }
 
-std::string title_of(std::string_view before, std::string_view after) {
-  return formatted("{} and {}", file_name_of(before), file_name_of(after));
+std::size_t most_times(std::span<const ClipPair> pairs) {
+  return pairs.size() > few_clips ? times_of_many : times_of_few;
 }
 
-void add_notes(report::SkeletonPage& page, std::span<const ClipPair> pairs, std::size_t most) {
+void add_notes(report::SkeletonPage& page, std::span<const ClipPair> pairs) {
+  const std::size_t most = most_times(pairs);
+  const bool is_alone = page.after.empty();
   const auto is_long = [&](const ClipPair& pair) { return pair.times.size() > most; };
   if (std::ranges::any_of(pairs, is_long))
-    page.notes.push_back(formatted(
-        "Of clips with more than {} times {} are shown, with the largest errors of every few, so that none is lost.",
-        most, most));
+    page.notes.push_back(
+        formatted("Of clips with more than {} times {} are shown, with the largest {} of every few, so "
+                  "that none is lost.",
+                  most, most, is_alone ? "distances and angles" : "errors"));
+  const auto is_thinned = [&](const report::PageClip& clip) {
+    return std::ranges::any_of(clip.joints, [&](const report::PageJointErrors& joint) {
+      return joint.key_times.size() == samples_of_few &&
+             (is_alone ? joint.keys.before : joint.keys.after) > samples_of_few;
+    });
+  };
+  if (std::ranges::any_of(page.clips, is_thinned))
+    page.notes.push_back(
+        formatted("Of rotations with more than {} keys {} are marked, evenly picked.", samples_of_few, samples_of_few));
   if (const auto alone = std::ranges::count(page.joints, false, &report::PageJoint::is_compared); alone > 0)
     page.notes.push_back(formatted("Only {} has {} that {} shown in grey and not compared.", page.before,
                                    counted(static_cast<std::size_t>(alone), "joint"), alone == 1 ? "is" : "are"));
 }
 
-report::SkeletonPage begun_skeleton_page(const NamedClips& before, const NamedClips& after, const PageLengths& lengths,
-                                         const PageHead& head) {
-  return {.title = head.title.empty() ? title_of(before.name, after.name) : head.title,
+report::SkeletonPage begun_skeleton_page(std::string title, std::string_view before, std::string_view after,
+                                         const PageLengths& lengths, const PageHead& head) {
+  return {.title = head.title.empty() ? std::move(title) : head.title,
           .command = head.command,
           .date = head.date,
           .version = std::string(version),
           .notes = head.notes,
-          .before = std::string(file_name_of(before.name)),
-          .after = std::string(file_name_of(after.name)),
+          .before = std::string(file_name_of(before)),
+          .after = std::string(file_name_of(after)),
           .shell = lengths.shell};
 }
 
-/// In the unit of the file.
-report::SkeletonPage unscaled_page(const NamedClips& before, const NamedClips& after, std::span<const ClipPair> pairs,
-                                   const PageLengths& lengths, const PageHead& head, unsigned threads) {
-  report::SkeletonPage page = begun_skeleton_page(before, after, lengths, head);
-  const std::vector<std::size_t> counterparts = counterparts_of(before.skeleton, after.skeleton).joints;
-  page.joints = joints_of(before.skeleton, counterparts);
-  const std::size_t most = pairs.size() > few_clips ? times_of_many : times_of_few;
-  add_notes(page, pairs, most);
+/// A clip as the page shows it.
+using ClipMaker = std::function<report::PageClip(const ClipPair&, const ClipComparison&)>;
+
+/// In the unit of the file, in the order of the pairs.
+void add_clips(report::SkeletonPage& page, const Skeleton& skeleton, std::span<const std::size_t> counterparts,
+               std::span<const ClipPair> pairs, unsigned threads, const ClipMaker& made) {
+  page.joints = joints_of(skeleton, counterparts);
   page.clips.resize(pairs.size());
   parallel_for(pairs.size(), threads, [&](std::size_t i) {
-    page.clips[i] =
-        clip_in_page({before.skeleton, before.clips[pairs[i].before]}, {after.skeleton, after.clips[pairs[i].after]},
-                     {counterparts, pairs[i].times, lengths.shell, most});
+    page.clips[i] = made(pairs[i], {counterparts, pairs[i].times, page.shell, most_times(pairs)});
   });
-  std::ranges::stable_sort(page.clips, std::ranges::greater(), largest_distance);
+}
+
+/// In the unit of the file, in the order of the pairs.
+report::SkeletonPage unfinished_page(const NamedClips& before, const NamedClips& after, std::span<const ClipPair> pairs,
+                                     const PageLengths& lengths, const PageHead& head, unsigned threads) {
+  const std::string title = formatted("{} and {}", file_name_of(before.name), file_name_of(after.name));
+  report::SkeletonPage page = begun_skeleton_page(title, before.name, after.name, lengths, head);
+  add_clips(page, before.skeleton, counterparts_of(before.skeleton, after.skeleton).joints, pairs, threads,
+            [&](const ClipPair& pair, const ClipComparison& comparison) {
+              return clip_in_page({before.skeleton, before.clips[pair.before]},
+                                  {after.skeleton, after.clips[pair.after]}, comparison);
+            });
   return page;
 }
+
+/// The clips that are farthest off first, with the notes, in the unit of the page.
+report::SkeletonPage finished(report::SkeletonPage page, std::span<const ClipPair> pairs, const PageLengths& lengths) {
+  add_notes(page, pairs);
+  std::ranges::stable_sort(page.clips, std::ranges::greater(), largest_distance);
+  scale(page, lengths);
+  return page;
+}
+
+/// Each clip beside the one in its place, at its keys.
+std::vector<ClipPair> pairs_at_keys(std::span<const Clip> clips) {
+  std::vector<ClipPair> pairs;
+  for (const Clip& clip : clips) {
+    std::vector<double> times = key_times(clip);
+    if (times.empty()) times.push_back(0.0);
+    pairs.push_back({pairs.size(), pairs.size(), std::move(times)});
+  }
+  return pairs;
+}
+
+constexpr std::string_view compared_at_keys = "Both motions are compared at every key of the input.";
 
 /// `8377 of 55868 keys of rotations`
 std::string keys_text(std::span<const ClipReduction> reductions) {
@@ -262,37 +165,120 @@ std::string keys_text(std::span<const ClipReduction> reductions) {
   return formatted("{} of {} of rotations", totals.rotation_keys, counted(totals.rotation_keys_before, "key"));
 }
 
+/// What was found of all rotations that were smoothed.
+struct SmoothedRotations {
+  std::size_t count = 0, left = 0, rejected = 0;
+  double shortest = 0.0, longest = 0.0;  ///< smoothing times [s]
+};
+
+SmoothedRotations found_in(std::span<const ClipSmoothing> smoothings) {
+  SmoothedRotations found;
+  for (const ClipSmoothing& smoothing : smoothings) {
+    found.left += smoothing.left;
+    for (const ClipSmoothing::OfJoint& joint : smoothing.joints) {
+      const double time = joint.smoothing.smoothing_time;
+      found.shortest = found.count == 0 ? time : std::min(found.shortest, time);
+      found.longest = std::max(found.longest, time);
+      found.rejected += joint.smoothing.rejected.size();
+      ++found.count;
+    }
+  }
+  return found;
+}
+
+/// `walk.bvh smoothed: 31 rotations of 1 clip, 5 samples rejected`
+std::string smoothed_title(std::string_view name, std::span<const ClipSmoothing> smoothings) {
+  const SmoothedRotations found = found_in(smoothings);
+  return formatted("{} smoothed: {} of {}, {} rejected", name, counted(found.count, "rotation"),
+                   counted(smoothings.size(), "clip"), counted(found.rejected, "sample"));
+}
+
+std::vector<std::string> notes_on(std::span<const ClipSmoothing> smoothings) {
+  const SmoothedRotations found = found_in(smoothings);
+  std::vector<std::string> notes;
+  if (found.count > 0)
+    notes.push_back(found.shortest == found.longest
+                        ? formatted("The smoothing time is {:.4g} s.", found.shortest)
+                        : formatted("Smoothing times go from {:.4g} s to {:.4g} s.", found.shortest, found.longest));
+  if (found.rejected > 0)
+    notes.push_back(formatted("{} and marked.",
+                              counted(found.rejected, "sample") +
+                                  (found.rejected == 1 ? " is rejected as an outlier" : " are rejected as outliers")));
+  if (found.left > 0)
+    notes.push_back(formatted(
+        "Rotations that rest, are steps or splines, or have too few keys are left as they are: {}.", found.left));
+  notes.emplace_back(compared_at_keys);
+  return notes;
+}
+
+/// In the place of the keys, which are as many as before, those that were rejected.
+void mark_rejected(report::PageClip& page, const Clip& before, const ClipSmoothing& smoothing) {
+  for (report::PageJointErrors& joint : page.joints) joint.key_times.clear();
+  for (const ClipSmoothing::OfJoint& found : smoothing.joints) {
+    const auto& times = channel_of(before.rotations, found.joint)->times;
+    const std::vector<std::size_t>& rejected = found.smoothing.rejected;
+    for (const std::size_t place : evenly_picked(rejected.size()))
+      page.joints[found.joint].key_times.push_back(times[rejected[place]]);
+  }
+}
+
 }  // namespace
 
 report::SkeletonPage skeleton_page(const NamedClips& before, const NamedClips& after, std::span<const ClipPair> pairs,
                                    const PageLengths& lengths, const PageHead& head, unsigned threads) {
-  report::SkeletonPage page = unscaled_page(before, after, pairs, lengths, head, threads);
+  return finished(unfinished_page(before, after, pairs, lengths, head, threads), pairs, lengths);
+}
+
+report::SkeletonPage scene_page(const NamedClips& scene, const PageLengths& lengths, const PageHead& head,
+                                unsigned threads) {
+  const std::vector<Clip> resting{{.name = "rest pose"}};
+  const std::span<const Clip> clips = scene.clips.empty() ? resting : scene.clips;
+  const std::vector<ClipPair> pairs = pairs_at_keys(clips);
+  const std::string title = formatted("{}: {}, {}", file_name_of(scene.name), counted(scene.skeleton.size(), "joint"),
+                                      counted(scene.clips.size(), "clip"));
+  report::SkeletonPage page = begun_skeleton_page(title, scene.name, "", lengths, head);
+  if (scene.skeleton.size() == 0) page.notes.emplace_back("There is no joint to show.");
+  else if (scene.clips.empty()) page.notes.emplace_back("No clip moves the skeleton: it is shown in its rest pose.");
+  std::vector<std::size_t> joints(scene.skeleton.size());
+  std::iota(joints.begin(), joints.end(), std::size_t{0});
+  add_clips(page, scene.skeleton, joints, pairs, threads, [&](const ClipPair& pair, const ClipComparison& comparison) {
+    return clip_alone_in_page({scene.skeleton, clips[pair.before]}, comparison);
+  });
+  add_notes(page, pairs);
   scale(page, lengths);
   return page;
+}
+
+report::SkeletonPage smoothed_clips_page(const NamedClips& before, std::string after,
+                                         std::span<const ClipSmoothing> smoothings, const PageLengths& lengths,
+                                         const PageHead& head, unsigned threads) {
+  std::vector<Clip> clips;
+  for (const ClipSmoothing& smoothing : smoothings) clips.push_back(smoothing.clip);
+  const std::vector<ClipPair> pairs = pairs_at_keys(before.clips);
+  report::SkeletonPage page =
+      unfinished_page(before, {std::move(after), before.skeleton, clips}, pairs, lengths, head, threads);
+  if (head.title.empty()) page.title = smoothed_title(page.before, smoothings);
+  std::ranges::move(notes_on(smoothings), std::back_inserter(page.notes));
+  for (std::size_t i = 0; i < smoothings.size(); ++i) mark_rejected(page.clips[i], before.clips[i], smoothings[i]);
+  return finished(std::move(page), pairs, lengths);
 }
 
 report::SkeletonPage reduced_clips_page(const NamedClips& before, std::string after,
                                         std::span<const ClipReduction> reductions, const ClipReduceOptions& options,
                                         const PageLengths& lengths, const PageHead& head, unsigned threads) {
   std::vector<Clip> clips;
-  std::vector<ClipPair> pairs;
-  for (std::size_t i = 0; i < reductions.size(); ++i) {
-    clips.push_back(as_stored(reductions[i].clip, options));
-    std::vector<double> times = key_times(before.clips[i]);
-    if (times.empty()) times.push_back(0.0);
-    pairs.push_back({i, i, std::move(times)});
-  }
+  for (const ClipReduction& reduction : reductions) clips.push_back(as_stored(reduction.clip, options));
+  const std::vector<ClipPair> pairs = pairs_at_keys(before.clips);
   report::SkeletonPage page =
-      unscaled_page(before, {std::move(after), before.skeleton, clips}, pairs, lengths, head, threads);
+      unfinished_page(before, {std::move(after), before.skeleton, clips}, pairs, lengths, head, threads);
   if (head.title.empty())
     page.title =
         formatted("{} within {}: {}", page.before,
                   tolerance_text(options, lengths.metres, lengths.are_known ? " m" : ""), keys_text(reductions));
-  page.notes.insert(page.notes.begin(), "Both motions are compared at every key of the input.");
+  page.notes.emplace(page.notes.begin(), compared_at_keys);
   if (std::isfinite(options.tolerance)) page.angle_limit = options.tolerance * degrees;
   if (std::isfinite(options.world_tolerance)) page.distance_limit = options.world_tolerance;
-  scale(page, lengths);
-  return page;
+  return finished(std::move(page), pairs, lengths);
 }
 
 }}}  // namespace orispline::pages

@@ -91,14 +91,6 @@ report::PageMethod method_of(const Source& source, const CurvePage& page, ShownC
   return result;
 }
 
-/// At most so many of the keys, evenly picked.
-std::vector<std::size_t> picked(std::size_t keys) {
-  std::vector<std::size_t> indices;
-  const std::size_t count = std::min(keys, samples_of_few);
-  for (std::size_t k = 0; k < count; ++k) indices.push_back(k * (keys - 1) / std::max<std::size_t>(count - 1, 1));
-  return indices;
-}
-
 /// One standard deviation: of the turn from the truth, and of |ω| about itself; ended where a gap begins.
 std::map<std::string, report::PageBand, std::less<>> bands_of(const Source& source) {
   std::map<std::string, report::PageBand, std::less<>> bands;
@@ -107,7 +99,7 @@ std::map<std::string, report::PageBand, std::less<>> bands_of(const Source& sour
   report::PageBand& turn = bands["error"];
   report::PageBand& rate = bands["w"];
   turn.label = rate.label = "one standard deviation";
-  for (const std::size_t key : picked(source.smoothed().size())) {
+  for (const std::size_t key : evenly_picked(source.smoothed().size())) {
     const double t = source.smoothed().times()[key];
     const Eigen::Vector3d& w = source.smoothed().angular_velocities()[key];
     const double speed = w.norm(), angle = sigmas.orientations[key].norm() * degrees;

@@ -15,6 +15,7 @@
 #include <orispline/reduce/reduce.hpp>
 #include <orispline/report/page.hpp>
 #include <orispline/retime/retime.hpp>
+#include <orispline/smooth/clip_smoothing.hpp>
 #include <orispline/smooth/smooth.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
@@ -32,6 +33,18 @@ struct PageHead {
 [[nodiscard]] ORISPLINE_EXPORT Expected<report::Page> motion_page(const Track& track, const Method& method,
                                                                   const PageHead& head,
                                                                   const std::optional<Eigen::Matrix3d>& inertia = {});
+
+/// A method on the keys of a page: its curve, or why there is none.
+struct MethodOnKeys {
+  std::string name;  ///< unlike those beside it
+  Expected<PoseCurve> curve;
+  Seam seam = Seam::open;
+};
+
+/// The page to look at of methods on the same keys, one at least, as motion_page() has one.
+[[nodiscard]] ORISPLINE_EXPORT report::Page keys_page(const Track& track, std::span<const MethodOnKeys> methods,
+                                                      const PageHead& head,
+                                                      const std::optional<Eigen::Matrix3d>& inertia = {});
 
 /// Whether the truth of a page is that of one of its curves.
 enum class Truth { known, unknown };
@@ -114,6 +127,17 @@ struct PageLengths {
                                                                   std::span<const ClipPair> pairs,
                                                                   const PageLengths& lengths, const PageHead& head,
                                                                   unsigned threads = 0);
+
+/// The page of clips alone, in their order, with how far their joints get from where a clip begins; without any clip
+/// the rest pose.
+[[nodiscard]] ORISPLINE_EXPORT report::SkeletonPage scene_page(const NamedClips& scene, const PageLengths& lengths,
+                                                               const PageHead& head, unsigned threads = 0);
+
+/// The page of clips that were smoothed by smooth_clips(), as many as there were before, compared at their keys.
+[[nodiscard]] ORISPLINE_EXPORT report::SkeletonPage smoothed_clips_page(const NamedClips& before, std::string after,
+                                                                        std::span<const ClipSmoothing> smoothings,
+                                                                        const PageLengths& lengths,
+                                                                        const PageHead& head, unsigned threads = 0);
 
 /// The page of clips that were reduced by reduce_clips(), as many as there were before, compared at their keys.
 [[nodiscard]] ORISPLINE_EXPORT report::SkeletonPage reduced_clips_page(const NamedClips& before, std::string after,

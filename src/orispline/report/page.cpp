@@ -16,7 +16,8 @@ std::string with_data(const std::string& json) {
 
 }  // namespace
 
-std::string document(const Page& page) { return with_data(json_of(page)); }
+std::string document(const Page& page) { return with_data(data_of(page)); }
+std::string data_of(const Page& page) { return json_of(page); }
 std::string skeleton_document(const SkeletonPage& page) { return with_data(json_of(page)); }
 
 }}}  // namespace orispline::report

@@ -124,6 +124,9 @@ struct Page {
 /// alone (page_json.hpp) is in every build.
 [[nodiscard]] ORISPLINE_EXPORT std::string document(const Page& page);
 
+/// The JSON document in it, for a viewer that is given its data.
+[[nodiscard]] ORISPLINE_EXPORT std::string data_of(const Page& page);
+
 /// A joint of the skeleton that a page shows.
 struct PageJoint {
   std::string name;
@@ -142,40 +145,41 @@ struct PageLargest {
   double time = 0.0;  ///< [s]
 };
 
-/// How far a joint of a clip is off, and its keys.
+/// How far a joint of a clip is off, and its keys. Of one motion: from where the clip begins.
 struct PageJointErrors {
   std::vector<double> angles{};     ///< [deg], in the frame of the parent; as many as times of errors
   std::vector<double> distances{};  ///< in the world; as many as times of errors
   PageLargest angle{}, distance{};  ///< of all times, those that are not shown too
   PageKeyCounts keys{};             ///< of its rotation
-  std::vector<double> key_times{};  ///< [s], of the rotation after
+  /// [s], that are marked: of the rotation after, or of the only motion; where it was smoothed, of what was rejected.
+  std::vector<double> key_times{};
 };
 
-/// A clip in both motions. Straight lines between its times show it.
+/// A clip in one motion or in both. Straight lines between its times show it.
 struct PageClip {
   std::string name;
   double start = 0.0, end = 0.0;  ///< [s]
   PageKeyCounts rotation_keys{}, translation_keys{};
   std::vector<double> times{};            ///< [s], of the positions; increasing
   std::vector<Eigen::Vector3d> before{};  ///< in the world: all joints at the first time, then at the next
-  std::vector<Eigen::Vector3d> after{};   ///< likewise; of joints that are not compared those before
-  std::vector<double> error_times{};      ///< [s]; increasing
+  std::vector<Eigen::Vector3d> after{};  ///< likewise, of joints that are not compared those before; of one motion none
+  std::vector<double> error_times{};     ///< [s]; increasing
   std::vector<PageJointErrors> joints{};  ///< as many as the skeleton has
 };
 
 /// The axis of the world that points up.
 enum class PageUp { y, z };
 
-/// Everything that the page of a skeleton shows, which moves in two ways: plain data. Lengths have one unit.
+/// Everything that the page of a skeleton shows, which moves in one way or in two: plain data. Lengths have one unit.
 struct SkeletonPage {
   std::string title{};
   std::string command{};             ///< the command line that makes this page again
   std::string date{};                ///< of the making, as it is to be read
   std::string version{};             ///< of orispline
   std::vector<std::string> notes{};  ///< sentences of the head, such as what is left out
-  std::string before{}, after{};     ///< what the two motions are called, such as the names of files
-  std::string length_unit{};         ///< such as `mm`; empty: not known
-  double shell = 0.0;                ///< how far the points are off a joint that it is judged by in the world
+  std::string before{}, after{};  ///< what the motions are called, such as the names of files; `after` empty: only one
+  std::string length_unit{};      ///< such as `mm`; empty: not known
+  double shell = 0.0;             ///< how far the points are off a joint that it is judged by in the world
   PageUp up = PageUp::y;
   std::optional<double> angle_limit{};     ///< a line in the plot of angles [deg]
   std::optional<double> distance_limit{};  ///< a line in the plot of distances

@@ -1,21 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-import './style.css';
-import { showHeader } from './header';
-import { methodMenus, showPlayback } from './playback';
-import { componentsChoice, showPlots } from './plots';
-import { quantities } from './quantities';
-import { report, shownMethods } from './report';
-import { showScenes } from './scene/scenes';
-import { showSkeleton } from './skeleton/skeleton';
-import { showTable } from './table';
+// The page of a report: its data, given to a viewer.
+import './page.css';
+import { createViewer } from 'orispline-viewer';
+import { readPage } from './data';
 
-showHeader();
-if (report.skeleton) showSkeleton(report.skeleton);
-else {
-  showTable();
-  if (shownMethods.length > 0) {
-    showPlayback(methodMenus());
-    showScenes();
-    showPlots(quantities, ['first', 'second', 'components'], componentsChoice());
-  }
-}
+const report = readPage(document.getElementById('report-data')?.textContent ?? '');
+document.title = report.title;
+const viewer = createViewer(document.querySelector('main')!, report, { keys: document });
+viewer.subscribe(['theme'], ({ theme }) => (document.documentElement.dataset.theme = theme));

@@ -2,6 +2,7 @@
 // A real browser without a screen, and pages in it that must not complain.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 
@@ -12,7 +13,7 @@ const software = ['--disable-gpu', '--use-gl=angle', '--use-angle=swiftshader', 
 
 export const launch = (...more) => chromium.launch({ executablePath: executable, args: ['--no-sandbox', ...quiet, ...software, ...more] });
 
-const checker = readFileSync(new URL('../node_modules/axe-core/axe.min.js', import.meta.url), 'utf8');
+const checker = readFileSync(createRequire(import.meta.url).resolve('axe-core'), 'utf8');
 const rules = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
 
 /** What the checker of accessibility finds, one line each. */
@@ -25,7 +26,7 @@ export async function faultsOf(page) {
 /** Elements that stand out at the right; in a box that is scrolled by itself they may. */
 export const tooWide = (page) =>
   page.locator('body *:visible').evaluateAll((all) =>
-    all.filter((one) => !one.closest('#measures table, .joints table, pre code') && one.getBoundingClientRect().right > innerWidth + 1).map((one) => one.outerHTML.slice(0, 80)),
+    all.filter((one) => !one.closest('.measures table, .joints table, pre code') && one.getBoundingClientRect().right > innerWidth + 1).map((one) => one.outerHTML.slice(0, 80)),
   );
 
 export const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };

@@ -135,7 +135,7 @@ const marks = { label: 'rejected', t: [0.5], q: [0, 0, 0, 1], error_deg: [30] };
 const withErrors = { ...samples, error_t: [0, 0.25, 1], error_deg: [0, 7, 1] };
 const noted = { methods: [method('a', { samples: withErrors }), method('b')], marks, notes: ['One sample is <b>rejected</b>.'] };
 reportWith('with marks crosses them, and says its notes', noted, async (page) => {
-  assert.equal(await page.locator('header p').last().textContent(), 'One sample is <b>rejected</b>.');
+  assert.equal(await page.locator('.head p').last().textContent(), 'One sample is <b>rejected</b>.');
   assert.match(await page.locator('[data-quantity=error] figcaption').textContent(), /rejected/);
   assert.ok((await pixels(page, 'error', red)) > 10);
   await page.locator('input[type=range]').fill('0.3');

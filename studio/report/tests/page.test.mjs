@@ -41,7 +41,7 @@ async function placeIn(page, quantity, fraction) {
 }
 
 const cursors = (page) =>
-  page.locator('#plots figure:not([hidden]) .u-over').evaluateAll((plots) =>
+  page.locator('.plots figure:not([hidden]) .u-over').evaluateAll((plots) =>
     plots.map((over) => {
       const line = over.querySelector('.u-cursor-x').getBoundingClientRect();
       const box = over.getBoundingClientRect();
@@ -186,7 +186,7 @@ onPage('hides the components where they are not wanted', {}, async (page) => {
   assert.doesNotMatch(await caption(page, 'a'), /y [−\d]/);
 });
 
-const ground = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+const ground = (page) => page.evaluate(() => getComputedStyle(document.querySelector('.orispline-viewer')).backgroundColor);
 
 onPage('is light or dark as the system says, and as the user says', { colorScheme: 'dark' }, async (page) => {
   assert.equal(await ground(page), 'rgb(14, 18, 23)');
@@ -194,7 +194,7 @@ onPage('is light or dark as the system says, and as the user says', { colorSchem
   assert.equal(await ground(page), 'rgb(243, 245, 247)');
   await page.getByRole('button', { name: 'Dark' }).click();
   await page.emulateMedia({ colorScheme: 'light' });
-  await page.waitForFunction(() => getComputedStyle(document.body).backgroundColor === 'rgb(243, 245, 247)');
+  await page.waitForFunction(() => getComputedStyle(document.querySelector('.orispline-viewer')).backgroundColor === 'rgb(243, 245, 247)');
 });
 
 onPage('fits on a phone, and follows a finger', phone, async (page) => {
@@ -214,11 +214,11 @@ for (const [name, options] of Object.entries({ 'on a wide screen': {}, 'in the d
 const isOnFirstScreen = (locator) =>
   locator.evaluate((one) => {
     const { top, bottom, left, right } = one.getBoundingClientRect();
-    return top >= 0 && left >= 0 && right <= innerWidth && bottom <= document.getElementById('playback').getBoundingClientRect().top;
+    return top >= 0 && left >= 0 && right <= innerWidth && bottom <= document.querySelector('.playback').getBoundingClientRect().top;
   });
 
 onPage('has the table and the motion side by side on the first screen of a laptop', { viewport: { width: 1440, height: 900 } }, async (page) => {
-  const [table, ...figures] = [page.locator('#measures'), ...(await page.locator('.stages figure').all())];
+  const [table, ...figures] = [page.locator('.measures'), ...(await page.locator('.stages figure').all())];
   assert.equal(figures.length, 3);
   for (const one of [table, ...figures]) assert.ok(await isOnFirstScreen(one));
   const box = await table.boundingBox();
@@ -227,8 +227,8 @@ onPage('has the table and the motion side by side on the first screen of a lapto
 });
 
 onPage('keeps the names in view while the table is scrolled sideways', {}, async (page) => {
-  await page.locator('#measures').evaluate((one) => (one.scrollLeft = 400));
-  const [table, name] = [await page.locator('#measures').boundingBox(), await page.locator('tbody th').first().boundingBox()];
+  await page.locator('.measures').evaluate((one) => (one.scrollLeft = 400));
+  const [table, name] = [await page.locator('.measures').boundingBox(), await page.locator('tbody th').first().boundingBox()];
   assert.ok(Math.abs(name.x - table.x) < 2);
 });
 
@@ -236,8 +236,8 @@ test('shows the rest where there is no WebGL', async () => {
   const plain = await launch('--disable-3d-apis');
   const page = await open(plain, file);
   assert.equal(await page.locator('.stages').count(), 0);
-  assert.match(await page.locator('#scenes').textContent(), /no WebGL/);
-  assert.equal(await page.locator('#plots figure:visible').count(), 6);
+  assert.match(await page.locator('.scenes').textContent(), /no WebGL/);
+  assert.equal(await page.locator('.plots figure:visible').count(), 6);
   await page.finish();
   await plain.close();
 });

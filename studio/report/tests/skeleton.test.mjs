@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The report of an arm whose clips were reduced, in a browser: ARM_PAGE names the file, PICTURES a folder for pictures.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { drawn, faultsOf, launch, open, phone, tooWide } from './browser.mjs';
@@ -28,7 +29,7 @@ const clock = async (page) => Number.parseFloat(await page.locator('output').tex
 const caption = (page, quantity) => page.locator(`[data-quantity=${quantity}] figcaption`).textContent();
 const sceneCaption = (page) => page.locator('.skeleton figcaption').textContent();
 const choice = (page, label) => page.locator(`label.choice:has-text("${label}") select`);
-const clipNames = (page) => page.locator('#measures tbody th').allTextContents();
+const clipNames = (page) => page.locator('.measures tbody th').allTextContents();
 
 onPage('shows every clip, the one that is farthest off first, at its worst', {}, async (page) => {
   assert.equal(await page.title(), data.title);
@@ -36,7 +37,7 @@ onPage('shows every clip, the one that is farthest off first, at its worst', {},
   assert.deepEqual(await clipNames(page), clips.map(({ name }) => name));
   const sorted = clips.map((clip) => largest(clip, 'distance'));
   assert.deepEqual(sorted, [...sorted].sort((a, b) => b - a));
-  assert.equal(await page.locator('#measures tr.is-first th').textContent(), clips[0].name);
+  assert.equal(await page.locator('.measures tr.is-first th').textContent(), clips[0].name);
   const worst = clips[0].joints.find((joint) => joint.distance[0] === sorted[0]);
   assert.ok(Math.abs((await clock(page)) - worst.distance[1]) < 0.01);
   assert.match(await caption(page, 'distance'), new RegExp(`all joints ${sorted[0].toPrecision(4)}`));
@@ -51,10 +52,10 @@ onPage('has hostile names as plain text', {}, async (page) => {
 });
 
 onPage('sorts the clips by a click', {}, async (page) => {
-  await page.locator('#measures th[data-id=before] button').click();
+  await page.locator('.measures th[data-id=before] button').click();
   const byKeys = [...clips].sort((a, b) => b.rotation_keys[0] - a.rotation_keys[0]).map(({ name }) => name);
   assert.deepEqual(await clipNames(page), byKeys);
-  await page.locator('#measures th[data-id=name] button').click();
+  await page.locator('.measures th[data-id=name] button').click();
   assert.deepEqual(await clipNames(page), clips.map(({ name }) => name).sort());
 });
 
@@ -97,7 +98,7 @@ onPage('plots both tolerances, and the errors of the chosen joint', {}, async (p
 
 onPage('has one cursor, at the time that is shown', {}, async (page) => {
   const [time, { start, end }] = [await clock(page), clips[0]];
-  const places = await page.locator('#plots .u-over').evaluateAll((plots) =>
+  const places = await page.locator('.plots .u-over').evaluateAll((plots) =>
     plots.map((over) => {
       const [line, box] = [over.querySelector('.u-cursor-x').getBoundingClientRect(), over.getBoundingClientRect()];
       return (line.left - box.left) / box.width;
@@ -153,10 +154,10 @@ onPage('is seen from all sides, on its path, and with its differences magnified'
 
 onPage('shows a clip that has no keys without plots', {}, async (page) => {
   await page.locator('tr[data-clip=still] th').click();
-  assert.equal(await page.locator('#plots figure[data-quantity]:visible').count(), 0);
+  assert.equal(await page.locator('.plots figure[data-quantity]:visible').count(), 0);
   assert.doesNotMatch(await sceneCaption(page), /farthest/);
   await page.locator('tr[data-clip="swing 1"] th').click();
-  assert.equal(await page.locator('#plots figure[data-quantity]:visible').count(), 2);
+  assert.equal(await page.locator('.plots figure[data-quantity]:visible').count(), 2);
 });
 
 onPage('fits on a phone, and follows a finger', phone, async (page) => {
@@ -175,17 +176,55 @@ for (const [name, options] of Object.entries({ 'on a wide screen': {}, 'in the d
   onPage(`is accessible ${name}`, options, async (page) => assert.deepEqual(await faultsOf(page), []));
 
 onPage('has table and motion on the first screen of a laptop', { viewport: { width: 1440, height: 900 } }, async (page) => {
-  const bar = (await page.locator('#playback').boundingBox()).y;
-  const [table, scene] = [await page.locator('#measures').boundingBox(), await page.locator('.skeleton').boundingBox()];
+  const bar = (await page.locator('.playback').boundingBox()).y;
+  const [table, scene] = [await page.locator('.measures').boundingBox(), await page.locator('.skeleton').boundingBox()];
   assert.ok(scene.x >= table.x + table.width);
   for (const { y, height } of [table, scene]) assert.ok(y + height <= bar);
 });
 
+/** The page of one motion, of the data of the first ones. */
+function alone() {
+  const one = structuredClone(data);
+  one.skeleton.after = '';
+  for (const clip of one.skeleton.clips) {
+    Object.assign(clip.poses, { after: [], offset_step: 1 });
+    for (const counts of [clip.rotation_keys, clip.translation_keys, ...clip.joints.map(({ keys }) => keys)]) counts[1] = 0;
+  }
+  return one;
+}
+
+for (const [name, options] of [['', {}], [' on a phone', phone]])
+  test(`of one motion of a skeleton shows it alone${name}`, async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'orispline-page-'));
+    const single = join(folder, 'one.html');
+    const text = JSON.stringify(alone()).replaceAll('<', '\\u003c');
+    writeFileSync(single, readFileSync(file, 'utf8').replace(/(id="report-data">).*?(<\/script>)/s, (_, start, end) => start + text + end));
+    const page = await open(browser, single, options);
+    await drawn(page);
+    assert.deepEqual(await clipNames(page), clips.map(({ name: clip }) => clip)); // in their order
+    const heads = await page.locator('.measures th[data-id]').evaluateAll((all) => all.map((head) => head.dataset.id));
+    assert.deepEqual(heads, ['name', 'before', 'distance', 'distance_at', 'angle_deg', 'angle_at', 'duration']);
+    assert.equal(await page.locator('.measures tbody tr').first().locator('td').count(), heads.length - 1);
+    assert.deepEqual(await page.locator('.joints tbody th').allTextContents(), joints.map(({ name: joint }) => joint));
+    assert.ok(Math.abs((await clock(page)) - clips[0].start) < 0.01);
+    assert.doesNotMatch(await sceneCaption(page), /small\.glb|farthest/);
+    assert.match(await sceneCaption(page), /arm\.glb/);
+    assert.match(await caption(page, 'distance'), /Shell distance from where the clip begins in the world/);
+    assert.equal(await page.locator('label.choice:has-text("Differences")').count(), 0);
+    await page.locator('.measures tbody tr').nth(2).click();
+    await drawn(page);
+    assert.equal(await page.locator('.measures tr.is-first th').textContent(), clips[2].name);
+    assert.deepEqual(await faultsOf(page), []);
+    assert.deepEqual(await tooWide(page), []);
+    await page.finish();
+    rmSync(folder, { recursive: true });
+  });
+
 test('of a skeleton shows the rest where there is no WebGL', async () => {
   const plain = await launch('--disable-3d-apis');
   const page = await open(plain, file);
-  assert.match(await page.locator('#scenes').textContent(), /no WebGL/);
-  assert.equal(await page.locator('#plots figure:visible').count(), 3);
+  assert.match(await page.locator('.scenes').textContent(), /no WebGL/);
+  assert.equal(await page.locator('.plots figure:visible').count(), 3);
   await page.finish();
   await plain.close();
 });

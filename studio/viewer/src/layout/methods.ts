@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Methods, their measures and motions.
+import { methodMenus, playbackOf } from '../controls/playback';
+import { componentsChoice, exactness, showPlots } from '../plots/plots';
+import { methodQuantities } from '../quantities/methods';
+import { scenesOf } from '../scene/scenes';
+import type { Store } from '../store/store';
+import { measureTable } from '../tables/measures';
+import type { Places } from './places';
+
+const manyMethods = 6; // a table so long stands beside the scenes, where there is room
+
+export function showMethods(store: Store, { main, measures, scenes, plots, playback, keys }: Places): void {
+  const { report, methods } = store;
+  if (report.columns.length > 0 || report.methods.length > 0) measures.append(measureTable(store));
+  if (methods.length === 0) return;
+  main.classList.toggle('beside', report.methods.length >= manyMethods);
+  playback.append(...playbackOf(store, methodMenus(store), keys));
+  scenes.append(...scenesOf(store));
+  plots.append(componentsChoice(store));
+  showPlots(store, plots, methodQuantities(store), ['first', 'second', 'components']);
+  plots.append(exactness(store));
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Angles over time and ways over the sphere, drawn within a stated angle.
+import type { Numbers } from '../data/numbers';
+import { isGap, type Path } from '../data/report';
+import { quaternionAt, segmentOf, spanAt } from './orientation';
+import { polyline, type Piece, type Polyline } from './polyline';
+import { angleBetween, bodyAxis, type Axis, type Quaternion } from './quaternion';
+
+/** [deg] Of a chord from what it stands for. */
+export const chordTolerance = 0.005;
+
+const radian = 180 / Math.PI; // [deg]
+
+/** The orientation between two samples at a time. */
+function turnsIn(path: Path, i: number): ((t: number) => Quaternion) | null {
+  const segment = segmentOf(path, i);
+  const [from, step] = [path.t[i], path.t[i + 1] - path.t[i]];
+  return segment && ((t) => segment((t - from) / step));
+}
+
+/** Values of the orientations of a path. */
+const piecesOf =
+  (path: Path, valuesOf: (q: Quaternion) => number[]) =>
+  (i: number): Piece | null => {
+    const turns = turnsIn(path, i);
+    return turns && ((t) => valuesOf(turns(t)));
+  };
+
+/** [deg] */
+export function anglesFromStart(path: Path): Polyline {
+  const first = path.t.findIndex((_, i) => !isGap(path, i));
+  if (first < 0) return { t: new Float64Array(), values: new Float64Array() };
+  const start = quaternionAt(path, first);
+  return polyline(path.t, piecesOf(path, (q) => [angleBetween(start, q)]), chordTolerance);
+}
+
+/** The way of a body axis over the unit sphere. */
+export const wayOverSphere = (path: Path, axis: Axis): Polyline => polyline(path.t, piecesOf(path, (q) => bodyAxis(q, axis)), chordTolerance / radian);
+
+/** All times of both, each once. */
+function unionOf(some: Numbers, others: Numbers): Float64Array {
+  const all = new Float64Array(some.length + others.length);
+  all.set(some);
+  all.set(others, some.length);
+  return all.sort().filter((t, i) => i === 0 || t !== all[i - 1]);
+}
+
+/** The angle between both [deg], where both are. */
+export function anglesApart(path: Path, other: Path): Polyline {
+  const times = unionOf(path.t, other.t);
+  const turnsAt = (one: Path, t: number) => (t < one.t[0] || t > one.t[one.t.length - 1] ? null : turnsIn(one, spanAt(one.t, t)));
+  const pieceOf = (i: number): Piece | null => {
+    const middle = (times[i] + times[i + 1]) / 2;
+    const [first, second] = [turnsAt(path, middle), turnsAt(other, middle)];
+    return first && second && ((t) => [angleBetween(first(t), second(t))]);
+  };
+  return polyline(times, pieceOf, chordTolerance);
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is drawn into a plot beside its lines.
+import type uPlot from 'uplot';
+import type { Numbers } from '../data/numbers';
+import type { Colours } from '../look/theme';
+import type { PlacedBand, Points } from '../quantities/quantity';
+
+const closestKeys = 5; // [px] keys nearer to each other than this are not marked
+
+export function markKeys(plot: uPlot, keys: Numbers, colours: Colours): void {
+  const { ctx, bbox } = plot;
+  const ratio = devicePixelRatio;
+  let last = -Infinity;
+  ctx.save();
+  ctx.lineWidth = ratio;
+  for (const t of keys) {
+    const x = plot.valToPos(t, 'x', true);
+    if (x < bbox.left - 1 || x > bbox.left + bbox.width + 1 || x - last < closestKeys * ratio) continue;
+    last = x;
+    ctx.strokeStyle = colours.grid;
+    ctx.beginPath();
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+    ctx.stroke();
+    ctx.fillStyle = colours.faint;
+    ctx.beginPath();
+    ctx.moveTo(x - 3 * ratio, bbox.top - 4 * ratio);
+    ctx.lineTo(x + 3 * ratio, bbox.top - 4 * ratio);
+    ctx.lineTo(x, bbox.top + ratio);
+    ctx.fill();
+  }
+  ctx.restore();
+}
+
+/** A dashed line that nothing is to cross. */
+export function drawLimit({ ctx, bbox, valToPos }: uPlot, limit: number, colours: Colours): void {
+  const y = valToPos(limit, 'y', true);
+  ctx.save();
+  ctx.strokeStyle = colours.limit;
+  ctx.lineWidth = 1.5 * devicePixelRatio;
+  ctx.setLineDash([7, 5].map((length) => length * devicePixelRatio));
+  ctx.beginPath();
+  ctx.moveTo(bbox.left, y);
+  ctx.lineTo(bbox.left + bbox.width, y);
+  ctx.stroke();
+  ctx.restore();
+}
+
+/** Between its edges, piece by piece. */
+export function drawBand({ ctx, bbox, valToPos }: uPlot, { place, t, low, high }: PlacedBand, colours: Colours): void {
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  ctx.globalAlpha = 0.2;
+  ctx.fillStyle = colours[place];
+  const point = (i: number, edge: Numbers): [number, number] => [valToPos(t[i], 'x', true), valToPos(edge[i], 'y', true)];
+  for (let from = 0; from < t.length; from++) {
+    if (Number.isNaN(low[from])) continue;
+    let to = from;
+    while (to + 1 < t.length && !Number.isNaN(low[to + 1])) to++;
+    ctx.beginPath();
+    for (let i = from; i <= to; i++) ctx.lineTo(...point(i, high));
+    for (let i = to; i >= from; i--) ctx.lineTo(...point(i, low));
+    ctx.fill();
+    from = to;
+  }
+  ctx.restore();
+}
+
+/** Crosses; at the upper edge where they would be above it. */
+export function drawMarks({ ctx, bbox, valToPos }: uPlot, { t, values }: Points, colours: Colours): void {
+  const size = 4 * devicePixelRatio;
+  ctx.save();
+  ctx.strokeStyle = colours.mark;
+  ctx.lineWidth = 1.5 * devicePixelRatio;
+  ctx.beginPath();
+  t.forEach((time, i) => {
+    const x = valToPos(time, 'x', true);
+    if (Number.isNaN(values[i]) || x < bbox.left || x > bbox.left + bbox.width) return;
+    const y = Math.max(valToPos(values[i], 'y', true), bbox.top + size);
+    ctx.moveTo(x - size, y - size);
+    ctx.lineTo(x + size, y + size);
+    ctx.moveTo(x - size, y + size);
+    ctx.lineTo(x + size, y - size);
+  });
+  ctx.stroke();
+  ctx.restore();
+}

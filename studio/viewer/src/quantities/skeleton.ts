@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is plotted of a clip: how far all joints are off, and the chosen one.
+import { isAlone, type Skeleton } from '../data/report';
+import type { Colours } from '../look/theme';
+import { errorsOf, largestErrors, type Kind } from '../motion/poses';
+import type { State } from '../store/store';
+import type { Line, Quantity } from './quantity';
+
+function linesOf(skeleton: Skeleton, kind: Kind, { clip, joint }: State, colours: Colours): Line[] {
+  const shown = skeleton.clips[clip];
+  const { t } = shown.errors;
+  if (t.length < 2) return [];
+  const all: Line = { label: 'all joints', colour: kind === 'distance' ? colours.first : colours.reference, width: kind === 'distance' ? 2 : 1, t, values: largestErrors(shown, kind) };
+  const one: Line = { label: skeleton.joints[joint].name, colour: colours.second, width: kind === 'distance' ? 1.5 : 2, t, values: errorsOf(shown, kind, joint) };
+  return kind === 'distance' ? [one, all] : [all, one];
+}
+
+/** Keys of the chosen joint are marked where its angle is. */
+export function skeletonQuantities(skeleton: Skeleton): Quantity[] {
+  const from = isAlone(skeleton) ? ' from where the clip begins' : '';
+  const keys = ({ clip, joint }: State) => skeleton.clips[clip].joints[joint].key_t;
+  return [
+    {
+      id: 'distance',
+      title: `Shell distance${from} in the world`,
+      unit: skeleton.unit,
+      limit: skeleton.distance_limit ?? undefined,
+      limitLabel: 'tolerance',
+      keys: () => new Float64Array(),
+      lines: (state, colours) => linesOf(skeleton, 'distance', state, colours),
+    },
+    {
+      id: 'angle',
+      title: `Angle${from} in the frame of the parent`,
+      unit: 'deg',
+      limit: skeleton.angle_limit ?? undefined,
+      limitLabel: 'tolerance',
+      keys,
+      lines: (state, colours) => linesOf(skeleton, 'angle_deg', state, colours),
+    },
+  ];
+}

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one viewer shows, and what its user has chosen. Views subscribe to it; nothing else holds choices.
+import { hasPositions, hasSamples, type BodyShape, type Clip, type Method, type Report } from '../data/report';
+import { Moments } from '../look/moments';
+import type { Axis } from '../motion/quaternion';
+
+export interface State {
+  first: string | null; // names of methods
+  second: string | null;
+  clip: number; // its place among those of the skeleton
+  joint: number;
+  magnified: number; // differences of the two motions in space
+  time: number;
+  extent: [from: number, to: number]; // all that may be shown
+  window: [from: number, to: number]; // the stretch of time that the plots show
+  playing: boolean;
+  speed: number; // seconds of the motion per second
+  axis: Axis;
+  body: BodyShape;
+  place: 'follow' | 'path' | 'fixed';
+  components: boolean;
+  theme: 'light' | 'dark';
+}
+
+type Field = keyof State;
+type Update = (state: Readonly<State>) => void;
+
+/** A clip from the start on, or at another time. */
+export function withClip(clips: Clip[], clip: number, time = clips[clip].start): Partial<State> {
+  const extent: State['extent'] = [clips[clip].start, clips[clip].end];
+  return { clip, extent, window: extent, time };
+}
+
+/** From the first moment that there is to the last one. */
+function extentOf({ keys, skeleton }: Report, methods: Method[]): State['extent'] {
+  const clips = skeleton?.clips ?? [];
+  const ends = [...methods.map(({ samples }) => samples.t), keys.t, ...clips.map(({ start, end }) => [start, end])].filter(({ length }) => length > 0);
+  return [Math.min(...ends.map((t) => t[0])), Math.max(...ends.map((t) => t[t.length - 1]))];
+}
+
+/** What is shown until the user chooses: what the report says, else the first of the methods. */
+function firstState(report: Report, methods: Method[], extent: State['extent'], theme: State['theme']): State {
+  const nameIn = (some: Method[], name: string) => (some.find((method) => method.name === name) ?? some[0])?.name ?? null;
+  const first = nameIn(methods, report.first);
+  const others = methods.filter(({ name }) => name !== first);
+  const clips = report.skeleton?.clips ?? [];
+  return {
+    first,
+    second: nameIn(others, report.second),
+    clip: 0,
+    joint: 0,
+    magnified: 1,
+    time: extent[0],
+    extent,
+    window: extent,
+    playing: false,
+    speed: 1,
+    axis: 'x',
+    body: report.body,
+    place: report.skeleton || methods.some(hasPositions) ? 'follow' : 'fixed',
+    components: true,
+    theme,
+    ...(clips.length > 0 ? withClip(clips, 0) : {}),
+  };
+}
+
+export class Store {
+  readonly methods: Method[]; // that have samples
+  readonly extent: State['extent']; // of all that there is
+  readonly moments: Moments;
+  readonly canFollowPath: boolean;
+  private state: State;
+  private readonly subscribers = new Set<{ fields: Field[]; update: Update }>();
+  private readonly endings: (() => void)[] = [];
+
+  constructor(readonly report: Report) {
+    this.methods = report.methods.filter(hasSamples);
+    this.extent = extentOf(report, this.methods);
+    this.moments = new Moments(this.extent);
+    this.canFollowPath = this.methods.some(hasPositions);
+    const dark = matchMedia('(prefers-color-scheme: dark)');
+    this.state = firstState(report, this.methods, this.extent, dark.matches ? 'dark' : 'light');
+    this.listen(dark, 'change', () => this.choose({ theme: dark.matches ? 'dark' : 'light' }));
+  }
+
+  current = (): Readonly<State> => this.state;
+
+  /** Calls the update now, and again when one of the fields changes, until what it returns is called. */
+  subscribe = (fields: Field[], update: Update): (() => void) => {
+    const subscriber = { fields, update };
+    this.subscribers.add(subscriber);
+    update(this.state);
+    return () => this.subscribers.delete(subscriber);
+  };
+
+  choose = (changes: Partial<State>): void => {
+    const changed = (Object.keys(changes) as Field[]).filter((field) => changes[field] !== this.state[field]);
+    if (changed.length === 0) return;
+    this.state = { ...this.state, ...changes };
+    for (const { fields, update } of this.subscribers) if (fields.some((field) => changed.includes(field))) update(this.state);
+  };
+
+  moveTo = (time: number): void => this.choose({ time: Math.min(Math.max(time, this.state.extent[0]), this.state.extent[1]) });
+
+  methodNamed = (name: string | null): Method | undefined => this.methods.find((method) => method.name === name);
+
+  /** The keys that the curve of a method goes through. */
+  keysOf = (method: Method | undefined) => method?.keys ?? this.report.keys;
+
+  /** For as long as there is the viewer. */
+  listen(target: EventTarget, type: string, listener: (event: never) => void): void {
+    target.addEventListener(type, listener as EventListener);
+    this.atEnd(() => target.removeEventListener(type, listener as EventListener));
+  }
+
+  /** Tells of each change of an element's size, likewise. */
+  watchSize(element: Element, update: () => void): void {
+    const observer = new ResizeObserver(update);
+    observer.observe(element);
+    this.atEnd(() => observer.disconnect());
+  }
+
+  /** Is called when the viewer is destroyed. */
+  atEnd(ending: () => void): void {
+    this.endings.push(ending);
+  }
+
+  destroy(): void {
+    this.choose({ playing: false });
+    this.subscribers.clear();
+    for (const ending of this.endings.splice(0)) ending();
+  }
+}
