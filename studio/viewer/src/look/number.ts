@@ -29,6 +29,9 @@ export function roundStep(size: number): number {
 
 const superscripts = '⁰¹²³⁴⁵⁶⁷⁸⁹';
 
+/** Units and names as they are printed: `rad/s^2` and `rad/s2` as rad/s². */
+export const typeset = (text: string) => text.replace(/\^k\b/g, 'ᵏ').replace(/(?<=[a-z])\^?([23])(?![\w.])/g, (_, digit) => superscripts[Number(digit)]);
+
 /** 10⁻³; nothing for 10⁰. */
 export const powerOfTen = (exponent: number) =>
   exponent === 0 ? '' : `10${exponent < 0 ? '⁻' : ''}${[...String(Math.abs(exponent))].map((digit) => superscripts[Number(digit)]).join('')}`;

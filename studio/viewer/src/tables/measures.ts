@@ -2,7 +2,7 @@
 // The table of measures: a click on a head sorts it, a click on a row shows the method.
 import { hasSamples, type Column, type Method } from '../data/report';
 import { breakable, element } from '../look/element';
-import { NumberColumn, powerOfTen } from '../look/number';
+import { NumberColumn, powerOfTen, typeset } from '../look/number';
 import { sortable, type Head, type Value } from '../look/sortable';
 import type { Store } from '../store/store';
 
@@ -38,12 +38,12 @@ function writtenOf(column: Column, { moments, report: { methods } }: Store): Wri
   if (column.is_time) return { unit: '', text: (value) => (typeof value === 'number' ? moments.text(value) : '–') };
   if (isCount(column, methods)) return { unit: '', text: (value) => String(value ?? '–') };
   const values = new NumberColumn(methods.map(({ measures }) => measures[column.id]), column.rounding);
-  return { unit: [powerOfTen(values.exponent), column.unit].filter(Boolean).join(' '), text: (value) => values.text(value) };
+  return { unit: [powerOfTen(values.exponent), typeset(column.unit)].filter(Boolean).join(' '), text: (value) => values.text(value) };
 }
 
 const headOf = ({ id, label, explanation, better }: Column, { unit }: Written): Head => ({
   id,
-  label,
+  label: typeset(label),
   unit,
   explanation,
   isNumber: true,
