@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bar at the foot: what is shown, and the time.
 import { element, menu } from '../look/element';
-import type { Store } from '../store/store';
+import type { State, Store } from '../store/store';
 
 const speeds = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 
-/** Moves the time on with the clock while it plays; begins again at the end. */
+/** Moves the time on with the clock while it plays; at the end of what the plots show it begins again. */
 function run({ current, moveTo, subscribe }: Store): void {
   let before = 0;
   const step = (now: number) => {
-    const { playing, speed, time, extent } = current();
+    const { playing, speed, time, window } = current();
     if (!playing) return;
     const next = time + (speed * (now - before)) / 1000;
     before = now;
-    moveTo(next > extent[1] ? extent[0] : next);
+    moveTo(next > window[1] || next < window[0] ? window[0] : next);
     requestAnimationFrame(step);
   };
   subscribe(['playing'], ({ playing }) => {
@@ -64,12 +64,30 @@ function timeControls({ choose, current, moveTo, subscribe, moments }: Store): H
   return [play, scrub, clock, speed];
 }
 
-/** The space bar plays and pauses, where it does nothing else. */
+const steps: Record<string, number> = { ArrowLeft: -1, ArrowRight: 1 }; // hundredths of what the plots show
+const far = 10;
+
+/** Where a key leads; nothing where it has no meaning here. */
+function timeAfter({ key, shiftKey }: KeyboardEvent, { time, window: [from, to] }: Readonly<State>): number | null {
+  if (key === 'Home') return from;
+  if (key === 'End') return to;
+  return key in steps ? time + (steps[key] * (shiftKey ? far : 1) * (to - from)) / 100 : null;
+}
+
+const isPressed = 'button, summary, a'; // by the space bar
+const isMoved = 'select, input:not([type=checkbox], [type=range]), textarea, [contenteditable]'; // by arrows
+
+/** The space bar plays and pauses, arrows step, Home and End jump, where they do nothing else. */
 function hearKeys(store: Store, target: EventTarget): void {
+  const { choose, current, moveTo } = store;
   store.listen(target, 'keydown', (event: KeyboardEvent) => {
-    if (event.key !== ' ' || (event.target as Element).closest('button, select, input')) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || (event.target as Element).closest(isMoved)) return;
+    const time = timeAfter(event, current());
+    const plays = event.key === ' ' && !(event.target as Element).closest(`${isPressed}, input[type=checkbox]`);
+    if (time === null && !plays) return;
     event.preventDefault();
-    store.choose({ playing: !store.current().playing });
+    if (time !== null) moveTo(time);
+    else choose({ playing: !current().playing });
   });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Methods, their measures and motions.
 import { methodMenus, playbackOf } from '../controls/playback';
-import { componentsChoice, exactness, showPlots } from '../plots/plots';
+import { componentsChoice, exactness, plotControls, showPlots } from '../plots/plots';
 import { methodQuantities } from '../quantities/methods';
 import { scenesOf } from '../scene/scenes';
 import type { Store } from '../store/store';
@@ -17,7 +17,7 @@ export function showMethods(store: Store, { main, measures, scenes, plots, playb
   main.classList.toggle('beside', report.methods.length >= manyMethods);
   playback.append(...playbackOf(store, methodMenus(store), keys));
   scenes.append(...scenesOf(store));
-  plots.append(componentsChoice(store));
+  plots.append(plotControls(store, componentsChoice(store)));
   showPlots(store, plots, methodQuantities(store), ['first', 'second', 'components']);
   plots.append(exactness(store));
 }

@@ -4,7 +4,7 @@ import { isAlone, type Skeleton } from '../data/report';
 import { playbackOf } from '../controls/playback';
 import { element, menu } from '../look/element';
 import { firstJoint, worstJoint } from '../motion/poses';
-import { showPlots } from '../plots/plots';
+import { plotControls, showPlots } from '../plots/plots';
 import { skeletonQuantities } from '../quantities/skeleton';
 import { canDraw, noScenes } from '../scene/scenes';
 import { sides, SkeletonScene } from '../scene/skeleton/skeletonScene';
@@ -66,6 +66,7 @@ export function showSkeleton(store: Store, skeleton: Skeleton, { main, measures,
     const scene = new SkeletonScene(store, skeleton);
     scenes.append(controls(store, skeleton, scene), element('div', { className: 'stages' }, scene.figure));
   } else scenes.append(noScenes());
+  plots.append(plotControls(store));
   showPlots(store, plots, skeletonQuantities(skeleton), ['clip', 'joint']);
   plots.append(jointTable(store, skeleton));
 }

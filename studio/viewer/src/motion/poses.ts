@@ -46,7 +46,8 @@ export type Kind = 'angle_deg' | 'distance';
 /** What is smaller is rounding: about a millionth of what the clips take up, for that is 8000 steps. */
 export const roundingsOf = once(({ clips }: Skeleton) => ({ angle_deg: 5e-5, distance: 0.008 * Math.max(...clips.map(({ poses }) => poses.step)) }));
 
-const stepOf = (errors: Errors, kind: Kind) => (kind === 'angle_deg' ? errors.angle_step : errors.distance_step);
+/** In which the errors are whole numbers. */
+export const stepOf = (errors: Errors, kind: Kind) => (kind === 'angle_deg' ? errors.angle_step : errors.distance_step);
 
 /** Errors of a joint over the times of the clip's errors. */
 export function errorsOf({ errors }: Clip, kind: Kind, joint: number): Float64Array {

@@ -5,7 +5,9 @@ import type { Numbers } from '../data/numbers';
 import type { Colours } from '../look/theme';
 import type { PlacedBand, Points } from '../quantities/quantity';
 
-const closestKeys = 5; // [px] keys nearer to each other than this are not marked
+const closestKeys = 12; // [px] keys nearer to each other than this are not marked
+const cell = 7; // [px] of several marks in a square of this size one is drawn
+const manyMarks = 150; // are drawn as dots
 
 export function markKeys(plot: uPlot, keys: Numbers, colours: Colours): void {
   const { ctx, bbox } = plot;
@@ -68,22 +70,43 @@ export function drawBand({ ctx, bbox, valToPos }: uPlot, { place, t, low, high }
   ctx.restore();
 }
 
-/** Crosses; at the upper edge where they would be above it. */
-export function drawMarks({ ctx, bbox, valToPos }: uPlot, { t, values }: Points, colours: Colours): void {
-  const size = 4 * devicePixelRatio;
-  ctx.save();
-  ctx.strokeStyle = colours.mark;
-  ctx.lineWidth = 1.5 * devicePixelRatio;
-  ctx.beginPath();
+/** One of the points in each small square of the picture; at the upper edge where they would be above it. */
+function placesOf({ bbox, valToPos }: uPlot, { t, values }: Points): [x: number, y: number][] {
+  const size = cell * devicePixelRatio;
+  const places = new Map<string, [number, number]>();
   t.forEach((time, i) => {
     const x = valToPos(time, 'x', true);
     if (Number.isNaN(values[i]) || x < bbox.left || x > bbox.left + bbox.width) return;
-    const y = Math.max(valToPos(values[i], 'y', true), bbox.top + size);
-    ctx.moveTo(x - size, y - size);
-    ctx.lineTo(x + size, y + size);
-    ctx.moveTo(x - size, y + size);
-    ctx.lineTo(x + size, y - size);
+    const y = Math.max(valToPos(values[i], 'y', true), bbox.top + size / 2);
+    const square = `${Math.floor(x / size)} ${Math.floor(y / size)}`;
+    if (!places.has(square)) places.set(square, [x, y]);
   });
-  ctx.stroke();
+  return [...places.values()];
+}
+
+/** Crosses; of many, dots. */
+export function drawMarks(plot: uPlot, points: Points, colours: Colours): void {
+  const { ctx } = plot;
+  const places = placesOf(plot, points);
+  const ratio = devicePixelRatio;
+  ctx.save();
+  ctx.beginPath();
+  if (places.length > manyMarks) {
+    ctx.fillStyle = colours.mark;
+    ctx.globalAlpha = 0.55;
+    for (const [x, y] of places) ctx.rect(x - ratio, y - ratio, 2 * ratio, 2 * ratio);
+    ctx.fill();
+  } else {
+    const size = 3.5 * ratio;
+    ctx.strokeStyle = colours.mark;
+    ctx.lineWidth = 1.5 * ratio;
+    for (const [x, y] of places) {
+      ctx.moveTo(x - size, y - size);
+      ctx.lineTo(x + size, y + size);
+      ctx.moveTo(x - size, y + size);
+      ctx.lineTo(x + size, y - size);
+    }
+    ctx.stroke();
+  }
   ctx.restore();
 }

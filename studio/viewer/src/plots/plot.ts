@@ -7,10 +7,11 @@ import { element } from '../look/element';
 import { chosen, shown, tick } from '../look/number';
 import { coloursOf, type Colours } from '../look/theme';
 import { spanAt } from '../motion/orientation';
-import type { Line, PlacedBand, Points, Quantity } from '../quantities/quantity';
+import type { Line, PlacedBand, Quantity } from '../quantities/quantity';
 import type { State, Store } from '../store/store';
 import { aligned } from './aligned';
 import { drawBand, drawLimit, drawMarks, markKeys } from './drawings';
+import { rangeOf, shownOf, type Cut } from './range';
 
 const height = 190;
 const font = '12px system-ui, sans-serif';
@@ -23,32 +24,40 @@ function largest(lists: Numbers[], least: number): number {
   return size;
 }
 
-/** With 0, and a range where all is 0 too. */
-const rangeOf = (low: number, high: number) => uPlot.rangeNum(low < -rounding ? low : 0, high > rounding || low < -rounding ? Math.max(high, 0) : 1, 0.06, true);
-
-interface Beside {
-  ready: () => void;
-  keys: Numbers;
-  limit?: number;
-  marks?: Points;
-  band?: PlacedBand;
-}
-
 function chooseWindow({ scales: { x } }: uPlot, { current, choose }: Store): void {
   const [from, to] = current().window;
   if (x.min !== undefined && x.max !== undefined && (x.min !== from || x.max !== to)) choose({ window: [x.min, x.max] });
 }
 
-function optionsOf(store: Store, lines: Line[], { ready, keys, limit, marks, band }: Beside, width: number, colours: Colours): uPlot.Options {
+/** What a plot draws besides its lines, as it is at the moment. */
+interface Drawn {
+  lines: Line[];
+  keys: Numbers;
+  band?: PlacedBand;
+  colours: Colours;
+}
+
+interface Hooks {
+  ready: () => void;
+  range: () => uPlot.Range.MinMax;
+  drawn: () => Drawn;
+}
+
+function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, drawn }: Hooks, width: number): uPlot.Options {
   const { current, moveTo, moments } = store;
-  const reach = largest(band ? [band.high] : [], limit ?? 0);
+  const { lines, colours } = drawn();
   const axis = { stroke: colours.faint, font, ticks: { stroke: colours.grid, size: 4 } };
+  const before = (plot: uPlot) => {
+    const { keys, band } = drawn();
+    markKeys(plot, keys, colours);
+    if (band) drawBand(plot, band, colours);
+  };
   return {
     width,
     height,
     padding: [10, 12, 0, 0],
     legend: { show: false },
-    scales: { x: { time: false }, y: { range: (_, low, high) => rangeOf(low ?? 0, Math.max(high ?? 0, reach)) } },
+    scales: { x: { time: false }, y: { range } },
     axes: [
       { ...axis, grid: { show: false }, size: 28, values: (_, ticks) => moments.ticks(ticks) },
       { ...axis, grid: { stroke: colours.grid, width: 1 }, size: 52, values: (_, ticks) => ticks.map(tick) },
@@ -57,13 +66,16 @@ function optionsOf(store: Store, lines: Line[], { ready, keys, limit, marks, ban
     cursor: { y: false, points: { size: 7 }, drag: { x: true, y: false, setScale: true }, bind: { mouseleave: () => null } },
     hooks: {
       ready: [ready],
-      drawClear: [(plot) => markKeys(plot, keys, colours), (plot) => band && drawBand(plot, band, colours)],
+      drawClear: [before],
       draw: [(plot) => limit !== undefined && drawLimit(plot, limit, colours), (plot) => marks && drawMarks(plot, marks, colours)],
       setCursor: [(plot) => plot.cursor.event && !current().playing && moveTo(plot.posToVal(plot.cursor.left!, 'x'))],
       setScale: [(plot, key) => key === 'x' && chooseWindow(plot, store)],
     },
   };
 }
+
+/** What two sets of lines have to share so that one plot can draw both. */
+const lookOf = ({ lines, colours }: Drawn) => JSON.stringify([colours.ground, ...lines.map(({ colour, width, dashes }) => [colour, width, dashes])]);
 
 /** A finger moves the time along, and the page up and down. */
 function followFinger(plot: uPlot, moveTo: Store['moveTo']): void {
@@ -81,39 +93,67 @@ export class Plot {
   private readonly frame = element('div', { className: 'frame' });
   private readonly figure: HTMLElement;
   private plot?: uPlot;
-  private lines: Line[] = [];
+  private look = '';
+  private drawn: Drawn;
+  private cuts: Cut[] = [];
   private rounding = 0;
-  private band?: PlacedBand;
 
   constructor(
     private readonly store: Store,
     place: HTMLElement,
     private readonly quantity: Quantity,
   ) {
+    this.drawn = this.drawnIn(store.current());
     this.figure = element('figure', { attributes: { 'data-quantity': quantity.id } }, this.caption, this.frame);
     place.append(this.figure); // its width is to be known
     store.watchSize(this.frame, () => this.plot?.setSize({ width: this.frame.clientWidth, height }));
     store.atEnd(() => this.plot?.destroy());
   }
 
-  rebuild(state: State): void {
-    this.plot?.destroy();
+  /** What the plot shows, for tests and for those who want the numbers. */
+  get lines(): readonly Line[] {
+    return this.drawn.lines;
+  }
+
+  private drawnIn(state: State): Drawn {
     const colours = coloursOf(state);
-    this.lines = this.quantity.lines(state, colours);
-    this.figure.hidden = this.lines.length === 0;
+    return { lines: this.quantity.lines(state, colours), keys: this.quantity.keys(state), band: this.quantity.band?.(state), colours };
+  }
+
+  /** Where the lines look as those before, the plot stays and draws them. */
+  rebuild(state: State): void {
+    this.drawn = this.drawnIn(state);
+    const { lines } = this.drawn;
+    this.figure.hidden = lines.length === 0;
     this.rounding = rounding * largest(
-      this.lines.map(({ values }) => values),
+      lines.map(({ values }) => values),
       1,
     );
-    const { limit, marks } = this.quantity;
-    const keys = this.quantity.keys(state);
-    this.band = this.quantity.band?.(state);
-    const ready = () => this.plot && this.showTime(this.store.current()); // before that, places in the plot are not known
-    const options = optionsOf(this.store, this.lines, { ready, keys, limit, marks, band: this.band }, this.frame.clientWidth, colours);
-    this.plot = new uPlot(options, aligned(this.lines, state.extent), this.frame);
-    followFinger(this.plot, this.store.moveTo);
+    const data = aligned(lines, state.extent);
+    const look = lookOf(this.drawn);
+    if (this.plot && look === this.look) this.plot.setData(data, false);
+    else this.replace(data);
+    this.look = look;
     this.showWindow(state);
     this.showTime(state);
+  }
+
+  private replace(data: uPlot.AlignedData): void {
+    this.plot?.destroy();
+    const hooks = {
+      ready: () => this.plot && this.showTime(this.store.current()), // before that, places in the plot are not known
+      range: () => this.range(),
+      drawn: () => this.drawn,
+    };
+    this.plot = new uPlot(optionsOf(this.store, this.quantity, hooks, this.frame.clientWidth), data, this.frame);
+    followFinger(this.plot, this.store.moveTo);
+  }
+
+  private range(): uPlot.Range.MinMax {
+    const { band, lines } = this.drawn;
+    const { reach, cuts } = shownOf(lines, this.store.current().window, largest(band ? [band.high] : [], this.quantity.limit ?? 0));
+    this.cuts = cuts;
+    return rangeOf(reach);
   }
 
   showWindow({ window: [min, max] }: State): void {
@@ -124,19 +164,22 @@ export class Plot {
     const plot = this.plot!;
     if (!plot.cursor.event || plot.posToVal(plot.cursor.left!, 'x') !== time)
       plot.setCursor({ left: plot.valToPos(time, 'x'), top: 1 }, false);
-    const values = this.lines.map(({ label, colour, t, values }) => {
+    const values = this.drawn.lines.map(({ label, colour, t, values }) => {
       const i = spanAt(t, time);
       const nearest = t[i + 1] - time < time - t[i] ? i + 1 : i;
       const swatch = element('i');
       swatch.style.background = colour;
-      return element('span', {}, swatch, `${label} `, element('b', {}, shown(values[nearest], this.rounding)));
+      return element('span', {}, swatch, `${label} `, element('b', {}, this.written(values[nearest])));
     });
     const unit = this.quantity.unit ? [element('small', {}, ` [${this.quantity.unit}] `)] : [];
-    this.caption.replaceChildren(element('strong', {}, this.quantity.title), ...unit, ...values, ...this.legend(coloursOf(this.store.current())));
+    this.caption.replaceChildren(element('strong', {}, this.quantity.title), ...unit, ...values, ...this.legend());
   }
 
-  /** What is drawn beside the lines. */
-  private legend(colours: Colours): HTMLElement[] {
+  private written = (value: number) => this.quantity.text?.(value, this.store.current()) ?? shown(value, this.rounding);
+
+  /** What is drawn beside the lines, and what is cut. */
+  private legend(): HTMLElement[] {
+    const { band, colours } = this.drawn;
     const sign = (text: string, colour: string) => {
       const made = element('em', {}, text);
       made.style.color = colour;
@@ -145,8 +188,9 @@ export class Plot {
     const { limit, limitLabel = 'limit', marks } = this.quantity;
     return [
       ...(limit !== undefined ? [element('span', {}, sign('╌╌', colours.limit), ` ${limitLabel} `, element('b', {}, chosen(limit)))] : []),
-      ...(this.band ? [element('span', {}, sign('▮', colours[this.band.place]), ` ${this.band.label}`)] : []),
+      ...(band ? [element('span', {}, sign('▮', colours[band.place]), ` ${band.label}`)] : []),
       ...(marks ? [element('span', {}, sign('×', colours.mark), ` ${marks.label}`)] : []),
+      ...this.cuts.map(({ label, largest }) => element('span', { className: 'cut' }, `${label} goes on to ${shown(largest)}`)),
     ];
   }
 }

@@ -6,12 +6,22 @@ import type { Quantity } from '../quantities/quantity';
 import type { State, Store } from '../store/store';
 import { Plot } from './plot';
 
+/** Shows all of the time again; there while the plots show less. */
+function wholeButton({ choose, current, subscribe }: Store): HTMLElement {
+  const button = element('button', { type: 'button', className: 'side', onclick: () => choose({ window: current().extent }) }, 'Reset zoom');
+  subscribe(['window', 'extent'], ({ window, extent }) => (button.hidden = window[0] <= extent[0] && window[1] >= extent[1]));
+  return button;
+}
+
 /** Whether the components of the first method are drawn too. */
 export function componentsChoice({ choose, subscribe }: Store): HTMLElement {
   const box = element('input', { type: 'checkbox', onchange: () => choose({ components: box.checked }) });
   subscribe(['components'], ({ components }) => (box.checked = components));
-  return element('div', { className: 'controls' }, element('label', { className: 'choice' }, box, element('span', {}, 'Components x, y, z of the first method')));
+  return element('label', { className: 'choice' }, box, element('span', {}, 'Components x, y, z of the first method'));
 }
+
+/** The controls of all plots, above them. */
+export const plotControls = (store: Store, ...choices: HTMLElement[]): HTMLElement => element('div', { className: 'controls' }, ...choices, wholeButton(store));
 
 /** They are made anew when one of the fields changes. */
 export function showPlots(store: Store, place: HTMLElement, quantities: Quantity[], fields: (keyof State)[]): void {

@@ -3,6 +3,7 @@
 import type { Numbers } from '../data/numbers';
 import { once } from '../data/once';
 import type { Method, Path, Samples } from '../data/report';
+import { typeset } from '../look/number';
 import type { Colours } from '../look/theme';
 import { anglesApart, anglesFromStart } from '../motion/lines';
 import type { Polyline } from '../motion/polyline';
@@ -46,10 +47,10 @@ class Quantities {
   /** One line for each of the two methods, the first on top. */
   private ofBoth(state: State, colours: Colours, drawn: (samples: Samples) => Drawn): Line[] {
     const chosen = [
-      { method: state.second === state.first ? undefined : this.store.methodNamed(state.second), colour: colours.second, width: 1.5 },
-      { method: this.store.methodNamed(state.first), colour: colours.first, width: 2 },
+      { method: state.second === state.first ? undefined : this.store.methodNamed(state.second), colour: colours.second, width: 1.5, yields: true },
+      { method: this.store.methodNamed(state.first), colour: colours.first, width: 2, yields: false },
     ];
-    return chosen.flatMap(({ method, colour, width }) => (method ? [{ label: method.name, colour, width, ...drawn(method.samples) }] : []));
+    return chosen.flatMap(({ method, ...look }) => (method ? [{ label: method.name, ...look, ...drawn(method.samples) }] : []));
   }
 
   rate(id: Rate, title: string, ownUnit: string): Quantity {
@@ -64,7 +65,7 @@ class Quantities {
     return {
       id,
       title,
-      unit: this.unitOf(id, ownUnit).unit,
+      unit: typeset(this.unitOf(id, ownUnit).unit),
       limit: this.limitOf(id),
       keys: this.keys,
       lines: (state, colours) => [...components(state, colours), ...this.ofBoth(state, colours, size)],
@@ -93,7 +94,7 @@ class Quantities {
     return {
       id: 'error',
       title: 'Error to the reference',
-      unit: this.unitOf('error', 'deg').unit,
+      unit: typeset(this.unitOf('error', 'deg').unit),
       limit: this.limitOf('error'),
       keys: this.keys,
       lines: (state, colours) => this.ofBoth(state, colours, errors).filter(({ values }) => values.length > 0),

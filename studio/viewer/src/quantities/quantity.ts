@@ -10,6 +10,7 @@ export interface Line {
   colour: string;
   width: number;
   dashes?: number[];
+  yields?: boolean; // is cut where it would make the others flat
   t: Numbers; // a time that stands twice is a jump
   values: Numbers; // NaN breaks the line
 }
@@ -36,4 +37,5 @@ export interface Quantity {
   lines: (state: State, colours: Colours) => Line[];
   marks?: Points;
   band?: (state: State) => PlacedBand | undefined;
+  text?: (value: number, state: State) => string; // how its values are written; else with four digits
 }

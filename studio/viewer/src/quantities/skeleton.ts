@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is plotted of a clip: how far all joints are off, and the chosen one.
 import { isAlone, type Skeleton } from '../data/report';
+import { stepped } from '../look/number';
 import type { Colours } from '../look/theme';
-import { errorsOf, largestErrors, type Kind } from '../motion/poses';
+import { errorsOf, largestErrors, roundingsOf, stepOf, type Kind } from '../motion/poses';
 import type { State } from '../store/store';
 import type { Line, Quantity } from './quantity';
 
@@ -19,6 +20,8 @@ function linesOf(skeleton: Skeleton, kind: Kind, { clip, joint }: State, colours
 export function skeletonQuantities(skeleton: Skeleton): Quantity[] {
   const from = isAlone(skeleton) ? ' from where the clip begins' : '';
   const keys = ({ clip, joint }: State) => skeleton.clips[clip].joints[joint].key_t;
+  const roundings = roundingsOf(skeleton);
+  const text = (kind: Kind) => (value: number, { clip }: State) => stepped(value, stepOf(skeleton.clips[clip].errors, kind), roundings[kind]);
   return [
     {
       id: 'distance',
@@ -28,6 +31,7 @@ export function skeletonQuantities(skeleton: Skeleton): Quantity[] {
       limitLabel: 'tolerance',
       keys: () => new Float64Array(),
       lines: (state, colours) => linesOf(skeleton, 'distance', state, colours),
+      text: text('distance'),
     },
     {
       id: 'angle',
@@ -37,6 +41,7 @@ export function skeletonQuantities(skeleton: Skeleton): Quantity[] {
       limitLabel: 'tolerance',
       keys,
       lines: (state, colours) => linesOf(skeleton, 'angle_deg', state, colours),
+      text: text('angle_deg'),
     },
   ];
 }

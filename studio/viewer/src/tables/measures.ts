@@ -2,7 +2,7 @@
 // The table of measures: a click on a head sorts it, a click on a row shows the method.
 import { hasSamples, type Column, type Method } from '../data/report';
 import { breakable, element } from '../look/element';
-import { shown } from '../look/number';
+import { NumberColumn, powerOfTen, typeset } from '../look/number';
 import { sortable, type Head, type Value } from '../look/sortable';
 import type { Store } from '../store/store';
 
@@ -25,10 +25,26 @@ function bestIn({ id, better, rounding }: Column, methods: Method[]): (value: nu
   return (value) => typeof value === 'number' && Math.abs(value - best) <= room;
 }
 
-const headOf = ({ id, label, unit, explanation, better, is_time }: Column): Head => ({
+/** How the values of a column are written, and their unit. */
+interface Written {
+  unit: string;
+  text: (value: number | null | undefined) => string;
+}
+
+/** Counts are whole for every method. */
+const isCount = ({ id, unit }: Column, methods: Method[]) => unit === '' && methods.every(({ measures }) => Number.isInteger(measures[id] ?? 0));
+
+function writtenOf(column: Column, { moments, report: { methods } }: Store): Written {
+  if (column.is_time) return { unit: '', text: (value) => (typeof value === 'number' ? moments.text(value) : '–') };
+  if (isCount(column, methods)) return { unit: '', text: (value) => String(value ?? '–') };
+  const values = new NumberColumn(methods.map(({ measures }) => measures[column.id]), column.rounding);
+  return { unit: [powerOfTen(values.exponent), typeset(column.unit)].filter(Boolean).join(' '), text: (value) => values.text(value) };
+}
+
+const headOf = ({ id, label, explanation, better }: Column, { unit }: Written): Head => ({
   id,
-  label,
-  unit: is_time ? '' : unit,
+  label: typeset(label),
+  unit,
   explanation,
   isNumber: true,
   fromLargest: better === 'more',
@@ -49,11 +65,8 @@ function showButton({ choose, current }: Store, method: Method, which: 'first' |
   });
 }
 
-/** Counts are whole for every method. */
-const isCount = ({ id, unit }: Column, methods: Method[]) => unit === '' && methods.every(({ measures }) => Number.isInteger(measures[id] ?? 0));
-
 /** A moment in the motion of a method, which a click leads to. */
-function momentButton({ choose, current, moveTo, moments }: Store, method: Method, time: number): HTMLButtonElement {
+function momentButton({ choose, current, moveTo }: Store, method: Method, time: number, text: string): HTMLButtonElement {
   return element(
     'button',
     {
@@ -66,43 +79,45 @@ function momentButton({ choose, current, moveTo, moments }: Store, method: Metho
         moveTo(time);
       },
     },
-    moments.text(time),
+    text,
   );
 }
 
-function textOf({ moments, report }: Store, column: Column, value: number | null | undefined): string {
-  if (column.is_time && typeof value === 'number') return moments.text(value);
-  return isCount(column, report.methods) && value !== undefined ? String(value ?? '–') : shown(value, column.rounding);
+/** A column of the table, and what of it is seen. */
+interface Shown {
+  column: Column;
+  written: Written;
+  isBest: ReturnType<typeof bestIn>;
 }
 
-function cellOf(store: Store, method: Method, column: Column, isBest: ReturnType<typeof bestIn>): HTMLTableCellElement {
+function cellOf(store: Store, method: Method, { column, written, isBest }: Shown): HTMLTableCellElement {
   const value = method.measures[column.id];
   const leads = column.is_time && typeof value === 'number' && hasSamples(method);
-  return element('td', { className: isBest(value) ? 'number best' : 'number' }, leads ? momentButton(store, method, value) : textOf(store, column, value));
+  return element('td', { className: isBest(value) ? 'number best' : 'number' }, leads ? momentButton(store, method, value, written.text(value)) : written.text(value));
 }
 
-function rowOf(store: Store, method: Method, best: Map<string, ReturnType<typeof bestIn>>): HTMLTableRowElement {
+function rowOf(store: Store, method: Method, columns: Shown[]): HTMLTableRowElement {
   const row = element('tr', { attributes: { 'data-method': method.name } });
   const picks = hasSamples(method) ? [showButton(store, method, 'first'), showButton(store, method, 'second')] : [];
   const name = element('th', { scope: 'row', title: method.name, className: method.name.length > longName ? 'long' : '' }, ...breakable(method.name));
   row.append(element('td', { className: 'picks' }, ...picks), name);
   if (method.failure) {
     row.classList.add('failed');
-    row.append(element('td', { colSpan: store.report.columns.length + 1 }, method.failure));
+    row.append(element('td', { colSpan: columns.length + 1 }, method.failure));
     return row;
   }
-  row.append(element('td', {}, method.continuity.replace(/C(\d)/, (_, order) => `C${'⁰¹²³⁴⁵⁶⁷⁸⁹'[order]}`)));
-  row.append(...store.report.columns.map((column) => cellOf(store, method, column, best.get(column.id)!)));
+  row.append(element('td', { className: 'continuity' }, method.continuity.replace(/C(\d)/, (_, order) => `C${'⁰¹²³⁴⁵⁶⁷⁸⁹'[order]}`)));
+  row.append(...columns.map((column) => cellOf(store, method, column)));
   if (hasSamples(method)) row.onclick = () => store.choose({ first: method.name });
   return row;
 }
 
 export function measureTable(store: Store): HTMLTableElement {
   const { report, current, subscribe } = store;
-  const best = new Map(report.columns.map((column) => [column.id, bestIn(column, report.methods)]));
-  const heads = [{ id: 'name', label: 'Method' }, { id: 'continuity', label: 'In time' }, ...report.columns.map(headOf)];
+  const columns = report.columns.map((column): Shown => ({ column, written: writtenOf(column, store), isBest: bestIn(column, report.methods) }));
+  const heads = [{ id: 'name', label: 'Method' }, { id: 'continuity', label: 'In time' }, ...columns.map(({ column, written }) => headOf(column, written))];
   const picks = element('th', { className: 'picks', scope: 'col' }, element('span', { className: 'unseen' }, 'Shown'));
-  const { table, lines, sort } = sortable(heads, report.methods, { lineOf: (method) => rowOf(store, method, best), valueOf, isLast: ({ failure }) => !!failure }, picks);
+  const { table, lines, sort } = sortable(heads, report.methods, { lineOf: (method) => rowOf(store, method, columns), valueOf, isLast: ({ failure }) => !!failure }, picks);
   if (report.sorted_by) sort(report.sorted_by);
   subscribe(['first', 'second'], ({ first, second }) => {
     for (const [method, row] of lines) {
@@ -111,5 +126,6 @@ export function measureTable(store: Store): HTMLTableElement {
       for (const which of ['first', 'second'] as const)
         row.querySelector(`.pick.${which}`)?.setAttribute('aria-pressed', String(current()[which] === method.name));
     }
-  });  return table;
+  });
+  return table;
 }

@@ -2,9 +2,9 @@
 // The clips, and the joints of the one that is shown: a click on a row shows it, a click on a time leads there.
 import { isAlone, type Clip, type KeyCounts, type Largest, type Skeleton } from '../data/report';
 import { element } from '../look/element';
-import { shown } from '../look/number';
+import { stepped } from '../look/number';
 import { sortable, type Head } from '../look/sortable';
-import { firstJoint, roundingsOf, worstJoint, type Kind } from '../motion/poses';
+import { firstJoint, roundingsOf, stepOf, worstJoint, type Kind } from '../motion/poses';
 import { withClip, type Store } from '../store/store';
 
 const cell = (text: string | Node) => element('td', { className: 'number' }, text);
@@ -62,7 +62,7 @@ export function clipTable({ choose, subscribe, moments }: Store, skeleton: Skele
       element('th', { scope: 'row', title: clip.name }, clip.name),
       ...keyCells(skeleton, clip.rotation_keys),
     );
-    for (const kind of ['distance', 'angle_deg'] as const) line.append(cell(shown(largest(clip, kind)[0], roundings[kind])), place(clip, kind));
+    for (const kind of ['distance', 'angle_deg'] as const) line.append(cell(stepped(largest(clip, kind)[0], stepOf(clip.errors, kind), roundings[kind])), place(clip, kind));
     line.append(cell(moments.text(clip.end - clip.start)));
     return line;
   };
@@ -104,9 +104,9 @@ function jointLines({ choose, moveTo, moments }: Store, skeleton: Skeleton, clip
     choose({ joint });
     moveTo(time);
   };
-  const cellsOf = ([value, time]: Largest, rounding: number, { joint, name }: JointLine) => [
-    cell(shown(value, rounding)),
-    cell(value > rounding ? wayTo(moments.text(time), name, go(joint, time)) : '–'),
+  const cellsOf = ([value, time]: Largest, kind: Kind, { joint, name }: JointLine) => [
+    cell(stepped(value, stepOf(clip.errors, kind), roundings[kind])),
+    cell(value > roundings[kind] ? wayTo(moments.text(time), name, go(joint, time)) : '–'),
   ];
   const lineOf = (row: JointLine) => {
     const { keys, angle_deg, distance } = clip.joints[row.joint];
@@ -115,8 +115,8 @@ function jointLines({ choose, moveTo, moments }: Store, skeleton: Skeleton, clip
       { onclick: () => choose({ joint: row.joint }), attributes: { 'data-joint': row.name } },
       element('th', { scope: 'row', title: row.name }, row.name),
       ...keyCells(skeleton, keys),
-      ...cellsOf(distance, roundings.distance, row),
-      ...cellsOf(angle_deg, roundings.angle_deg, row),
+      ...cellsOf(distance, 'distance', row),
+      ...cellsOf(angle_deg, 'angle_deg', row),
     );
   };
   const rows = skeleton.joints.flatMap(({ name, is_compared }, joint) => (is_compared ? [{ joint, name }] : []));
