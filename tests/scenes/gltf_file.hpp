@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <orispline/base/base64.hpp>
 #include <orispline/scenes/gltf/document.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
@@ -63,7 +64,7 @@ struct GltfFile {
   }
   [[nodiscard]] std::string text() const {
     return json(fmt::format(R"({{"byteLength":{},"uri":"data:application/octet-stream;base64,{}"}})", binary.size(),
-                            gltf::base64_of(binary)));
+                            base64_of(binary)));
   }
   [[nodiscard]] std::string glb() const {
     return gltf::glb_of(json(fmt::format(R"({{"byteLength":{}}})", binary.size())), binary).value();

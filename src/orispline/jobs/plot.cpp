@@ -47,8 +47,7 @@ std::string picture_of(const PictureLook& look, const Keyframes& keys, std::span
                                 .body_axis = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(axis)),
                                 .axis_name = std::string(names[axis]),
                                 .ghosts = look.ghosts};
-  for (const NamedCurve& one : curves)
-    picture.methods.push_back({.name = one.name, .samples = samples_of(one.curve)});
+  for (const NamedCurve& one : curves) picture.methods.push_back({.name = one.name, .samples = samples_of(one.curve)});
   return report::motion_drawing(picture).document();
 }
 

@@ -148,8 +148,8 @@ report::Page compare_page(const ComparedCurves& compared, const PageHead& head, 
       std::ranges::count(compared.methods, std::size_t{0}, &ComparedMethod::key_set));  // they stand first
   report::Page page = begun_page(formatted("{} on {}", counted(in_page, "method"), counted(keys.size(), "key")), head,
                                  compared.epoch, keys);
-  page.reference =
-      report::with_gaps(report::thinned(truth, samples_of_reference), covers_of(compared.recording.times, compared.gap));
+  page.reference = report::with_gaps(report::thinned(truth, samples_of_reference),
+                                     covers_of(compared.recording.times, compared.gap));
   page.columns = columns_of(compared);
   page.sorted_by = id_of_word(compared.measures, compared.sorted_by);
   auto [first, second] = pair_that_teaches(compared, in_page);

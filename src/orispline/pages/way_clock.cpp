@@ -13,7 +13,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
 namespace {
 
-constexpr std::size_t most_times = 2000;
+constexpr std::size_t most_places = 2000;
 
 /// The part of its way that a curve has gone, of the angle and of the distance alike; it grows wherever either does.
 class PartOfWay {
@@ -23,7 +23,7 @@ class PartOfWay {
   }
 
   [[nodiscard]] double time(std::size_t k) const {
-    return std::lerp(domain_.start, domain_.end, static_cast<double>(k) / static_cast<double>(most_times - 1));
+    return std::lerp(domain_.start, domain_.end, static_cast<double>(k) / static_cast<double>(most_places - 1));
   }
   [[nodiscard]] double at(double t) const {
     const auto part = [t](const auto& travelled) {
@@ -42,7 +42,7 @@ class PartOfWay {
 
 report::PageClock clock_of_keys(const Keyframes& page, const Keyframes& own) {
   report::PageClock clock;
-  const std::size_t count = std::min(page.size(), most_times);
+  const std::size_t count = std::min(page.size(), most_places);
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t key = count > 1 ? k * (page.size() - 1) / (count - 1) : 0;
     clock.times.push_back(page.times()[key]);
@@ -54,10 +54,10 @@ report::PageClock clock_of_keys(const Keyframes& page, const Keyframes& own) {
 report::PageClock clock_of_ways(const PoseCurve& page, const PoseCurve& own) {
   const PartOfWay shown(page), other(own);
   std::vector<double> parts;
-  for (std::size_t k = 0; k < most_times; ++k) parts.push_back(other.at(other.time(k)));
+  for (std::size_t k = 0; k < most_places; ++k) parts.push_back(other.at(other.time(k)));
   report::PageClock clock;
-  for (std::size_t k = 0; k < most_times; ++k) {
-    const double part = shown.at(shown.time(k)) * (parts.back() / shown.at(shown.time(most_times - 1)));
+  for (std::size_t k = 0; k < most_places; ++k) {
+    const double part = shown.at(shown.time(k)) * (parts.back() / shown.at(shown.time(most_places - 1)));
     const auto after = std::lower_bound(parts.begin() + 1, parts.end() - 1, part);
     const auto i = static_cast<std::size_t>(after - parts.begin());
     const double step = parts[i] - parts[i - 1];

@@ -19,7 +19,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t most_seen = 2'000'000, most_places = 8;  // of a curve and of a segment, for their extremes
+constexpr std::size_t most_seen = 2'000'000, most_places_seen = 8;  // of a curve and of a segment, for their extremes
 const Eigen::Quaterniond no_orientation(nan, nan, nan, nan);
 
 void append(PageSamples& samples, const PoseCurve& curve, double t, Side side) {
@@ -93,15 +93,16 @@ PageSamples envelope(const PoseCurve& curve, std::size_t columns, const SegmentL
   PageSamples samples;
   const Knots& knots = curve.orientation.knots();
   const Domain domain = curve.orientation.domain();
-  const std::size_t segments = knots.segments(), places = std::clamp<std::size_t>(most_seen / segments, 2, most_places);
+  const std::size_t segments = knots.segments(),
+                    places = std::clamp<std::size_t>(most_seen / segments, 2, most_places_seen);
   const auto column_of = [&](double t) {
     const double share = (t - domain.start) / (domain.end - domain.start);
     return std::min(columns - 1, static_cast<std::size_t>(share * static_cast<double>(columns)));
   };
   PictureColumn column(curve, curve.orientation(domain.start));
   std::size_t current = 0;
-  std::array<double, most_places + 1> times;
-  std::array<Motion, most_places + 1> motions;
+  std::array<double, most_places_seen + 1> times;
+  std::array<Motion, most_places_seen + 1> motions;
   for (std::size_t i = 0; i < segments; ++i) {
     for (std::size_t k = 0; k <= places; ++k) times[k] = between(knots.times()[i], knots.times()[i + 1], k, places);
     look(i, {times.data(), places + 1}, {motions.data(), places + 1});
