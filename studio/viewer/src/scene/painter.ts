@@ -12,12 +12,14 @@ export interface Size {
 }
 
 export class Painter {
-  private readonly renderer = new WebGLRenderer({ antialias: true, alpha: true });
+  private readonly renderer: WebGLRenderer;
   private readonly size: Size = { width: 0, height: 0 }; // of the largest scene
   private readonly watchers: ((isLost: boolean) => void)[] = [];
   private isLost = false;
 
-  constructor(store: Store) {
+  /** `context`: of a canvas of its own. */
+  constructor(store: Store, context: WebGL2RenderingContext) {
+    this.renderer = new WebGLRenderer({ canvas: context.canvas, context, alpha: true });
     this.renderer.setScissorTest(true);
     const tell = (isLost: boolean) => () => {
       this.isLost = isLost;

@@ -40,17 +40,10 @@ function controls({ choose, subscribe, canFollowPath }: Store): HTMLElement {
 /** What is shown where the browser cannot draw in space. */
 const noScenes = () => element('p', { className: 'facts' }, 'The scenes in space are not shown: this browser has no WebGL. The tables and the plots are complete.');
 
-/** One context for all scenes, or none where the browser cannot draw in space. */
-function painterOf(store: Store): Painter | null {
-  const context = document.createElement('canvas').getContext('webgl2');
-  context?.getExtension('WEBGL_lose_context')?.loseContext(); // a browser has few
-  return context && new Painter(store);
-}
-
 /** What the scenes show, or a sentence instead of them. */
 export function withPainter(store: Store, show: (painter: Painter) => HTMLElement[]): HTMLElement[] {
-  const painter = painterOf(store);
-  return painter ? show(painter) : [noScenes()];
+  const context = document.createElement('canvas').getContext('webgl2', { antialias: true });
+  return context ? show(new Painter(store, context)) : [noScenes()];
 }
 
 export const scenesOf = (store: Store): HTMLElement[] =>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines as wide in pixels as they are to be, broken where there are gaps.
-import { Group, type GreaterDepth } from 'three';
+import { Group, type GreaterDepth, type InterleavedBufferAttribute } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
@@ -29,16 +29,19 @@ function segmentsOf(points: Float32Array): Float32Array {
 /** One line, drawn once in each of its looks. */
 export class Trail {
   readonly object = new Group();
-  readonly lines: LineSegments2[];
+  private readonly lines: LineSegments2[];
+  private room = 0; // for segments
 
   constructor(...looks: TrailLook[]) {
     this.lines = looks.map(({ width, opacity = 1, order = 0, ...more }) => {
       const line = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ linewidth: width, opacity, transparent: true, depthWrite: false, ...more }));
       line.renderOrder = order;
+      line.frustumCulled = false;
       return line;
     });
     this.object.add(...this.lines);
-    this.object.visible = false;
+    this.makeRoom(1);
+    this.set(new Float32Array());
   }
 
   paint(colour: string): void {
@@ -48,10 +51,21 @@ export class Trail {
   /** x, y, z of each point. */
   set(points: Float32Array): void {
     const segments = segmentsOf(points);
-    this.object.visible = segments.length > 0;
-    if (!this.object.visible) return;
-    this.lines[0].geometry.dispose();
-    const geometry = new LineSegmentsGeometry().setPositions(segments);
+    const count = segments.length / 6;
+    this.object.visible = count > 0;
+    if (count > this.room) this.makeRoom(Math.max(count, 2 * this.room));
+    const [{ geometry }] = this.lines;
+    const { data } = geometry.getAttribute('instanceStart') as InterleavedBufferAttribute;
+    data.array.set(segments);
+    data.needsUpdate = true;
+    geometry.instanceCount = count;
+  }
+
+  private makeRoom(room: number): void {
+    this.room = room;
+    const [{ geometry: before }] = this.lines;
+    const geometry = new LineSegmentsGeometry().setPositions(new Float32Array(6 * room));
     for (const line of this.lines) line.geometry = geometry;
+    before.dispose();
   }
 }
