@@ -4,8 +4,10 @@ import { Vector3 } from 'three';
 import type { Numbers } from '../data/numbers';
 import type { Keys, Method, Samples } from '../data/report';
 import { vectorAt } from '../motion/orientation';
+import { thinned } from './thinned';
 
 const mostOutline = 400; // points of an outline
+const unseen = 1e-3; // length of the scene, a tenth of a pixel
 
 /** Half of the keys are farther from the next one than this [m]. */
 function medianStep({ p }: Keys): number {
@@ -25,6 +27,7 @@ function boxOf(p: Numbers): [low: Vector3, high: Vector3] {
 
 export class FlightPath {
   readonly unit: number; // lengths of the scene per metre
+  readonly line: Float32Array; // x, y, z of so many points that no eye misses one
   readonly low: number; // height in the scene of its lowest point
   private readonly samples: Samples;
   private readonly keys: Keys;
@@ -40,6 +43,7 @@ export class FlightPath {
     this.extent = Math.max(high.distanceTo(low), 1e-9);
     this.unit = 'whole' in scale ? scale.whole / this.extent : scale.step / medianStep(keys);
     this.low = this.unit * (low.z - this.centre.z);
+    this.line = thinned(this.points(), unseen);
   }
 
   private at = (position: Vector3) => position.sub(this.centre).multiplyScalar(this.unit);
@@ -48,7 +52,7 @@ export class FlightPath {
   atKey = (key: number) => this.at(new Vector3().fromArray(this.keys.p, 3 * key));
 
   /** x, y, z of all samples. */
-  points(): Float32Array {
+  private points(): Float32Array {
     const points = new Float32Array(this.samples.p.length);
     const centre = this.centre.toArray();
     for (let i = 0; i < points.length; ++i) points[i] = this.unit * (this.samples.p[i] - centre[i % 3]);
@@ -57,7 +61,7 @@ export class FlightPath {
 
   /** The shape of the path. */
   outline(): Vector3[] {
-    const points = this.points();
+    const points = this.line;
     const every = 3 * Math.ceil(points.length / 3 / mostOutline);
     return Array.from({ length: Math.ceil(points.length / every) }, (_, i) => new Vector3().fromArray(points, every * i)).filter(({ x }) => !Number.isNaN(x));
   }

@@ -62,7 +62,7 @@ export class Globe {
   constructor() {
     const grid = graticule();
     this.object.add(
-      new Mesh(new SphereGeometry(0.995, 64, 40), new ShaderMaterial({ vertexShader, fragmentShader, uniforms: this.uniforms })),
+      new Mesh(new SphereGeometry(0.995, 48, 32), new ShaderMaterial({ vertexShader, fragmentShader, uniforms: this.uniforms })),
       ...this.lines.map((material, i) => Object.assign(new LineSegments(grid, material), { renderOrder: i * inFront })),
       ...this.axes.map(({ axis, trail }) => {
         trail.set(Float32Array.of(0, 0, 0, ...zUp[axis].clone().multiplyScalar(axisLength).toArray()));
@@ -126,7 +126,7 @@ export class Pointer {
   readonly object = new Group();
   private readonly ray = new Trail({ width: 1.6, opacity: 0.55, order: 6, depthFunc: GreaterDepth, fog: false });
   private readonly tips = [{ opacity: 0.5, ...behind }, {}].map((look, i) => {
-    const tip = new Mesh(new SphereGeometry(0.05, 20, 14), new MeshBasicMaterial({ transparent: true, depthWrite: false, ...look }));
+    const tip = new Mesh(new SphereGeometry(0.05, 14, 10), new MeshBasicMaterial({ transparent: true, depthWrite: false, ...look }));
     tip.renderOrder = 8 + i * inFront;
     return tip;
   });

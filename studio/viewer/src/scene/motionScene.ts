@@ -120,8 +120,8 @@ export class MotionScene {
     this.place = place;
     this.path = place === 'fixed' ? undefined : (place === 'path' ? asWhole : followed)(method);
     this.layGround();
-    this.way.set(this.path?.points() ?? new Float32Array());
-    this.wayBelow.set(place === 'path' ? this.path!.points() : new Float32Array());
+    this.way.set(this.path?.line ?? new Float32Array());
+    this.wayBelow.set(place === 'path' ? this.path!.line : new Float32Array());
     this.wayBelow.object.scale.z = 1e-6;
     this.wayBelow.object.position.z = this.floor;
     if (isOther) this.stage.lookAt(viewOf(place, this.path));

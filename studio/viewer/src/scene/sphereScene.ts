@@ -13,13 +13,16 @@ import { Dots, Globe, lift, Pointer, wayOnSphere } from './globe';
 import { axisNames, zUp } from './overlay';
 import type { Painter } from './painter';
 import { Stage } from './stage';
+import { thinned } from './thinned';
 import { ball, eyeBefore } from './view';
 
 const chosenPlaces = ['second', 'first'] as const;
 const nameAt = 1.21; // of an axis
 const outline = [...ball(1.02), ...Object.values(zUp).map((axis) => axis.clone().multiplyScalar(nameAt + 0.07))];
 
-const wayOf = (axis: Axis) => once((path: Path) => wayOverSphere(path, axis).values.map((value) => lift * value));
+const unseen = 3.5e-4; // of the radius: 0.02 degrees, a twentieth of a pixel
+
+const wayOf = (axis: Axis) => once((path: Path) => thinned(Float32Array.from(wayOverSphere(path, axis).values, (value) => lift * value), unseen));
 
 const mostDirections = 500; // that say from where the sphere is seen best
 
@@ -64,18 +67,16 @@ export class SphereScene {
     const { report, methodNamed } = this.store;
     this.caption.textContent = `Body axis ${axis} on the unit sphere`;
     this.stage.describe(this.caption.textContent);
-    if (report.reference) this.reference.set(this.lineOf(report.reference, axis));
+    if (report.reference) this.reference.set(this.wayOf[axis](report.reference));
     if (report.marks) this.marks.set(report.marks, axis);
     this.marks.object.visible = report.marks !== null;
     this.stage.lookAt({ eye: eyeBefore(directionsOf(methodNamed(first)?.samples ?? report.keys, axis)), points: outline });
   }
 
-  private lineOf = (path: Path, axis: Axis) => Float32Array.from(this.wayOf[axis](path));
-
   private showMethod(state: State, which: (typeof chosenPlaces)[number]): void {
     const { methodNamed, keysOf } = this.store;
     const method = methodNamed(state[which]);
-    this.ways[which].set(method ? this.lineOf(method.samples, state.axis) : new Float32Array());
+    this.ways[which].set(method ? this.wayOf[state.axis](method.samples) : new Float32Array());
     if (which === 'first') this.dots.set(keysOf(method), state.axis);
   }
 
