@@ -11,14 +11,14 @@ import { Trail } from './trail';
 export const lift = 1.004; // paths lie on the sphere, not in it
 /** Behind the sphere's front: what was drawn before is nearer. */
 const behind = { depthFunc: GreaterDepth, fog: false } as const;
-const faint = 0.34;
+const faint = 0.42;
 const inFront = 20; // later than all that is behind
 const axisLength = 1.13;
 const apart = 2.8; // radii of dots, else they are one black line
 const mostDots = 400; // of more keys some are left out, evenly
 
 /** On the sphere, full before it and faint behind. */
-export const wayOnSphere = (width: number, order: number) => new Trail({ width: 0.55 * width, opacity: faint, order, ...behind }, { width, order: inFront + order });
+export const wayOnSphere = (width: number, order: number) => new Trail({ width: 0.55 * width, strength: faint, order, ...behind }, { width, order: inFront + order });
 
 /** Parallels and meridians every 30 degrees. */
 function graticule(): BufferGeometry {
@@ -75,7 +75,7 @@ export class Globe {
     this.uniforms.ground.value.set(colours.ground);
     this.uniforms.rim.value.set(colours.faint);
     for (const material of this.lines) material.color.set(colours.faint);
-    for (const { axis, trail } of this.axes) trail.paint(colours[axis]);
+    for (const { axis, trail } of this.axes) trail.paint(colours[axis], colours);
   }
 }
 
@@ -124,7 +124,7 @@ export class Dots {
 /** From the middle of the sphere to where an axis points now. */
 export class Pointer {
   readonly object = new Group();
-  private readonly ray = new Trail({ width: 1.6, opacity: 0.55, order: 6, depthFunc: GreaterDepth, fog: false });
+  private readonly ray = new Trail({ width: 1.6, strength: 0.55, order: 6, depthFunc: GreaterDepth, fog: false });
   private readonly tips = [{ opacity: 0.5, ...behind }, {}].map((look, i) => {
     const tip = new Mesh(new SphereGeometry(0.05, 14, 10), new MeshBasicMaterial({ transparent: true, depthWrite: false, ...look }));
     tip.renderOrder = 8 + i * inFront;
@@ -140,8 +140,8 @@ export class Pointer {
     this.ray.set(Float32Array.of(0, 0, 0, ...direction));
   }
 
-  paint(colour: string): void {
-    this.ray.paint(colour);
+  paint(colour: string, colours: Colours): void {
+    this.ray.paint(colour, colours);
     for (const { material } of this.tips) (material as MeshBasicMaterial).color.set(colour);
   }
 }

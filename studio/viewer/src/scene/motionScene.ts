@@ -53,10 +53,11 @@ export class MotionScene {
   private readonly scale = element('small', { className: 'scale' });
   private readonly stage: Stage;
   private readonly ground = new Ground();
+  private readonly fog = new Fog(0xffffff); // hides what is far along the path
   private readonly track = new Group(); // what stands still in the world
   private readonly way = new Trail({ width: 2.5, order: 2, fog: true });
-  private readonly wayBelow = new Trail({ width: 1.5, opacity: 0.28, order: -1 }); // on the ground
-  private readonly drop = new Trail({ width: 1, opacity: 0.5, order: 2 }); // from the body to it
+  private readonly wayBelow = new Trail({ width: 1.5, strength: 0.4, order: -1 }); // on the ground
+  private readonly drop = new Trail({ width: 1, strength: 0.6, order: 2 }); // from the body to it
   private body!: Bodies;
   private ghosts!: Bodies;
   private method?: Method;
@@ -74,6 +75,10 @@ export class MotionScene {
     this.figure = element('figure', { className: which }, element('figcaption', {}, this.name), frame);
     this.stage = new Stage(store, painter, frame);
     frame.append(this.scale);
+    this.stage.scene.onBeforeRender = () => {
+      this.fog.near = this.stage.camera.position.length();
+      this.fog.far = this.fog.near + looks.follow.reach;
+    };
     this.track.add(this.way.object, this.wayBelow.object);
     this.stage.scene.add(this.ground.object, this.track, this.drop.object);
     const { subscribe } = store;
@@ -142,11 +147,11 @@ export class MotionScene {
     this.body.paint(own, colours);
     this.ghosts.paint(colours.faint, colours, looks[this.place].opacity);
     this.ground.paint(colours);
-    this.way.paint(own);
-    this.wayBelow.paint(colours.faint);
-    this.drop.paint(colours.faint);
-    const distance = this.stage.camera.position.length();
-    this.stage.scene.fog = this.place === 'follow' ? new Fog(colours.ground, distance, distance + looks.follow.reach) : null;
+    this.way.paint(own, colours);
+    this.wayBelow.paint(colours.faint, colours);
+    this.drop.paint(colours.faint, colours);
+    this.fog.color.set(colours.ground);
+    this.stage.scene.fog = this.place === 'follow' ? this.fog : null;
   }
 
   private showTime({ time }: State): void {

@@ -85,10 +85,10 @@ export class SphereScene {
     this.globe.paint(colours);
     this.dots.paint(colours.ink);
     this.marks.paint(colours.mark);
-    this.reference.paint(colours.reference);
+    this.reference.paint(colours.reference, colours);
     for (const which of chosenPlaces) {
-      this.ways[which].paint(colours[which]);
-      this.pointers[which].paint(colours[which]);
+      this.ways[which].paint(colours[which], colours);
+      this.pointers[which].paint(colours[which], colours);
     }
   }
 

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines as wide in pixels as they are to be, broken where there are gaps.
-import { Group, type GreaterDepth, type InterleavedBufferAttribute } from 'three';
+import { Color, Group, LinearSRGBColorSpace, type GreaterDepth, type InterleavedBufferAttribute } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import type { Colours } from '../look/theme';
 
 export interface TrailLook {
   width: number; // pixels of the page
-  opacity?: number;
+  strength?: number; // of its colour on the ground's: where segments meet one sees nothing, as one does through what is transparent
   order?: number; // what has more is drawn later, and over it
   depthFunc?: typeof GreaterDepth;
   fog?: boolean;
 }
+
+/** As eyes mix it, not light. */
+const asShown = (colour: string) => new Color().setStyle(colour, LinearSRGBColorSpace);
 
 /** Ends of segments: NaN in a point is a gap. */
 function segmentsOf(points: Float32Array): Float32Array {
@@ -30,11 +34,13 @@ function segmentsOf(points: Float32Array): Float32Array {
 export class Trail {
   readonly object = new Group();
   private readonly lines: LineSegments2[];
+  private readonly strengths: number[] = [];
   private room = 0; // for segments
 
   constructor(...looks: TrailLook[]) {
-    this.lines = looks.map(({ width, opacity = 1, order = 0, ...more }) => {
-      const line = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ linewidth: width, opacity, transparent: true, depthWrite: false, ...more }));
+    this.lines = looks.map(({ width, strength = 1, order = 0, ...more }) => {
+      this.strengths.push(strength);
+      const line = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ linewidth: width, transparent: true, depthWrite: false, ...more }));
       line.renderOrder = order;
       line.frustumCulled = false;
       return line;
@@ -44,8 +50,8 @@ export class Trail {
     this.set(new Float32Array());
   }
 
-  paint(colour: string): void {
-    for (const { material } of this.lines) material.color.set(colour);
+  paint(colour: string, { ground }: Colours): void {
+    this.lines.forEach(({ material }, i) => material.color.copy(asShown(ground).lerp(asShown(colour), this.strengths[i]).convertSRGBToLinear()));
   }
 
   /** x, y, z of each point. */

@@ -46,7 +46,7 @@ export class SkeletonScene {
   private worst!: Mesh;
   private one!: Mesh;
   private readonly ground = new Ground();
-  private readonly ways = { before: new Trail({ width: 2, opacity: 0.8 }), after: new Trail({ width: 2 }) };
+  private readonly ways = { before: new Trail({ width: 2, strength: 0.8 }), after: new Trail({ width: 2 }) };
   private dots?: InstancedMesh;
 
   constructor(
@@ -120,8 +120,8 @@ export class SkeletonScene {
     const way = (all: Float32Array) => this.space.shown(Float32Array.from({ length: (3 * all.length) / width }, (_, i) => all[Math.floor(i / 3) * width + 3 * state.joint + (i % 3)]));
     this.ways.before.set(way(places.before));
     this.ways.after.set(way(after));
-    this.ways.before.paint(colours.reference);
-    this.ways.after.paint(colours.second);
+    this.ways.before.paint(colours.reference, colours);
+    this.ways.after.paint(colours.second, colours);
     if (this.dots) {
       this.dots.removeFromParent();
       release(this.dots);
