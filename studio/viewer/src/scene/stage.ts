@@ -9,7 +9,7 @@ import { Overlay, zUp, type WorldAxes } from './overlay';
 import type { Painter, Size } from './painter';
 import { placeOf, type View } from './view';
 
-const lost = 'The browser has taken the graphics of this scene away. The scene goes on when it gives them back; tables and plots are not touched.';
+const lost = 'The browser has taken the graphics away. The scene goes on when they are back.';
 
 export class Stage {
   readonly scene = new Scene();
