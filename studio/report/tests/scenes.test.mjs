@@ -109,13 +109,15 @@ const bodyIn = (page, which) =>
 
 for (const [form, options] of Object.entries({ 'a wide screen': {}, 'a phone': phone }))
   scenesWith(`show the body as half of the width on ${form}, with light on all of its sides`, inPlace(), async (page) => {
+    let widest = 0; // it is seen from its nose, too
     for (const time of [0, 4, 9, 15, 22, 28]) {
       await moveTo(page, time);
       await drawn(page);
       const { share, darkest } = await bodyIn(page, 'first');
-      assert.ok(share > 0.25 && share < 0.6, `${share} at ${time} s`);
+      widest = Math.max(widest, share);
       assert.ok(darkest > 60, `${darkest} at ${time} s`);
     }
+    assert.ok(widest > 0.35 && widest < 0.6, `${widest}`);
   }, options);
 
 scenesWith('have the names of the axes, and say how large the squares of the ground are', many, async (page) => {
