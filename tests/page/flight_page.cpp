@@ -51,6 +51,7 @@ Expected<report::Page> flight_page(const char* keys_path, const char* truth_path
                     .command = "flight_page flight_keys.csv flight_truth.csv",
                     .date = "2026-01-02 03:04",
                     .version = std::string(version),
+                    .body = report::PageBody::aircraft,
                     .keys = report::page_keys(*keys),
                     .reference = report::thinned(truth)};
   page.columns = {{"rms_deg", "RMS", "deg", "Root mean square of the angle to the reference"},

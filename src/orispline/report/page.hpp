@@ -102,7 +102,7 @@ struct Page {
   std::string version{};             ///< of orispline
   std::string time_start{};          ///< the input's own time at t = 0, as text; empty: it is 0
   std::vector<std::string> notes{};  ///< sentences of the head, such as what is left out
-  PageBody body = PageBody::aircraft;
+  PageBody body = PageBody::box;  ///< which says nothing of what moves; what is shown at first
   PageKeys keys{};                      ///< of every method that has none of its own
   std::optional<PagePath> reference{};  ///< what the methods are compared with
   std::optional<PageMarks> marks{};

@@ -37,10 +37,11 @@ export const drawn = (page) =>
     for (let frame = 0; frame < 3; ++frame) await new Promise(requestAnimationFrame);
   });
 
-/** Opens a file; the page's complaints and what it asks of the network are collected in it. */
-export async function open(browser, file, options = {}) {
+/** Opens a file; the page's complaints and what it asks of the network are collected in it. `first` runs in it before all else. */
+export async function open(browser, file, { first, ...options } = {}) {
   const page = await browser.newPage({ viewport: { width: 1400, height: 1000 }, ...options });
   page.setDefaultTimeout(0); // other work may be beside it
+  if (first) await page.addInitScript(first);
   const complaints = [];
   const requests = [];
   page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));

@@ -6,7 +6,7 @@ import { element, menu } from '../look/element';
 import { firstJoint, worstJoint } from '../motion/poses';
 import { plotControls, showPlots } from '../plots/plots';
 import { skeletonQuantities } from '../quantities/skeleton';
-import { canDraw, noScenes } from '../scene/scenes';
+import { withPainter } from '../scene/scenes';
 import { sides, SkeletonScene } from '../scene/skeleton/skeletonScene';
 import { withClip, type State, type Store } from '../store/store';
 import { clipTable, jointTable } from '../tables/skeleton';
@@ -62,10 +62,12 @@ export function showSkeleton(store: Store, skeleton: Skeleton, { main, measures,
   main.classList.toggle('beside', clips.length >= manyClips);
   measures.append(clipTable(store, skeleton));
   playback.append(...playbackOf(store, menus(store, skeleton), keys));
-  if (canDraw()) {
-    const scene = new SkeletonScene(store, skeleton);
-    scenes.append(controls(store, skeleton, scene), element('div', { className: 'stages' }, scene.figure));
-  } else scenes.append(noScenes());
+  scenes.append(
+    ...withPainter(store, (painter) => {
+      const scene = new SkeletonScene(store, painter, skeleton);
+      return [controls(store, skeleton, scene), element('div', { className: 'stages' }, scene.figure)];
+    }),
+  );
   plots.append(plotControls(store));
   showPlots(store, plots, skeletonQuantities(skeleton), ['clip', 'joint']);
   plots.append(jointTable(store, skeleton));

@@ -1,49 +1,68 @@
 // SPDX-License-Identifier: Apache-2.0
 // The positions of a motion in the units of its scene.
-import { BufferGeometry, Line, LineBasicMaterial, Vector3 } from 'three';
+import { Vector3 } from 'three';
 import type { Numbers } from '../data/numbers';
 import type { Keys, Method, Samples } from '../data/report';
 import { vectorAt } from '../motion/orientation';
+import { thinned } from './thinned';
 
-const vectors = (values: Numbers) => Array.from({ length: values.length / 3 }, (_, i) => new Vector3().fromArray(values, 3 * i));
+const mostOutline = 400; // points of an outline
+const unseen = 1e-3; // length of the scene, a tenth of a pixel
 
 /** Half of the keys are farther from the next one than this [m]. */
 function medianStep({ p }: Keys): number {
-  const keys = vectors(p);
-  const steps = keys.slice(1).map((key, i) => key.distanceTo(keys[i]));
-  return Math.max(steps.sort((a, b) => a - b)[steps.length >> 1] ?? 0, 1e-9);
+  const steps = Float64Array.from({ length: Math.max(p.length / 3 - 1, 0) }, (_, i) => Math.hypot(p[3 * i + 3] - p[3 * i], p[3 * i + 4] - p[3 * i + 1], p[3 * i + 5] - p[3 * i + 2]));
+  return Math.max(steps.sort()[steps.length >> 1] ?? 0, 1e-9);
+}
+
+/** The least and the largest of each coordinate. */
+function boxOf(p: Numbers): [low: Vector3, high: Vector3] {
+  const [low, high] = [new Vector3(Infinity, Infinity, Infinity), new Vector3(-Infinity, -Infinity, -Infinity)];
+  for (let i = 0; i < p.length; i += 3) {
+    const point = new Vector3().fromArray(p, i);
+    if (!Number.isNaN(point.x)) (low.min(point), high.max(point));
+  }
+  return [low, high];
 }
 
 export class FlightPath {
+  readonly unit: number; // lengths of the scene per metre
+  readonly line: Float32Array; // x, y, z of so many points that no eye misses one
+  readonly low: number; // height in the scene of its lowest point
   private readonly samples: Samples;
   private readonly keys: Keys;
-  private readonly center = new Vector3();
+  private readonly centre = new Vector3();
   private readonly extent: number; // [m]
-  private readonly unit: number; // lengths of the scene per metre
 
   /** Scaled to a size as a whole, or so that neighbouring keys are as far from each other. */
-  constructor(
-    method: Method,
-    scale: { whole: number } | { step: number },
-  ) {
-    this.samples = method.samples;
-    this.keys = method.keys;
-    const points = vectors(this.samples.p);
-    const low = points.reduce((least, p) => least.min(p), points[0].clone());
-    const high = points.reduce((most, p) => most.max(p), points[0].clone());
-    this.center.addVectors(low, high).multiplyScalar(0.5);
+  constructor({ samples, keys }: Method, scale: { whole: number } | { step: number }) {
+    this.samples = samples;
+    this.keys = keys;
+    const [low, high] = boxOf(samples.p);
+    this.centre.addVectors(low, high).multiplyScalar(0.5);
     this.extent = Math.max(high.distanceTo(low), 1e-9);
-    this.unit = 'whole' in scale ? scale.whole / this.extent : scale.step / medianStep(this.keys);
+    this.unit = 'whole' in scale ? scale.whole / this.extent : scale.step / medianStep(keys);
+    this.low = this.unit * (low.z - this.centre.z);
+    this.line = thinned(this.points(), unseen);
   }
 
-  private at = (position: Vector3) => position.sub(this.center).multiplyScalar(this.unit);
+  private at = (position: Vector3) => position.sub(this.centre).multiplyScalar(this.unit);
 
   atTime = (t: number) => this.at(new Vector3(...vectorAt(this.samples.t, this.samples.p, t)));
   atKey = (key: number) => this.at(new Vector3().fromArray(this.keys.p, 3 * key));
 
-  line = (colour: string) =>
-    new Line(new BufferGeometry().setFromPoints(vectors(this.samples.p).map(this.at)), new LineBasicMaterial({ color: colour }));
+  /** x, y, z of all samples. */
+  private points(): Float32Array {
+    const points = new Float32Array(this.samples.p.length);
+    const centre = this.centre.toArray();
+    for (let i = 0; i < points.length; ++i) points[i] = this.unit * (this.samples.p[i] - centre[i % 3]);
+    return points;
+  }
 
-  /** The shape of the path, in any size. */
-  outline = (size: number) => vectors(this.samples.p).map((p) => this.at(p).multiplyScalar(size / (this.extent * this.unit)));
+  /** The shape of the path. */
+  outline(): Vector3[] {
+    const points = this.line;
+    const every = 3 * Math.ceil(points.length / 3 / mostOutline);
+    return Array.from({ length: Math.ceil(points.length / every) }, (_, i) => new Vector3().fromArray(points, every * i)).filter(({ x }) => !Number.isNaN(x));
+  }
 }

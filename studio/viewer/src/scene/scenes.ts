@@ -5,12 +5,14 @@ import { element, menu } from '../look/element';
 import type { Axis } from '../motion/quaternion';
 import type { State, Store } from '../store/store';
 import { MotionScene } from './motionScene';
+import { Painter } from './painter';
+import { Shapes } from './shapes';
 import { SphereScene } from './sphereScene';
 
-const shapes: [BodyShape, string][] = [
-  ['aircraft', 'aircraft'],
+const bodies: [BodyShape, string][] = [
   ['box', 'box'],
   ['axes', 'axes'],
+  ['aircraft', 'aircraft'],
 ];
 const axes: [Axis, string][] = [
   ['x', 'x'],
@@ -24,29 +26,30 @@ const places: [State['place'], string][] = [
 ];
 
 function controls({ choose, subscribe, canFollowPath }: Store): HTMLElement {
-  const [bodyChoice, bodySelect] = menu('Body', shapes, (shape) => choose({ body: shape as BodyShape }));
+  const [bodyChoice, bodySelect] = menu('Body', bodies, (shape) => choose({ body: shape as BodyShape }));
   const [placeChoice, placeSelect] = menu('Seen', places, (where) => choose({ place: where as State['place'] }));
-  const [axisChoice, axisSelect] = menu('Axis on the sphere', axes, (axis) => choose({ axis: axis as Axis }));
+  const [axisChoice, axisSelect] = menu('Axis on sphere', axes, (axis) => choose({ axis: axis as Axis }));
   subscribe(['body', 'place', 'axis'], (state) => {
     bodySelect.value = state.body;
     placeSelect.value = state.place;
     axisSelect.value = state.axis;
   });
-  return element('div', { className: 'controls' }, bodyChoice, ...(canFollowPath ? [placeChoice] : []), axisChoice);
-}
-
-export function canDraw(): boolean {
-  const context = document.createElement('canvas').getContext('webgl2');
-  context?.getExtension('WEBGL_lose_context')?.loseContext(); // a browser has few
-  return context !== null;
+  return element('div', { className: 'controls' }, bodyChoice, axisChoice, ...(canFollowPath ? [placeChoice] : []));
 }
 
 /** What is shown where the browser cannot draw in space. */
-export const noScenes = () => element('p', { className: 'facts' }, 'The scenes in space are not shown: this browser has no WebGL.');
+const noScenes = () => element('p', { className: 'facts' }, 'The scenes in space are not shown: this browser has no WebGL. The tables and the plots are complete.');
 
-export function scenesOf(store: Store): HTMLElement[] {
-  if (!canDraw()) return [noScenes()];
-  const [first, second] = [new MotionScene(store, 'first'), new MotionScene(store, 'second')];
-  first.linkCamera(second);
-  return [controls(store), element('div', { className: 'stages' }, first.figure, second.figure, new SphereScene(store).figure)];
+/** What the scenes show, or a sentence instead of them. */
+export function withPainter(store: Store, show: (painter: Painter) => HTMLElement[]): HTMLElement[] {
+  const context = document.createElement('canvas').getContext('webgl2', { antialias: true });
+  return context ? show(new Painter(store, context)) : [noScenes()];
 }
+
+export const scenesOf = (store: Store): HTMLElement[] =>
+  withPainter(store, (painter) => {
+    const shapes = new Shapes();
+    const [first, second] = [new MotionScene(store, painter, shapes, 'first'), new MotionScene(store, painter, shapes, 'second')];
+    first.linkCamera(second);
+    return [controls(store), element('div', { className: 'stages' }, first.figure, second.figure, new SphereScene(store, painter).figure)];
+  });

@@ -1,164 +1,104 @@
 // SPDX-License-Identifier: Apache-2.0
 // The way of a body axis over the unit sphere, for both methods, the reference and the keys.
-import {
-  BufferAttribute,
-  BufferGeometry,
-  CircleGeometry,
-  Group,
-  Line,
-  LineBasicMaterial,
-  LineSegments,
-  Mesh,
-  MeshBasicMaterial,
-  SphereGeometry,
-  Vector3,
-} from 'three';
-import { Line2 } from 'three/addons/lines/Line2.js';
-import { LineGeometry } from 'three/addons/lines/LineGeometry.js';
-import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import { Vector3 } from 'three';
 import { once } from '../data/once';
-import { isGap, type Method, type Path } from '../data/report';
+import { isGap, type Path } from '../data/report';
 import { element } from '../look/element';
-import { coloursOf, type Colours } from '../look/theme';
+import { coloursOf } from '../look/theme';
 import { wayOverSphere } from '../motion/lines';
 import { isShownAt, orientationAt, ownTime, quaternionAt } from '../motion/orientation';
-import type { Polyline } from '../motion/polyline';
 import { bodyAxis, type Axis } from '../motion/quaternion';
 import type { State, Store } from '../store/store';
+import { Dots, Globe, lift, Pointer, wayOnSphere } from './globe';
+import { axisNames, zUp } from './overlay';
+import type { Painter } from './painter';
 import { Stage } from './stage';
+import { thinned } from './thinned';
+import { ball, eyeBefore } from './view';
 
-const lift = 1.004; // paths lie on the sphere, not in it
-const mostDots = 400; // of more keys some are left out, evenly
-const towardsEye = { reference: 0, second: -600, first: -1200, keys: -1800 }; // steps of the depth buffer: which path hides which
+const chosenPlaces = ['second', 'first'] as const;
+const nameAt = 1.21; // of an axis
+const outline = [...ball(1.02), ...Object.values(zUp).map((axis) => axis.clone().multiplyScalar(nameAt + 0.07))];
 
-interface PathLook {
-  colour: string;
-  width: number;
-  offset: number;
+const unseen = 3.5e-4; // of the radius: 0.02 degrees, a twentieth of a pixel
+
+const wayOf = (axis: Axis) => once((path: Path) => thinned(Float32Array.from(wayOverSphere(path, axis).values, (value) => lift * value), unseen));
+
+const mostDirections = 500; // that say from where the sphere is seen best
+
+function directionsOf(path: Path, axis: Axis): Vector3[] {
+  const directions: Vector3[] = [];
+  const every = Math.ceil(path.t.length / mostDirections);
+  for (let i = 0; i < path.t.length; i += every) if (!isGap(path, i)) directions.push(new Vector3(...bodyAxis(quaternionAt(path, i), axis)));
+  return directions;
 }
-
-/** The way of an axis, in the stretches between its gaps. */
-function pathOf({ t, values }: Polyline, { colour, width, offset }: PathLook): Group {
-  const material = new LineMaterial({ color: colour, linewidth: width, polygonOffset: true, polygonOffsetUnits: offset });
-  const path = new Group();
-  let first = 0;
-  for (let i = 0; i <= t.length; ++i) {
-    if (i < t.length && !Number.isNaN(values[3 * i])) continue;
-    const points = values.subarray(3 * first, 3 * i).map((value) => lift * value);
-    if (i - first > 1) path.add(new Line2(new LineGeometry().setPositions(Float32Array.from(points)), material));
-    first = i + 1;
-  }
-  return path;
-}
-
-const directions = (path: Path, axis: Axis) =>
-  Array.from(path.t.keys()).flatMap((i) => (isGap(path, i) ? [] : [new Vector3(...bodyAxis(quaternionAt(path, i), axis))]));
-
-/** The whole sphere is to be in the picture. */
-const outline = [1, -1].flatMap((end) => [new Vector3(end, 0, 0), new Vector3(0, end, 0), new Vector3(0, 0, end)]);
-
-/** Parallels and meridians every 30 degrees. */
-function graticule(colour: string): LineSegments {
-  const degree = Math.PI / 180;
-  const at = (longitude: number, latitude: number) =>
-    new Vector3().setFromSphericalCoords(1, (90 - latitude) * degree, longitude * degree).applyAxisAngle(new Vector3(1, 0, 0), Math.PI / 2);
-  const points: Vector3[] = [];
-  for (let longitude = 0; longitude < 360; longitude += 6)
-    for (let latitude = -60; latitude <= 60; latitude += 30) points.push(at(longitude, latitude), at(longitude + 6, latitude));
-  for (let latitude = -90; latitude < 90; latitude += 6)
-    for (let longitude = 0; longitude < 360; longitude += 30) points.push(at(longitude, latitude), at(longitude, latitude + 6));
-  return new LineSegments(new BufferGeometry().setFromPoints(points), new LineBasicMaterial({ color: colour }));
-}
-
-function globe(colours: Colours): Group {
-  const ground = new MeshBasicMaterial({ color: colours.ground, transparent: true, opacity: 0.65 });
-  return new Group().add(new Mesh(new SphereGeometry(0.995, 48, 32), ground), graticule(colours.grid));
-}
-
-function dotsAt(path: Path, axis: Axis, { colour, radius }: { colour: string; radius: number }): Group {
-  const dots = new Group();
-  const material = new MeshBasicMaterial({ color: colour, polygonOffset: true, polygonOffsetUnits: towardsEye.keys });
-  const every = Math.ceil(path.t.length / mostDots);
-  for (let i = 0; i < path.t.length; i += every) {
-    const direction = new Vector3(...bodyAxis(quaternionAt(path, i), axis));
-    const dot = new Mesh(new CircleGeometry(radius, 16), material);
-    dot.position.copy(direction.clone().multiplyScalar(lift));
-    dot.lookAt(direction.multiplyScalar(2));
-    dots.add(dot);
-  }
-  return dots;
-}
-
-/** From the center of the sphere to where the axis points now. */
-class Pointer {
-  readonly object: Group;
-  private readonly ray: Line;
-  private readonly tip: Mesh;
-
-  constructor(colour: string) {
-    this.ray = new Line(new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(6), 3)), new LineBasicMaterial({ color: colour }));
-    this.tip = new Mesh(new SphereGeometry(0.045, 20, 14), new MeshBasicMaterial({ color: colour }));
-    this.ray.frustumCulled = false;
-    this.object = new Group().add(this.ray, this.tip);
-  }
-
-  turnTo(direction: number[]): void {
-    this.tip.position.fromArray(direction);
-    const ends = this.ray.geometry.getAttribute('position') as BufferAttribute;
-    ends.setXYZ(1, direction[0], direction[1], direction[2]);
-    ends.needsUpdate = true;
-  }
-}
-
-const wayOf = (axis: Axis) => once((path: Path) => wayOverSphere(path, axis));
 
 export class SphereScene {
   readonly figure: HTMLElement;
   private readonly caption = element('strong');
   private readonly stage: Stage;
-  private content?: Group;
-  private pointers: { pointer: Pointer; method: Method }[] = [];
-  private readonly ways = { x: wayOf('x'), y: wayOf('y'), z: wayOf('z') };
+  private readonly globe = new Globe();
+  private readonly dots = new Dots(0.022, 5);
+  private readonly marks = new Dots(0.034, 6);
+  private readonly reference = wayOnSphere(5, 1);
+  private readonly ways = { second: wayOnSphere(2.5, 2), first: wayOnSphere(3, 4) };
+  private readonly pointers = { second: new Pointer(), first: new Pointer() };
+  private readonly wayOf = { x: wayOf('x'), y: wayOf('y'), z: wayOf('z') };
 
-  constructor(private readonly store: Store) {
+  constructor(
+    private readonly store: Store,
+    painter: Painter,
+  ) {
     const frame = element('div', { className: 'frame' });
     this.figure = element('figure', { className: 'sphere' }, element('figcaption', {}, this.caption), frame);
-    this.stage = new Stage(store, frame);
-    const { subscribe, methodNamed, report } = store;
-    subscribe(['first', 'second', 'axis', 'theme'], (state) => this.rebuild(state));
-    subscribe(['time'], (state) => this.showTime(state));
-    subscribe(['axis'], ({ first, axis }) => this.stage.lookAt([...outline, ...directions(methodNamed(first)?.samples ?? report.keys, axis)]));
+    this.stage = new Stage(store, painter, frame);
+    for (const axis of axisNames) this.stage.overlay.name(axis, zUp[axis].clone().multiplyScalar(nameAt));
+    const { scene } = this.stage;
+    for (const part of [this.globe, this.dots, this.marks, this.reference, ...Object.values(this.ways), ...Object.values(this.pointers)]) scene.add(part.object);
+    const { subscribe } = store;
+    subscribe(['axis'], (state) => this.turnTo(state));
+    for (const which of chosenPlaces) subscribe([which, 'axis'], (state) => this.showMethod(state, which));
+    subscribe(['theme'], (state) => this.paint(state));
+    subscribe(['first', 'second', 'axis', 'theme', 'time'], (state) => this.showTime(state));
   }
 
-  private rebuild(state: State): void {
-    const { methodNamed, keysOf, report } = this.store;
-    const colours = coloursOf(state);
-    const wayOver = this.ways[state.axis];
-    const content = new Group().add(globe(colours), dotsAt(keysOf(methodNamed(state.first)), state.axis, { colour: colours.ink, radius: 0.024 }));
-    if (report.marks) content.add(dotsAt(report.marks, state.axis, { colour: colours.mark, radius: 0.036 }));
-    const grey = { colour: colours.reference, width: 5, offset: towardsEye.reference };
-    if (report.reference) content.add(pathOf(wayOver(report.reference), grey));
-    this.pointers = [];
-    for (const which of ['second', 'first'] as const) {
-      const method = methodNamed(state[which]);
-      if (!method) continue;
-      const pointer = new Pointer(colours[which]);
-      const look = { colour: colours[which], width: which === 'first' ? 2.5 : 2, offset: towardsEye[which] };
-      content.add(pathOf(wayOver(method.samples), look), pointer.object);
-      this.pointers.push({ pointer, method });
-    }
-    this.caption.textContent = `Body axis ${state.axis} on the unit sphere`;
+  /** Shows the ways of another axis. */
+  private turnTo({ axis, first }: State): void {
+    const { report, methodNamed } = this.store;
+    this.caption.textContent = `Body axis ${axis} on the unit sphere`;
     this.stage.describe(this.caption.textContent);
-    this.stage.replace(this.content, content);
-    this.content = content;
-    this.showTime(state);
+    if (report.reference) this.reference.set(this.wayOf[axis](report.reference));
+    if (report.marks) this.marks.set(report.marks, axis);
+    this.marks.object.visible = report.marks !== null;
+    this.stage.lookAt({ eye: eyeBefore(directionsOf(methodNamed(first)?.samples ?? report.keys, axis)), points: outline });
   }
 
-  private showTime({ time, axis }: State): void {
-    for (const { pointer, method } of this.pointers) {
-      const own = ownTime(method.clock, time);
-      pointer.object.visible = isShownAt(method.samples, own);
-      if (pointer.object.visible) pointer.turnTo(bodyAxis(orientationAt(method.samples, own), axis));
+  private showMethod(state: State, which: (typeof chosenPlaces)[number]): void {
+    const { methodNamed, keysOf } = this.store;
+    const method = methodNamed(state[which]);
+    this.ways[which].set(method ? this.wayOf[state.axis](method.samples) : new Float32Array());
+    if (which === 'first') this.dots.set(keysOf(method), state.axis);
+  }
+
+  private paint(state: State): void {
+    const colours = coloursOf(state);
+    this.globe.paint(colours);
+    this.dots.paint(colours.ink);
+    this.marks.paint(colours.mark);
+    this.reference.paint(colours.reference, colours);
+    for (const which of chosenPlaces) {
+      this.ways[which].paint(colours[which], colours);
+      this.pointers[which].paint(colours[which], colours);
+    }
+  }
+
+  private showTime(state: State): void {
+    for (const which of chosenPlaces) {
+      const method = this.store.methodNamed(state[which]);
+      const own = method && ownTime(method.clock, state.time);
+      const isShown = method !== undefined && isShownAt(method.samples, own!);
+      this.pointers[which].object.visible = isShown;
+      if (isShown) this.pointers[which].turnTo(bodyAxis(orientationAt(method.samples, own!), state.axis));
     }
     this.stage.draw();
   }

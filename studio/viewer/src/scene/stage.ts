@@ -1,39 +1,65 @@
 // SPDX-License-Identifier: Apache-2.0
 // A canvas with a camera that the user turns; drawn when something has changed, not all the time.
-import { AmbientLight, DirectionalLight, PerspectiveCamera, Scene, WebGLRenderer, type Object3D, type Vector3 } from 'three';
+import { DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, type Object3D } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { element } from '../look/element';
+import { coloursOf } from '../look/theme';
 import type { Store } from '../store/store';
-import { viewFrom, viewOf } from './view';
+import { Overlay, zUp, type WorldAxes } from './overlay';
+import type { Painter, Size } from './painter';
+import { placeOf, type View } from './view';
+
+const lost = 'The browser has taken the graphics away. The scene goes on when they are back.';
 
 export class Stage {
   readonly scene = new Scene();
-  readonly camera = new PerspectiveCamera(35, 1, 0.1, 100);
+  readonly camera = new PerspectiveCamera(32, 1, 0.1, 100);
   readonly controls: OrbitControls;
-  private readonly renderer = new WebGLRenderer({ antialias: true, alpha: true });
+  readonly overlay: Overlay;
+  private readonly canvas = element('canvas', { attributes: { role: 'img' } });
+  private readonly size: Size = { width: 0, height: 0 };
   private awaited = false;
   private ended = false;
-  private seen: Vector3[] = []; // until the user turns the camera
-  private eye?: Vector3;
+  private view?: View; // until the user turns the camera
 
-  constructor(store: Store, frame: HTMLElement) {
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.renderer.domElement.setAttribute('role', 'img');
-    frame.append(this.renderer.domElement);
+  constructor(
+    store: Store,
+    private readonly painter: Painter,
+    frame: HTMLElement,
+    world: WorldAxes = zUp,
+  ) {
+    const sentence = element('p', { className: 'lost', hidden: true, attributes: { role: 'status' } }, lost);
+    frame.append(this.canvas, sentence);
+    this.overlay = new Overlay(frame, world);
     this.camera.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.camera, this.renderer.domElement);
+    this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enablePan = false;
     this.controls.addEventListener('change', () => this.draw());
-    this.controls.addEventListener('start', () => (this.seen = []));
-    const sun = new DirectionalLight(0xffffff, 2.2);
-    sun.position.set(-1, -2, 4);
-    this.scene.add(new AmbientLight(0xffffff, 1.6), sun);
+    this.controls.addEventListener('start', () => (this.view = undefined));
+    this.light();
+    store.subscribe(['theme'], (state) => this.overlay.paint(coloursOf(state)));
     store.watchSize(frame, () => this.fit(frame));
     store.atEnd(() => this.end());
+    painter.watch((isLost) => {
+      sentence.hidden = !isLost;
+      this.draw();
+    });
+  }
+
+  /** From the sky and from the ground, and from where the user looks: no side is black. */
+  private light(): void {
+    const [key, fill] = [new DirectionalLight(0xffffff, 1.5), new DirectionalLight(0xffffff, 0.55)];
+    key.position.set(-0.5, 0.9, 0.7); // from the eye: up to the left
+    fill.position.set(0.9, -0.1, 0.5);
+    this.camera.add(key, key.target, fill, fill.target);
+    const sky = new HemisphereLight(0xffffff, 0x8c8c94, 1.75);
+    sky.position.set(0, 0, 1);
+    this.scene.add(sky, this.camera);
   }
 
   /** What is seen, for those who do not see it. */
   describe(text: string): void {
-    this.renderer.domElement.setAttribute('aria-label', text);
+    this.canvas.setAttribute('aria-label', text);
   }
 
   /** In the next frame, once, however often it is asked for. */
@@ -43,44 +69,33 @@ export class Stage {
     requestAnimationFrame(() => {
       if (this.ended) return;
       this.awaited = false;
-      this.renderer.render(this.scene, this.camera);
+      if (this.size.width === 0) return;
+      this.painter.paint(this.scene, this.camera, this.canvas, this.size);
+      this.overlay.update(this.camera, this.size);
     });
   }
 
-  /** Turns the camera to where the points are seen best, all of them; or from that side, a unit vector. */
-  lookAt(points: Vector3[], eye?: Vector3): void {
-    this.seen = points;
-    this.eye = eye;
-    this.camera.position.copy(eye ? viewFrom(eye, points, this.camera) : viewOf(points, this.camera));
+  /** Turns the camera to where the view is seen best, until the user turns it. */
+  lookAt(view: View): void {
+    this.view = view;
+    this.camera.position.copy(placeOf(view, this.camera));
     this.controls.update();
     this.draw();
   }
 
-  replace(before: Object3D | undefined, after: Object3D): void {
-    if (before) {
-      this.scene.remove(before);
-      release(before);
-    }
-    this.scene.add(after);
-    this.draw();
-  }
-
-  /** Gives the graphics memory back, and the context, of which a browser has few. */
   private end(): void {
     this.ended = true;
     release(this.scene);
     this.controls.dispose();
-    this.renderer.dispose();
-    this.renderer.forceContextLoss();
   }
 
   private fit(frame: HTMLElement): void {
     const { clientWidth: width, clientHeight: height } = frame;
     if (width === 0 || height === 0) return;
-    this.renderer.setSize(width, height);
+    Object.assign(this.size, { width, height });
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    if (this.seen.length > 0) this.lookAt(this.seen, this.eye);
+    if (this.view) this.lookAt(this.view);
     this.draw();
   }
 }
@@ -91,5 +106,6 @@ export function release(object: Object3D): void {
     const { geometry, material } = part as { geometry?: { dispose(): void }; material?: { dispose(): void } };
     geometry?.dispose();
     material?.dispose();
+    (part as { dispose?: () => void }).dispose?.();
   });
 }

@@ -3,6 +3,7 @@
 import { hasPositions, hasSamples, type BodyShape, type Clip, type Method, type Report } from '../data/report';
 import { Moments } from '../look/moments';
 import type { Axis } from '../motion/quaternion';
+import { startingTime } from '../motion/startingTime';
 
 export interface State {
   first: string | null; // names of methods
@@ -43,14 +44,16 @@ function firstState(report: Report, methods: Method[], extent: State['extent'], 
   const nameIn = (some: Method[], name: string) => (some.find((method) => method.name === name) ?? some[0])?.name ?? null;
   const first = nameIn(methods, report.first);
   const others = methods.filter(({ name }) => name !== first);
+  const second = nameIn(others, report.second);
+  const find = (name: string | null) => methods.find((method) => method.name === name);
   const clips = report.skeleton?.clips ?? [];
   return {
     first,
-    second: nameIn(others, report.second),
+    second,
     clip: 0,
     joint: 0,
     magnified: 1,
-    time: extent[0],
+    time: startingTime(find(first), find(second), extent[0]),
     extent,
     window: extent,
     playing: false,

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A skeleton as bones from joint to joint, thick near the parent. Where a joint changes its distance from the parent there
 // is no bone: a thin line joins them.
-import { Group, InstancedMesh, LatheGeometry, Matrix4, MeshStandardMaterial, Quaternion, SphereGeometry, Vector2, Vector3 } from 'three';
+import { Group, InstancedMesh, LatheGeometry, Matrix4, MeshLambertMaterial, Quaternion, SphereGeometry, Vector2, Vector3 } from 'three';
 import type { Joint } from '../../data/report';
-import type { Look } from '../body';
+
+interface Look {
+  colour: string;
+  opacity: number;
+}
 
 const thickness = 0.1; // of the length of a bone
 const thickest = 0.035; // lengths of the scene
@@ -29,7 +33,7 @@ export class Bones {
     private readonly swelling = 1,
   ) {
     const solid = opacity === 1;
-    const material = new MeshStandardMaterial({ color: colour, roughness: 0.6, flatShading: true, transparent: !solid, opacity, depthWrite: solid });
+    const material = new MeshLambertMaterial({ color: colour, flatShading: true, transparent: !solid, opacity, depthWrite: solid });
     this.bones = new InstancedMesh(bone(), material, joints.length);
     this.balls = new InstancedMesh(new SphereGeometry(1, 12, 8), material, joints.length);
     for (const mesh of [this.bones, this.balls]) {

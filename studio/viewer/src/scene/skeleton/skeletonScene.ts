@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The motions of the skeleton in space, with the joint that is farthest off, and the way of the chosen one.
-import { BufferAttribute, BufferGeometry, Group, InstancedMesh, Line, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from 'three';
+import { Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from 'three';
 import { isAlone, type Clip, type Skeleton } from '../../data/report';
 import { element } from '../../look/element';
-import { chosen, shown } from '../../look/number';
+import { chosen, stepped } from '../../look/number';
 import { coloursOf, type Colours } from '../../look/theme';
 import { placesAt, placesOf, rigidJoints, roundingsOf, worstAt } from '../../motion/poses';
 import type { State, Store } from '../../store/store';
-import { Stage } from '../stage';
+import { Ground } from '../ground';
+import { yUp, zUp } from '../overlay';
+import type { Painter } from '../painter';
+import { release, Stage } from '../stage';
+import { Trail } from '../trail';
 import { Bones } from './bones';
 import { Space } from './space';
 
@@ -19,22 +23,8 @@ export const sides: [string, Vector3][] = [
 ].map(([name, eye]) => [name as string, (eye as Vector3).normalize()]);
 
 const ring = 0.09; // radius of what marks a joint
-const dot = 0.022; // likewise of a key
+const dot = 0.016; // likewise of a key
 const mostDots = 300; // of a joint: more would hide its way
-const mostLines = 120; // of the floor
-
-function grid({ path, floor, unit, square, height }: Space, colour: string): LineSegments {
-  const points: Vector3[] = [];
-  const margin = 0.5 * height;
-  const [width, depth] = [path.high.x - path.low.x + 2 * margin, path.high.y - path.low.y + 2 * margin];
-  const step = unit * square * Math.ceil(Math.max(width, depth) / (unit * square * mostLines));
-  const range = (low: number, high: number) => [Math.floor((low - margin) / step), Math.ceil((high + margin) / step)];
-  const [west, east] = range(path.low.x, path.high.x);
-  const [south, north] = range(path.low.y, path.high.y);
-  for (let i = west; i <= east; ++i) points.push(new Vector3(i * step, south * step, floor), new Vector3(i * step, north * step, floor));
-  for (let i = south; i <= north; ++i) points.push(new Vector3(west * step, i * step, floor), new Vector3(east * step, i * step, floor));
-  return new LineSegments(new BufferGeometry().setFromPoints(points), new LineBasicMaterial({ color: colour }));
-}
 
 /** Seen through all that is before it. */
 function mark(colour: string, radius: number, opacity: number): Mesh {
@@ -56,15 +46,18 @@ export class SkeletonScene {
   private after!: Bones;
   private worst!: Mesh;
   private one!: Mesh;
-  private way = new Group();
+  private readonly ground = new Ground();
+  private readonly ways = { before: new Trail({ width: 2, strength: 0.8 }), after: new Trail({ width: 2 }) };
+  private dots?: InstancedMesh;
 
   constructor(
     store: Store,
+    painter: Painter,
     private readonly skeleton: Skeleton,
   ) {
     const frame = element('div', { className: 'frame' });
     this.figure = element('figure', { className: 'skeleton' }, this.caption, frame);
-    this.stage = new Stage(store, frame);
+    this.stage = new Stage(store, painter, frame, skeleton.up === 'y' ? yUp : zUp);
     const { subscribe } = store;
     subscribe(['clip', 'theme', 'place'], (state) => this.rebuild(state));
     subscribe(['joint', 'magnified'], (state) => this.showWay(state));
@@ -74,7 +67,7 @@ export class SkeletonScene {
   }
 
   lookFrom(eye: Vector3): void {
-    this.stage.lookAt(this.space.outline, eye);
+    this.stage.lookAt({ points: this.space.outline, eye });
   }
 
   private rebuild(state: State): void {
@@ -88,12 +81,11 @@ export class SkeletonScene {
     this.worst = mark(colours.mark, ring, 0.4);
     this.one = mark(colours.second, 0.45 * ring, 0.9);
     this.before.object.visible = !isAlone(this.skeleton);
-    const content = new Group().add(grid(this.space, colours.grid), this.after.object, this.before.object, this.worst, this.one);
+    this.ways.before.object.visible = !isAlone(this.skeleton);
+    const content = new Group().add(this.ground.object, this.after.object, this.before.object, this.worst, this.one, this.ways.before.object, this.ways.after.object);
     this.stage.describe(`The skeleton in space, moved by ${this.motions().join(' and ')}: ${this.clip.name}`);
-    this.stage.replace(this.content, content);
-    this.content = content;
-    this.way = new Group();
-    content.add(this.way);
+    this.replace(content);
+    this.layGround(colours);
     this.showWay(state);
     this.showTime(state);
   }
@@ -102,6 +94,26 @@ export class SkeletonScene {
   private motions(): string[] {
     const { before, after } = this.skeleton;
     return isAlone(this.skeleton) ? [before] : [before, after];
+  }
+
+  private replace(content: Group): void {
+    const before = this.content;
+    this.content = content;
+    this.stage.scene.add(content);
+    if (!before) return;
+    before.removeFromParent();
+    release(before);
+  }
+
+  /** Below all of the clip. */
+  private layGround(colours: Colours): void {
+    const { path, floor, unit, square, height } = this.space;
+    const reach = path.high.clone().sub(path.low).setZ(0).length() / 2 + 2 * height;
+    this.ground.set({ height: floor, square: unit * square, reach });
+    this.ground.paint(colours);
+    const middle = path.low.clone().add(path.high).multiplyScalar(0.5);
+    this.ground.object.position.setX(middle.x).setY(middle.y);
+    this.ground.shift(middle);
   }
 
   /** After, with what differs magnified. */
@@ -115,11 +127,16 @@ export class SkeletonScene {
     const places = placesOf(this.clip);
     const after = this.magnified(places.before, places.after, state);
     const way = (all: Float32Array) => this.space.shown(Float32Array.from({ length: (3 * all.length) / width }, (_, i) => all[Math.floor(i / 3) * width + 3 * state.joint + (i % 3)]));
-    const line = (points: Float32Array, colour: string) => new Line(new BufferGeometry().setAttribute('position', new BufferAttribute(points, 3)), new LineBasicMaterial({ color: colour }));
-    this.content!.remove(this.way);
-    this.way = new Group().add(line(way(after), colours.second), this.keys(state, colours));
-    if (!isAlone(this.skeleton)) this.way.add(line(way(places.before), colours.reference));
-    this.content!.add(this.way);
+    this.ways.before.set(way(places.before));
+    this.ways.after.set(way(after));
+    this.ways.before.paint(colours.reference, colours);
+    this.ways.after.paint(colours.second, colours);
+    if (this.dots) {
+      this.dots.removeFromParent();
+      release(this.dots);
+    }
+    this.dots = this.keys(state, colours);
+    this.content!.add(this.dots);
   }
 
   /** The keys of the chosen joint, on its way. */
@@ -169,7 +186,7 @@ export class SkeletonScene {
       element('strong', {}, this.clip.name),
       ...this.motions().map((name, i, all) => sign(name, i < all.length - 1 ? colours.reference : colours.first)),
       sign(joints[joint].name, colours.second),
-      ...(worst ? [sign(`farthest: ${joints[worst.joint].name} `, colours.mark, element('b', {}, length(shown(worst.distance))))] : []),
+      ...(worst ? [sign(`farthest: ${joints[worst.joint].name} `, colours.mark, element('b', {}, length(stepped(worst.distance, this.clip.errors.distance_step))))] : []),
       element('span', {}, `squares of ${this.square()}`),
     );
   }
