@@ -14,6 +14,6 @@ export function headerOf({ report, choose, current, subscribe }: Store): HTMLEle
   const facts = [report.date, report.version && `orispline ${report.version}`, start].filter(Boolean).join(' · ');
   const paragraph = (className: string) => (text: string) => element('p', { className }, ...breakable(text));
   const lines = [...report.warnings.map(paragraph('warning')), ...[facts, ...report.notes].filter(Boolean).map(paragraph('facts'))];
-  const command = element('pre', { tabIndex: 0, attributes: { role: 'region', 'aria-label': 'The command that makes this report' } }, element('code', {}, report.command));
+  const command = element('pre', { tabIndex: 0, attributes: { role: 'group', 'aria-label': 'The command that makes this report' } }, element('code', {}, report.command));
   return element('div', { className: 'head' }, element('div', {}, ...(report.title ? [element('h1', {}, ...breakable(report.title))] : []), ...lines), toggle, ...(report.command ? [command] : []));
 }

@@ -11,14 +11,15 @@ export interface Places {
   keys: EventTarget; // where keys are heard
 }
 
-const part = (className: string, role: string, label: string) => element('div', { className, attributes: { role, 'aria-label': label } });
+/** No landmarks, of which a page is to have one of a name. */
+const part = (className: string, label: string) => element('div', { className, attributes: { role: 'group', 'aria-label': label } });
 
 export function placesIn(root: HTMLElement, keys: EventTarget): Places {
-  const measures = part('measures', 'region', 'Measures');
-  const scenes = part('scenes', 'region', 'Motion in space');
-  const plots = part('plots', 'region', 'Motion over time');
+  const measures = part('measures', 'Measures');
+  const scenes = part('scenes', 'Motion in space');
+  const plots = part('plots', 'Motion over time');
   const main = element('div', { className: 'main' }, measures, scenes, plots);
-  const playback = part('playback', 'group', 'Playback');
+  const playback = part('playback', 'Playback');
   root.append(main, playback);
   return { main, measures, scenes, plots, playback, keys };
 }
