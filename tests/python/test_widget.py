@@ -65,6 +65,13 @@ def test_a_key_is_added_where_the_curve_is_and_deleted(widget):
     assert edit(widget, number=2, kind="delete", key=2) == "" and widget.keys == KEYS and len(widget.heard) == 2
 
 
+@pytest.mark.parametrize("extrapolate", ["hold", "error", "nan", "rate"])
+def test_a_key_is_added_beyond_the_end(extrapolate):
+    beyond = Widget(ori.Curve(T, Q, extrapolate=extrapolate))
+    assert edit(beyond, kind="add", t=5.0) == "" and beyond.keys.times.tolist() == [0, 1, 3, 5]
+    assert np.allclose(beyond.keys.rotations[3], Q[2], atol=1e-15)
+
+
 BAD = [({"kind": "set", "key": 1, "t": "nan", "q": ["1", "0", "0", "0"]}, "time"),
        ({"kind": "set", "key": 1, "t": "3", "q": ["1", "0", "0", "0"]}, "duplicate time 3"),
        ({"kind": "set", "key": 1, "t": "1", "q": ["0", "0", "0", "0"]}, "key 1: "),
@@ -96,7 +103,7 @@ def test_an_edit_of_keys_that_have_changed_since_is_asked_for_again(widget):
 
 def test_the_last_key_stays(widget):
     one = Widget(KEYS[:1])
-    assert edit(one, kind="delete", key=0) and len(one.keys) == 1
+    assert edit(one, kind="delete", key=0).startswith("found the only key, wanted another one") and len(one.keys) == 1
 
 
 def test_what_keys_carry_goes_with_them():

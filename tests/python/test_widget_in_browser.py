@@ -107,6 +107,17 @@ def test_keys_are_added_at_the_time_shown_and_deleted(notebook):
     assert notebook.widget.keys.times.tolist() == [1, 2, 3] == notebook.cells("t")
 
 
+def test_the_last_key_stays_and_others_come_behind_it(notebook):
+    notebook.widget.keys = ori.Keys(T[:1], Q[:1])
+    notebook.push()
+    assert notebook.cells("t") == [0]
+    notebook.page.get_by_role("button", name="Delete key 0").click()
+    notebook.page.get_by_role("alert").filter(has_text="found the only key").wait_for()
+    notebook.page.get_by_role("button", name="Add a key at 1 s").click()
+    notebook.cell("t", 1).wait_for()
+    assert notebook.widget.keys.times.tolist() == [0, 1] == notebook.cells("t")
+
+
 @pytest.mark.parametrize(("name", "text", "told"), [("t", "nan", "key 2"), ("t", "3", "duplicate time 3"), ("qz", "0", "key 1"),
                                                     ("qx", "round", "qx: found 'round', wanted a number")])
 def test_a_bad_edit_shows_the_sentence_and_the_last_good_curve(notebook, name, text, told):

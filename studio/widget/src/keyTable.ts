@@ -72,7 +72,7 @@ class Row {
 export class KeyTable {
   readonly element = made('div', { className: 'keys' });
   private readonly body = made('tbody');
-  private readonly add = made('button', { type: 'button', className: 'add', onclick: () => this.editor.send({ kind: 'add', t: this.editor.time() }) });
+  private readonly add = made('button', { type: 'button', className: 'add', onclick: () => this.editor.send({ kind: 'add', t: this.newTime() }) });
   private readonly refusal = made('p', { className: 'refusal', role: 'alert' });
   private readonly note = made('p', { className: 'note' });
   private readonly head = made('tr');
@@ -89,6 +89,7 @@ export class KeyTable {
     this.keys = keys;
     this.refusal.textContent = '';
     this.showRows(this.firstRow());
+    this.showTime();
   }
 
   /** Why the last edit was not taken; what was typed stays to be mended. */
@@ -97,11 +98,18 @@ export class KeyTable {
     this.rows.find((row) => row.key === key)?.refuse();
   }
 
-  showTime(time: number): void {
-    this.add.textContent = `Add a key at ${Number(time.toPrecision(6))} s`;
+  showTime(): void {
+    this.add.textContent = `Add a key at ${Number(this.newTime().toPrecision(6))} s`;
     const first = this.firstRow();
     const isTyping = this.body.contains(document.activeElement);
     if (!isTyping && Math.abs(first - (this.rows[0]?.key ?? 0)) > mostRows / 4) this.showRows(first);
+  }
+
+  /** The moment that is shown; at the end the one after as long a step as that before it. */
+  private newTime(): number {
+    const [before, last] = [this.keys.at(-2)?.[0], this.keys.at(-1)?.[0] ?? 0];
+    const time = this.editor.time();
+    return time < last ? time : last + (before === undefined ? 1 : last - before);
   }
 
   private firstRow(): number {

@@ -72,8 +72,8 @@ class Widget {
     else this.moveTo(this.model.get('seconds'));
     before?.destroy();
     this.paint(hostTheme());
-    this.viewer.subscribe(['time'], ({ time }) => {
-      this.table.showTime(time);
+    this.viewer.subscribe(['time'], () => {
+      this.table.showTime();
       this.tell();
     });
   };

@@ -12,11 +12,12 @@ from numpy.typing import NDArray
 from .. import _core
 from .._checks import whole
 from .._columns import PARTS, QUATERNION, VECTORS
-from .._curve import ORIENTATION, POSITION, Curve
+from .._curve import BEYOND, ORIENTATION, POSITION, Curve
 from .._errors import ArgumentError
 from .._keys import Keys, _restored
 from .._mending import scaled
 
+HOLD = BEYOND.index("hold")  # where a key beyond the curve is
 PER_KEY = slice(2, 5)  # of origin_of_keys(): the lines of a file, its times and its quaternions as they stood there
 
 
@@ -38,7 +39,7 @@ def edited(curve: Curve, edit: Mapping[str, Any]) -> Keys:
     """The keys of a curve after an edit, whose `kind` says what it is:
 
     - "set": a `key` by its index has another time `t`, quaternion `q` and position `p`, which are texts as they were typed;
-    - "add": a key at the time `t` [s], where the curve is then;
+    - "add": a key at the time `t` [s], where the curve is then, beyond it where it ends;
     - "delete": without a `key`.
 
     They are in the order of their times. Raises the library's errors for what can be no keys.
@@ -50,7 +51,10 @@ def edited(curve: Curve, edit: Mapping[str, Any]) -> Keys:
     if kind == "add":
         return _with_new(curve, *_numbers(("t",), [edit.get("t")]))
     if kind == "delete":
-        return keys[np.arange(len(keys)) != _index(keys, edit)]
+        others = np.arange(len(keys)) != _index(keys, edit)
+        if not others.any():
+            raise ArgumentError("found the only key, wanted another one before it is deleted, since a curve has one at least")
+        return keys[others]
     raise ArgumentError(f"kind: found {kind!r}, wanted 'set', 'add' or 'delete'")
 
 
@@ -87,9 +91,9 @@ def _with_new(curve: Curve, time: float) -> Keys:
     keys = curve.keys
     place = int(np.searchsorted(keys._core.times, time))
     table = _table(keys, np.insert(np.arange(len(keys)), place, max(place - 1, 0)))
-    there = {"times": time, "orientations": curve._core.one(ORIENTATION, time, False, curve._beyond)}
+    there = {"times": time, "orientations": curve._core.one(ORIENTATION, time, False, HOLD)}
     if keys.positions is not None:
-        there["positions"] = curve._core.one(POSITION, time, False, curve._beyond)
+        there["positions"] = curve._core.one(POSITION, time, False, HOLD)
     for name in ("times", "orientations", *PARTS):
         if name in table:
             table[name][place] = there.get(name, np.nan)

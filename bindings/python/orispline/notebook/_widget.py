@@ -70,8 +70,8 @@ class Widget(traitlets.HasTraits):
     >>> widget.observe(lambda change: print(change.new), names="keys")
     >>> widget.keys = widget.keys[:2]
     Keys(2 keys, 0 … 1 s)
-    >>> widget.time, widget.curve
-    (0.0, Curve('auto', 2 keys, 0 … 1 s, C²))
+    >>> widget.time, widget.curve.keys is widget.keys
+    (0.0, True)
     """
 
     keys = traitlets.Any()
@@ -80,8 +80,9 @@ class Widget(traitlets.HasTraits):
     def __init__(self, keys: Curve | Keys, method: Any = None, *, height: int = HEIGHT, title: str = "") -> None:
         if not isinstance(keys, (Curve, Keys)):
             raise wrong_type("keys", keys, "Keys or a Curve")
-        is_made = isinstance(keys, Curve) and method is None
-        self._curve = keys if is_made else Curve(keys.keys if isinstance(keys, Curve) else keys, method=method)
+        if isinstance(keys, Curve) and method is not None:
+            keys = keys.keys
+        self._curve: Curve = keys if isinstance(keys, Curve) else Curve(keys, method=method)
         self._title = text("title", title)
         self.page = Page(height=whole("height", height, LEAST_HEIGHT, MOST_HEIGHT))
         super().__init__(keys=self._curve.keys, time=self._curve.domain[0])
