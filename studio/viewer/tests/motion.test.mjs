@@ -44,6 +44,12 @@ test('without rates the way is the shorter arc, at a constant rate', () => {
   for (const u of [0, 0.25, 0.7, 1]) assert.ok(angle(motion.orientationAt(path, 2 * u), about(axis, u)) < 1e-5);
 });
 
+test('so it is where a rate turns by more than ten turns in a third of the step', () => {
+  const path = turning([0, 7000], (t) => t / 7000, () => 1);
+  assert.ok(angle(motion.orientationAt(path, 1750), about(axis, 0.25)) < 1e-5);
+  assert.ok(lines.anglesFromStart(path).t.length < 10);
+});
+
 test('at a time that stands twice the right side is shown, and nothing in a gap', () => {
   const jump = { t: list([0, 1, 1, 2]), q: list([about(axis, 0), about(axis, 1), about(axis, 2), about(axis, 3)]) };
   assert.ok(angle(motion.orientationAt(jump, 1), about(axis, 2)) < 1e-5);

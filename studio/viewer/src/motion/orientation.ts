@@ -43,6 +43,8 @@ function cubic(from: Quaternion, first: Vector, to: Quaternion, last: Vector): (
   };
 }
 
+const mostTurn = 20 * Math.PI; // in a third of a step: rates that turn more are not those of the samples
+
 /** Between sample i and the next one, for 0 to 1: nothing where there is a gap. */
 export function segmentOf(path: Path & { w?: Numbers }, i: number): ((u: number) => Quaternion) | null {
   const { t, w } = path;
@@ -52,7 +54,8 @@ export function segmentOf(path: Path & { w?: Numbers }, i: number): ((u: number)
   const third = (t[i + 1] - t[i]) / 3;
   const turn = (k: number): Vector => [third * w[3 * k], third * w[3 * k + 1], third * w[3 * k + 2]];
   const [first, last] = [turn(i), turn(i + 1)];
-  return [...first, ...last].every(Number.isFinite) ? cubic(from, first, to, last) : arc(from, to);
+  const isSampled = Math.max(Math.hypot(...first), Math.hypot(...last)) <= mostTurn; // NaN is not
+  return isSampled ? cubic(from, first, to, last) : arc(from, to);
 }
 
 /** Whether there is an orientation at the time, and not a gap. */
