@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,12 +12,13 @@ from numpy.typing import NDArray
 from .. import _core
 from .._checks import whole
 from .._columns import PARTS, QUATERNION, VECTORS
-from .._curve import BEYOND, ORIENTATION, POSITION, Curve
 from .._errors import ArgumentError
 from .._keys import Keys, _restored
 from .._mending import scaled
 
-HOLD = BEYOND.index("hold")  # where a key beyond the curve is
+if TYPE_CHECKING:
+    from .._curve import Curve
+
 PER_KEY = slice(2, 5)  # of origin_of_keys(): the lines of a file, its times and its quaternions as they stood there
 
 
@@ -91,9 +92,7 @@ def _with_new(curve: Curve, time: float) -> Keys:
     keys = curve.keys
     place = int(np.searchsorted(keys._core.times, time))
     table = _table(keys, np.insert(np.arange(len(keys)), place, max(place - 1, 0)))
-    there = {"times": time, "orientations": curve._core.one(ORIENTATION, time, False, HOLD)}
-    if keys.positions is not None:
-        there["positions"] = curve._core.one(POSITION, time, False, HOLD)
+    there = curve._as_key(time)
     for name in ("times", "orientations", *PARTS):
         if name in table:
             table[name][place] = there.get(name, np.nan)

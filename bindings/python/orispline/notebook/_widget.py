@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import pathlib
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import anywidget
 import numpy as np
 import traitlets
 
 from .._checks import text, whole, wrong_type
-from .._curve import Curve, _restored
 from .._errors import ArgumentError, Error
 from .._keys import Keys
 from .._view import HEIGHT, LEAST_HEIGHT, MOST_HEIGHT
 from ._editing import edited
 
+if TYPE_CHECKING:
+    from .._curve import Curve
+
+CURVE = Keys._curve_class  # its module knows this one
 HERE = pathlib.Path(__file__).parent
 CLOSE = 1e-9  # [s] times nearer to each other are the same: dates have whole nanoseconds
 
@@ -78,11 +81,9 @@ class Widget(traitlets.HasTraits):
     time = traitlets.Any()
 
     def __init__(self, keys: Curve | Keys, method: Any = None, *, height: int = HEIGHT, title: str = "") -> None:
-        if not isinstance(keys, (Curve, Keys)):
+        if not isinstance(keys, (CURVE, Keys)):
             raise wrong_type("keys", keys, "Keys or a Curve")
-        if isinstance(keys, Curve) and method is not None:
-            keys = keys.keys
-        self._curve: Curve = keys if isinstance(keys, Curve) else Curve(keys, method=method)
+        self._curve: Curve = keys.curve(method) if isinstance(keys, Keys) else keys if method is None else keys.keys.curve(method)
         self._title = text("title", title)
         self.page = Page(height=whole("height", height, LEAST_HEIGHT, MOST_HEIGHT))
         super().__init__(keys=self._curve.keys, time=self._curve.domain[0])
@@ -96,7 +97,7 @@ class Widget(traitlets.HasTraits):
 
     @curve.setter
     def curve(self, curve: Curve) -> None:
-        if not isinstance(curve, Curve):
+        if not isinstance(curve, CURVE):
             raise wrong_type("curve", curve, "a Curve")
         self._curve, was = curve, self.keys
         self.keys = curve.keys
@@ -109,7 +110,7 @@ class Widget(traitlets.HasTraits):
         if not isinstance(keys, Keys):
             raise wrong_type("keys", keys, "Keys")
         if keys is not self._curve.keys:
-            self._curve = _restored(keys, self._curve.method, self._curve._beyond)
+            self._curve = self._curve._with(keys)
         return keys
 
     @traitlets.observe("keys")
