@@ -88,7 +88,7 @@ def test_an_edited_key_arrives_in_python_and_its_curve_in_the_page(notebook):
         notebook.cell(name, 1).fill(text)
         assert not heard, "the numbers of a row go together"
     notebook.cell("qz", 1).press("Enter")
-    notebook.wait_for("document.querySelector('[aria-label=\"qw of key 1\"]').value === '0.7071068'")
+    notebook.wait_for("document.querySelector('[aria-label=\"qw of key 1\"]').value === '0.707107'")
     keys, = heard
     assert keys is notebook.widget.keys and keys.times.tolist() == [0, 1.5, 3] and np.allclose(keys.rotations[1], [0, 0, 0.5**0.5, 0.5**0.5])
     assert np.array_equal(keys.rotations[2], Q[2]), "what was not touched has all its digits"

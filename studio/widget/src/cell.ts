@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A number that can be typed. It is shown with few digits; one that was not touched keeps all of them.
 
-const shownDigits = 7;
+const shownDigits = 6;
 const short = (value: number) => String(Number(value.toPrecision(shownDigits)));
 
 export class Cell {
