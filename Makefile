@@ -135,11 +135,12 @@ docs: build
 	tools/check_html.py . build/docs/html
 	$(call python_package,--docs --or-skip)
 
-# Builds the page of the reports anew, which is part of the library.
+# Builds the page of the reports anew, which is part of the library, and the widget of notebooks, which is part of the Python package.
 page:
 	tools/setup.sh build test
 	tests/page/prepare.sh $(CURDIR)/studio $(CURDIR)/build/page
 	cp build/page/report/dist/index.html src/orispline/report/page_template.html
+	cp build/page/widget/dist/widget.* bindings/python/orispline/notebook/
 
 format:
 	tools/setup.sh test

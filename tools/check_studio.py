@@ -12,7 +12,7 @@ VIEWS = {"controls", "plots", "scene", "tables"}
 FLOORS = {  # folder of viewer/src -> what it may import besides itself; a file beside the folders may import all
     "data": set(), "look": set(), "motion": {"data"}, "store": {"data", "look", "motion"}, "quantities": GROUND,
     "plots": GROUND | {"quantities"}, "scene": GROUND, "tables": GROUND, "controls": GROUND, "layout": GROUND | VIEWS | {"quantities"}, "style": set()}
-PACKAGES = {"viewer": set(), "report": {"orispline-viewer"}}  # package of the studio -> those that it may import
+PACKAGES = {"viewer": set(), "report": {"orispline-viewer"}, "widget": {"orispline-viewer"}}  # package of the studio -> those that it may import
 GUESTS = {"three": "viewer/src/scene/", "uplot": "viewer/src/plots/"}  # third party -> its only room
 FILE_LINES = 600
 SOURCES = {".ts", ".css", ".js", ".mjs"}

@@ -11,8 +11,9 @@ import pathlib
 import re
 import sys
 
-HEAD = """The library, the command and the Python package of orispline hold compiled code of the packages below, and the
-library's page of the reports holds that of three.js and uPlot. The licences stand once, behind all packages.
+HEAD = """The library, the command and the Python package of orispline hold compiled code of the packages below. The
+library's page of the reports and the package's widget of notebooks hold that of three.js and uPlot. The licences stand once, behind all
+packages.
 Written by tools/make_third_party.py.
 """
 

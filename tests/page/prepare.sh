@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# prepare.sh SOURCE FOLDER: builds the page of SOURCE (studio) in FOLDER/report/dist with the packages of its lock file, or skips
+# prepare.sh SOURCE FOLDER: builds the page and the widget of SOURCE (studio) in FOLDER/*/dist with the packages of its lock file, or skips
 # as npm_ci.sh does (exit 77).
 set -eu
 source=$1
@@ -8,9 +8,9 @@ folder=$2
 
 "$(dirname "$0")/../npm_ci.sh" "$source" "$folder"
 cd "$folder"
-rm -rf viewer report
-for part in viewer report tsconfig.json; do
+rm -rf viewer report widget
+for part in viewer report widget tsconfig.json; do
   cp -R "$source/$part" .
 done
-rm -rf report/dist
+rm -rf report/dist widget/dist
 npm run build

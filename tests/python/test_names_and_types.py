@@ -14,9 +14,9 @@ import pytest
 from conftest import ROOT
 
 NAMES = pathlib.Path(__file__).parent / "data/public_names.txt"
-ROOMS = [room for room, needed in (("tables", "pyarrow"), ("spark", "pyspark")) if importlib.util.find_spec(needed)]
+ROOMS = [room for room, needed in (("tables", "pyarrow"), ("spark", "pyspark"), ("notebook", "anywidget")) if importlib.util.find_spec(needed)]
 MODULES = sorted(name for _, name, _ in pkgutil.walk_packages(ori.__path__, "orispline.", onerror=lambda _: None)
-                 if name != "orispline._core" and (name.split(".")[1] in ROOMS or name.split(".")[1] not in ("tables", "spark")))
+                 if name != "orispline._core" and (name.split(".")[1] in ROOMS or name.split(".")[1] not in ("tables", "spark", "notebook")))
 PACKAGE = pathlib.Path(ori.__file__).parent
 
 
@@ -74,7 +74,7 @@ def test_examples_of_the_docstrings(module, tmp_path, monkeypatch):
 def test_the_reference_has_every_public_name():
     text = (ROOT / "bindings/python/reference/index.rst").read_text("utf-8")
     told = {line.partition(":: ")[2] for line in text.splitlines() if line.startswith(".. auto")}
-    assert {f"orispline.{name}" for name in ori.__all__} | {"orispline.tables", "orispline.spark"} == told
+    assert {f"orispline.{name}" for name in ori.__all__} | {"orispline.tables", "orispline.spark", "orispline.notebook"} == told
 
 
 def test_the_stub_is_that_of_the_module():

@@ -15,7 +15,7 @@ def test_a_page_in_a_frame_has_its_table_plots_and_scenes(page):  # noqa: F811
     comparison = ori.compare(RECORDING, ["auto", "slerp"], keep_every=10)
     page.set_content(f"<!doctype html><title>A notebook</title>{comparison.view(height=700)._repr_html_()}")
     frame = page.frame_locator("iframe")
-    frame.locator("#plots canvas").first.wait_for()
+    frame.locator(".plots canvas").first.wait_for()
     assert frame.locator("tbody th").all_text_contents() == [row["method"] for row in comparison.table()]
     assert page.locator("iframe").bounding_box()["height"] == 700
     assert frame.locator("canvas").count() >= 6
@@ -28,5 +28,5 @@ def test_two_views_stand_beside_each_other(page):  # noqa: F811
     page.set_content("<!doctype html>" + "".join(curve.view(title=curve.method)._repr_html_() for curve in curves))
     for number, curve in enumerate(curves):
         frame = page.frame_locator("iframe").nth(number)
-        frame.locator("#plots canvas").first.wait_for()
+        frame.locator(".plots canvas").first.wait_for()
         assert frame.locator("h1").text_content() == curve.method

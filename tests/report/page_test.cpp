@@ -22,7 +22,7 @@ TEST(Page, IsTheTemplateWithTheDataInTheMarkersPlace) {
   ASSERT_EQ(count_of(data_marker, parts), 1U);
   const Page page{.title = "A title"};
   const std::size_t at = parts.find(data_marker);
-  EXPECT_EQ(document(page), parts.substr(0, at) + json_of(page) + parts.substr(at + data_marker.size()));
+  EXPECT_EQ(document(page), parts.substr(0, at) + data_of(page) + parts.substr(at + data_marker.size()));
 }
 
 TEST(Page, KeepsTheLicencesOfWhatItContains) {

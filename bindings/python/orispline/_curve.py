@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 
 BEYOND = tuple(_core.extrapolations())
 LEAVE_OUT = "leave-out"
+HOLD = BEYOND.index("hold")
 SIDES = ("right", "left")
 ALONE = 1  # thread, of an int and not of what equals one
 ORIENTATION, VELOCITY, ACCELERATION, JERK, POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION = range(7)
@@ -175,6 +176,10 @@ class Curve(Looks, Orienting):
         0
         """
         return int(self._core.continuity())
+
+    def _with(self, keys: Keys) -> Curve:
+        """The curve of the same method through other keys."""
+        return _restored(keys, self._core.method, self._beyond)
 
     # What it is at times.
 
@@ -553,6 +558,11 @@ class Curve(Looks, Orienting):
         self._core.many(what, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), world, self._beyond,
                         thread_count(threads))
         return result
+
+    def _as_key(self, seconds: float) -> dict[str, Any]:
+        """What a key has at a time of the library, beyond the ends what they have."""
+        parts = {"orientations": ORIENTATION, **({} if self._keys.positions is None else {"positions": POSITION})}
+        return {"times": seconds, **{name: self._core.one(what, seconds, False, HOLD) for name, what in parts.items()}}
 
     def _series(self, times: Any, rows: Array, name: str) -> tuple[Array, Array]:
         seconds = self._clock.seconds("times", times)

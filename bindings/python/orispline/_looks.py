@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     import pathlib
 
     from ._keys import Keys
+    from .notebook import Widget
 
 
 class Looks:
@@ -69,6 +70,12 @@ class Looks:
     def view(self, *, height: int = HEIGHT, title: str = "", inertia: Any = None) -> View:
         """The page of `report` for a notebook, as high as that [px]. Without it a notebook shows a small drawing of the curve."""
         return View._of(self._core.page(*self._head(title, inertia)), height)
+
+    def widget(self, *, height: int = HEIGHT, title: str = "") -> Widget:
+        """A `orispline.notebook.Widget` of this curve: the page, and below it a table in which its keys are edited, of which Python
+        hears. Needs anywidget, `pip install 'orispline[notebook]'`."""
+        from .notebook import Widget
+        return Widget(self, height=height, title=title)  # type: ignore[arg-type]
 
     def _head(self, title: str, inertia: Any) -> tuple[Any, ...]:
         """What the core asks for a page."""

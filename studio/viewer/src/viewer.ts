@@ -11,6 +11,7 @@ import { showMethods } from './layout/methods';
 import { placesIn } from './layout/places';
 import { showSkeleton } from './layout/skeleton';
 import { element } from './look/element';
+import { coloursOf, paint } from './look/theme';
 import { Store } from './store/store';
 
 export { readDocument, type ReportDocument } from './data/document';
@@ -30,7 +31,10 @@ export interface Options {
 export function createViewer(place: HTMLElement, report: Report, { keys }: Options = {}): Viewer {
   const store = new Store(report);
   const root = element('div', { className: 'orispline-viewer', tabIndex: -1 });
-  store.subscribe(['theme'], ({ theme }) => (root.dataset.theme = theme));
+  store.subscribe(['theme'], (state) => {
+    root.dataset.theme = state.theme;
+    paint(root, coloursOf(state));
+  });
   place.append(root);
   store.atEnd(() => root.remove());
   root.append(headerOf(store));

@@ -2,7 +2,7 @@
 // What is drawn into a plot beside its lines.
 import type uPlot from 'uplot';
 import type { Numbers } from '../data/numbers';
-import type { Colours } from '../look/theme';
+import { widths, type Colours } from '../look/theme';
 import type { PlacedBand, Points } from '../quantities/quantity';
 
 const closestKeys = 12; // [px] keys nearer to each other than this are not marked
@@ -39,7 +39,7 @@ export function drawLimit({ ctx, bbox, valToPos }: uPlot, limit: number, colours
   const y = valToPos(limit, 'y', true);
   ctx.save();
   ctx.strokeStyle = colours.limit;
-  ctx.lineWidth = 1.5 * devicePixelRatio;
+  ctx.lineWidth = widths.limit * devicePixelRatio;
   ctx.setLineDash([7, 5].map((length) => length * devicePixelRatio));
   ctx.beginPath();
   ctx.moveTo(bbox.left, y);

@@ -4,7 +4,7 @@ import type { Numbers } from '../data/numbers';
 import { once } from '../data/once';
 import type { Method, Path, Samples } from '../data/report';
 import { typeset } from '../look/number';
-import type { Colours } from '../look/theme';
+import { widths, wordsOf, type Colours } from '../look/theme';
 import { anglesApart, anglesFromStart } from '../motion/lines';
 import type { Polyline } from '../motion/polyline';
 import type { State, Store } from '../store/store';
@@ -47,25 +47,26 @@ class Quantities {
   /** One line for each of the two methods, the first on top. */
   private ofBoth(state: State, colours: Colours, drawn: (samples: Samples) => Drawn): Line[] {
     const chosen = [
-      { method: state.second === state.first ? undefined : this.store.methodNamed(state.second), colour: colours.second, width: 1.5, yields: true },
-      { method: this.store.methodNamed(state.first), colour: colours.first, width: 2, yields: false },
+      { method: state.second === state.first ? undefined : this.store.methodNamed(state.second), colour: colours.second, width: widths.second, yields: true },
+      { method: this.store.methodNamed(state.first), colour: colours.first, width: widths.first, yields: false },
     ];
     return chosen.flatMap(({ method, ...look }) => (method ? [{ label: method.name, ...look, ...drawn(method.samples) }] : []));
   }
 
-  rate(id: Rate, title: string, ownUnit: string): Quantity {
+  rate(id: Rate, word: 'rate' | 'acceleration' | 'jerk' | 'torque'): Quantity {
+    const { title, unit } = wordsOf(word);
     const axes = (['x', 'y', 'z'] as const).map((axis, k) => ({ axis, valuesOf: once((samples: Samples) => this.inUnitOf(id, component(samples[id], k))) }));
     const size = once((samples: Samples) => ({ t: samples.t, values: this.inUnitOf(id, magnitudes(samples[id])) }));
     /** The body components of the first method. */
     const components = ({ first, components }: State, colours: Colours): Line[] => {
       const method = this.store.methodNamed(first);
       if (!components || !method) return [];
-      return axes.map(({ axis, valuesOf }) => ({ label: axis, colour: colours[axis], width: 1, t: method.samples.t, values: valuesOf(method.samples) }));
+      return axes.map(({ axis, valuesOf }) => ({ label: axis, colour: colours[axis], width: widths.component, t: method.samples.t, values: valuesOf(method.samples) }));
     };
     return {
       id,
       title,
-      unit: typeset(this.unitOf(id, ownUnit).unit),
+      unit: typeset(this.unitOf(id, unit).unit),
       limit: this.limitOf(id),
       keys: this.keys,
       lines: (state, colours) => [...components(state, colours), ...this.ofBoth(state, colours, size)],
@@ -77,11 +78,10 @@ class Quantities {
     const angles = once((path: Path): Drawn => anglesFromStart(path));
     const { reference } = this.store.report;
     const grey = (colours: Colours): Line[] =>
-      reference && reference.t.length > 1 ? [{ label: 'reference', colour: colours.reference, width: 3, ...angles(reference) }] : [];
+      reference && reference.t.length > 1 ? [{ label: 'reference', colour: colours.reference, width: widths.reference, ...angles(reference) }] : [];
     return {
       id: 'angle',
-      title: 'Angle from start',
-      unit: 'deg',
+      ...wordsOf('angle'),
       keys: this.keys,
       lines: (state, colours) => [...grey(colours), ...this.ofBoth(state, colours, angles)],
       band: this.bandOf('angle'),
@@ -93,8 +93,8 @@ class Quantities {
     const errors = once(({ t, error_t, error_deg }: Samples): Drawn => ({ t: error_t.length > 0 ? error_t : t, values: this.inUnitOf('error', error_deg) }));
     return {
       id: 'error',
-      title: 'Error to the reference',
-      unit: typeset(this.unitOf('error', 'deg').unit),
+      title: wordsOf('error').title,
+      unit: typeset(this.unitOf('error', wordsOf('error').unit).unit),
       limit: this.limitOf('error'),
       keys: this.keys,
       lines: (state, colours) => this.ofBoth(state, colours, errors).filter(({ values }) => values.length > 0),
@@ -108,13 +108,12 @@ class Quantities {
     const anglesOf = once((first: Method) => once((second: Method): Polyline => anglesApart(first.samples, second.samples)));
     return {
       id: 'apart',
-      title: 'Angle between the two methods',
-      unit: 'deg',
+      ...wordsOf('apart'),
       keys: this.keys,
       lines: (state, colours) => {
         const [first, second] = [this.store.methodNamed(state.first), this.store.methodNamed(state.second)];
         if (!first || !second || first === second || first.clock || second.clock) return [];
-        return [{ label: `${first.name}, ${second.name}`, colour: colours.ink, width: 1.5, ...anglesOf(first)(second) }];
+        return [{ label: `${first.name}, ${second.name}`, colour: colours.ink, width: widths.second, ...anglesOf(first)(second) }];
       },
     };
   }
@@ -126,10 +125,10 @@ export function methodQuantities(store: Store): Quantity[] {
   return [
     quantities.angle(),
     ...(have('error_deg') ? [quantities.error()] : []),
-    quantities.rate('w', 'Angular velocity |ω|', 'rad/s'),
-    quantities.rate('a', 'Angular acceleration |α|', 'rad/s²'),
-    quantities.rate('j', 'Angular jerk', 'rad/s³'),
-    ...(have('torque') ? [quantities.rate('torque', 'Torque', 'N m')] : []),
+    quantities.rate('w', 'rate'),
+    quantities.rate('a', 'acceleration'),
+    quantities.rate('j', 'jerk'),
+    ...(have('torque') ? [quantities.rate('torque', 'torque')] : []),
     quantities.apart(),
   ];
 }
