@@ -31,10 +31,10 @@ export const tooWide = (page) =>
 
 export const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
-/** Waits for frames instead of time: one for the sizes, one for what is drawn in them, one for what that changes. */
+/** Waits for frames instead of time: one for the sizes, one for what is drawn in them, one for what that changes; and for plots out of view. */
 export const drawn = (page) =>
   page.evaluate(async () => {
-    for (let frame = 0; frame < 3; ++frame) await new Promise(requestAnimationFrame);
+    for (let frame = 0; frame < 3 || document.querySelector('[aria-busy]'); ++frame) await new Promise(requestAnimationFrame);
   });
 
 /** Opens a file; the page's complaints and what it asks of the network are collected in it. */

@@ -4,7 +4,7 @@ import type { Skeleton } from '../data/report';
 import { playbackOf } from '../controls/playback';
 import { element, menu } from '../look/element';
 import { firstJoint, worstJoint } from '../motion/poses';
-import { plotControls, showPlots } from '../plots/plots';
+import { plotControls, showPlots, type PlottedOf } from '../plots/plots';
 import { skeletonQuantities } from '../quantities/skeleton';
 import { canDraw, noScenes } from '../scene/scenes';
 import { sides, SkeletonScene } from '../scene/skeleton/skeletonScene';
@@ -52,9 +52,9 @@ function controls({ choose, subscribe }: Store, scene: SkeletonScene): HTMLEleme
   return element('div', { className: 'controls' }, element('div', { className: 'choice', attributes: { role: 'group', 'aria-label': 'Seen from' } }, ...from), placeChoice, magnifyChoice);
 }
 
-export function showSkeleton(store: Store, skeleton: Skeleton, { main, measures, scenes, plots, playback, keys }: Places): void {
+export function showSkeleton(store: Store, skeleton: Skeleton, { main, measures, scenes, plots, playback, keys }: Places): PlottedOf {
   const { clips } = skeleton;
-  if (clips.length === 0 || skeleton.joints.length === 0) return;
+  if (clips.length === 0 || skeleton.joints.length === 0) return () => [];
   const [, time] = clips[0].joints[worstJoint(clips[0], 'distance')].distance;
   const isOne = skeleton.joints.length === 1; // a body, of which the path is all that can be seen
   store.choose({ ...withClip(clips, 0, time), joint: firstJoint(skeleton, clips[0]), place: isOne ? 'path' : 'follow' });
@@ -67,6 +67,7 @@ export function showSkeleton(store: Store, skeleton: Skeleton, { main, measures,
     scenes.append(controls(store, scene), element('div', { className: 'stages' }, scene.figure));
   } else scenes.append(noScenes());
   plots.append(plotControls(store));
-  showPlots(store, plots, skeletonQuantities(skeleton), ['clip', 'joint']);
+  const plotted = showPlots(store, plots, skeletonQuantities(skeleton), ['clip', 'joint']);
   plots.append(jointTable(store, skeleton));
+  return plotted;
 }

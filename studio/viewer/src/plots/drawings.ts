@@ -5,19 +5,25 @@ import type { Numbers } from '../data/numbers';
 import type { Colours } from '../look/theme';
 import type { PlacedBand, Points } from '../quantities/quantity';
 
-const closestKeys = 12; // [px] keys nearer to each other than this are not marked
+export const closestKeys = 12; // [px] keys nearer to each other than this are not marked
 const cell = 7; // [px] of several marks in a square of this size one is drawn
 const manyMarks = 150; // are drawn as dots
 
-export function markKeys(plot: uPlot, keys: Numbers, colours: Colours): void {
+/** Says whether some are not marked. */
+export function markKeys(plot: uPlot, keys: Numbers, colours: Colours): boolean {
   const { ctx, bbox } = plot;
   const ratio = devicePixelRatio;
   let last = -Infinity;
+  let areThinned = false;
   ctx.save();
   ctx.lineWidth = ratio;
   for (const t of keys) {
     const x = plot.valToPos(t, 'x', true);
-    if (x < bbox.left - 1 || x > bbox.left + bbox.width + 1 || x - last < closestKeys * ratio) continue;
+    if (x < bbox.left - 1 || x > bbox.left + bbox.width + 1) continue;
+    if (x - last < closestKeys * ratio) {
+      areThinned = true;
+      continue;
+    }
     last = x;
     ctx.strokeStyle = colours.grid;
     ctx.beginPath();
@@ -32,6 +38,7 @@ export function markKeys(plot: uPlot, keys: Numbers, colours: Colours): void {
     ctx.fill();
   }
   ctx.restore();
+  return areThinned;
 }
 
 /** A dashed line that nothing is to cross. */
