@@ -8,8 +8,8 @@ folder=$2
 
 "$(dirname "$0")/../npm_ci.sh" "$source" "$folder"
 cd "$folder"
-rm -rf viewer report
-for part in viewer report tsconfig.json; do
+rm -rf viewer report tests
+for part in viewer report tests tsconfig.json; do
   cp -R "$source/$part" .
 done
 rm -rf report/dist
