@@ -15,6 +15,8 @@ import tempfile
 import termios
 import unittest
 
+from page_data import decoded
+
 COMMAND = pathlib.Path(os.environ["ORISPLINE_COMMAND"]).resolve()
 EXPECTED = pathlib.Path(__file__).resolve().parent / "expected"
 SUCCESS, BAD_DATA, BAD_USAGE, BAD_ACCESS = 0, 1, 2, 3
@@ -85,7 +87,7 @@ class CommandTest(unittest.TestCase):
         text = self.read(name)
         self.assertNotRegex(text, r'(src|href)="https?://')
         self.assertFalse((self.folder / f"{name}.part").exists())
-        return json.loads(re.search(r'id="report-data">(.*?)</script>', text, re.S)[1])
+        return decoded(json.loads(re.search(r'id="report-data">(.*?)</script>', text, re.S)[1]))
 
     def assert_writes_reports_as_compare(self, arguments, bad_arguments):
         """Of a command with --report: what is refused, and that a failure leaves the old report."""

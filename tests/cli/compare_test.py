@@ -8,6 +8,7 @@ import math
 import pathlib
 
 from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, SUCCESS, CommandTest, main, with_pages, without_pages
+from page_data import HALF_FLOAT
 
 
 def motion_about_z(angle, rate, count=41, step=0.05):
@@ -243,8 +244,8 @@ class Compare(CommandTest):
         method, = self.page("out.html")["methods"]
         torque, a = method["samples"]["torque"], method["samples"]["a"]
         for k in range(0, len(a), 3):  # about a principal axis
-            self.assertAlmostEqual(torque[k + 2], 3 * a[k + 2], delta=1e-5)
-        self.assertAlmostEqual(max(torque), 9, delta=1e-5)
+            self.assertAlmostEqual(torque[k + 2], 3 * a[k + 2], delta=9 * HALF_FLOAT)
+        self.assertAlmostEqual(max(torque), 9, delta=9 * HALF_FLOAT)
 
 
 class Refused(CommandTest):

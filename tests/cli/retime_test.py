@@ -7,6 +7,7 @@ import pathlib
 import random
 
 from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, CommandTest, main, rows_of, table_of, with_pages
+from page_data import HALF_FLOAT
 
 ROBOT = pathlib.Path(__file__).resolve().parents[2] / "examples/data/robot_keys.csv"
 
@@ -128,7 +129,7 @@ class Retime(CommandTest):
             for letter in "wa":
                 values = after["samples"][letter]
                 self.assertLessEqual(max(math.hypot(*values[k:k + 3]) for k in range(0, len(values), 3)),
-                                     page["limits"][letter] * (1 + 1e-6))
+                                     page["limits"][letter] * (1 + HALF_FLOAT))
             self.assertLessEqual(after["measures"]["peak_acceleration_rad_s2"], page["limits"]["a"] * (1 + 1e-6))
             self.assertEqual(after["samples"]["torque"], [])
 
@@ -144,7 +145,7 @@ class Retime(CommandTest):
                 wanted = (a[k] + w[k + 1] * momentum[2] - w[k + 2] * momentum[1],
                           2 * a[k + 1] + w[k + 2] * momentum[0] - w[k] * momentum[2],
                           2.5 * a[k + 2] + w[k] * momentum[1] - w[k + 1] * momentum[0])
-                self.assertLess(math.dist(torque[k:k + 3], wanted), 1e-5 * (1 + math.hypot(*wanted)))
+                self.assertLess(math.dist(torque[k:k + 3], wanted), 5 * HALF_FLOAT * (1 + math.hypot(*wanted)))
         self.assertAlmostEqual(page["methods"][0]["measures"]["torque_bound_nm"], report["torque_bound_nm"], delta=1e-6)
         self.assertLessEqual(page["methods"][0]["measures"]["peak_torque_n_m"], 2)
 

@@ -137,7 +137,7 @@ class Smooth(CommandTest):
             samples = method["samples"]
             for i, t in enumerate(samples["t"]):
                 for values in (samples["q"][4 * i:4 * i + 4], samples["w"][3 * i:3 * i + 3]):
-                    self.assertEqual(None in values, 2.98 < t < 6, t)
+                    self.assertEqual(None in values, 2.98 + 1e-6 < t < 6 - 1e-6, t)
         in_gap = [e for t, e in zip(page["methods"][0]["samples"]["error_t"], page["methods"][0]["samples"]["error_deg"])
                   if 2.98 < t < 6]
         self.assertEqual(in_gap, [None])
@@ -161,7 +161,7 @@ class Smooth(CommandTest):
         self.assertEqual(len(page["keys"]["t"]), 2000)
         self.assertTrue(any("Of the 6000 keys 2000 are shown" in note for note in page["notes"]))
         for method in page["methods"]:
-            self.assertLessEqual(len(method["samples"]["t"]), 2000)
+            self.assertLessEqual(len(method["samples"]["t"]), 5000)
         self.assertLessEqual(len(page["methods"][0]["samples"]["error_t"]), 2000)
         self.assertLess((self.folder / "out.html").stat().st_size, 2_500_000)
 

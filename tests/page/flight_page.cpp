@@ -29,7 +29,7 @@ report::PageMethod method_on(const FamilyInfo& family, const Keyframes& keys, co
   if (!curve) return method.failure = describe(curve.error()), method;
   const DistanceStatistics distance = distance_to_reference(curve->orientation, {truth.times, truth.orientations});
   method.continuity = "C" + std::to_string(continuity_at_keys(curve->orientation).order());
-  method.samples = report::sampled(*curve);
+  method.samples = report::drawn_samples(*curve);
   method.samples.errors = report::errors_to(truth, method.samples.path);
   method.measures = {{"rms_deg", distance.rms / degree},
                      {"mean_deg", distance.mean / degree},

@@ -134,21 +134,6 @@ TEST(PageSamples, TheLargestOfManyErrorsAreKept) {
   EXPECT_EQ(std::ranges::max(largest(errors, 7).values), 9.0);
 }
 
-TEST(PageSamples, InAGapThereIsNothing) {
-  const Covers covers = [](double t) { return t <= 1.0 || t >= 2.0; };
-  const PageSamples samples = with_gaps(sampled(*make_pose_curve("auto", turning_keys()), 30), covers);
-  bool some = false;
-  for (std::size_t i = 0; i < samples.path.times.size(); ++i) {
-    const bool gap = !covers(samples.path.times[i]);
-    some |= gap;
-    EXPECT_EQ(std::isnan(samples.path.orientations[i].w()), gap);
-    EXPECT_EQ(samples.angular_velocities[i].hasNaN(), gap);
-    EXPECT_EQ(samples.angular_jerks[i].hasNaN(), gap);
-    EXPECT_FALSE(samples.positions[i].hasNaN());
-  }
-  EXPECT_TRUE(some);
-}
-
 TEST(PageSamples, AGapIsMarkedBetweenTheNeighbours) {
   const Covers covers = [](double t) { return t <= 1.0 || t >= 2.0; };
   const PagePath path = with_gaps({{0.0, 1.0, 2.0, 3.0}, std::vector(4, about_z(5.0))}, covers);

@@ -50,11 +50,29 @@ TEST(Page, RoundsToSevenDigitsAndHasNullForNoNumber) {
   method.measures = {{"big", 123456789.0}, {"none", nan}, {"third", 1.0 / 3.0}};
   method.samples = {.path = {{0.0}, {Eigen::Quaterniond::Identity()}},
                     .angular_velocities = {{1e-9, -2.0 / 3.0, 1e300}},
-                    .errors = {nan}};
+                    .errors = {nan},
+                    .exactness = 0.0031};
   const std::string json = json_of(Page{.methods = {method}});
   EXPECT_EQ(count_of(R"("measures":{"big":1.234568e+08,"none":null,"third":0.3333333})", json), 1U);
   EXPECT_EQ(count_of(R"("w":[1e-09,-0.6666667,1e+300])", json), 1U);
-  EXPECT_EQ(count_of(R"("error_deg":[null])", json), 1U);
+  EXPECT_EQ(count_of(R"("error_deg":[null],"exactness_deg":0.0031})", json), 1U);
+}
+
+TEST(Page, StatesTheVersionOfItsData) {
+  EXPECT_EQ(json_of(Page{}).substr(0, 20), R"({"data":2,"title":"")");
+  EXPECT_EQ(json_of(SkeletonPage{}).substr(0, 20), R"({"data":2,"title":"")");
+}
+
+TEST(Page, WritesTimesThatSeveralMethodsHaveOnce) {
+  const Eigen::Quaterniond one(1.0, 0.0, 0.0, 0.0);
+  std::vector<PageMethod> methods(4);
+  methods[0].samples.path = methods[2].samples.path = {{0.0, 1.0}, {one, one}};
+  methods[1].samples.path = {{0.0, 2.0}, {one, one}};
+  const std::string json = json_of(Page{.methods = methods});
+  EXPECT_EQ(count_of(R"("samples":{"t":[0,1],)", json), 1U);
+  EXPECT_EQ(count_of(R"("samples":{"t":[0,2],)", json), 1U);
+  EXPECT_EQ(count_of(R"("samples":{"t":{"like":0},)", json), 1U);
+  EXPECT_EQ(count_of(R"("samples":{"t":[],)", json), 1U);
 }
 
 TEST(Page, HasNotesLimitsMarksAndKeysOfAMethod) {
@@ -62,11 +80,15 @@ TEST(Page, HasNotesLimitsMarksAndKeysOfAMethod) {
   const std::string empty = json_of(Page{.methods = {{.name = "m"}}});
   EXPECT_EQ(count_of(R"("notes":[],)", empty), 1U);
   EXPECT_EQ(count_of(R"("marks":null,"limits":{},"units":{},)", empty), 1U);
-  EXPECT_EQ(count_of(R"("torque":[],"p":[],"error_t":[],"error_deg":[]},"keys":null,"bands":{}})", empty), 1U);
+  EXPECT_EQ(count_of(R"("torque":[],"p":[],"error_t":[],"error_deg":[],"exactness_deg":null},)"
+                     R"("keys":null,"clock":null,"bands":{}})",
+                     empty),
+            1U);
   PageMethod method{.name = "m", .keys = PageKeys{.path = {{2.0}, {one}}}};
   method.samples.torques = {{1.0, 2.0, 3.0}};
   method.samples.error_times = {0.5};
   method.samples.errors = {4.0};
+  method.clock = PageClock{{0.0, 3.0}, {0.0, 1.5}};
   method.bands["w"] = {"σ", {0.5, 1.0}, {0.0, std::nan("")}, {0.25, std::nan("")}};
   const std::string json = json_of(Page{.notes = {"a", "b"},
                                         .marks = PageMarks{"odd ones", {{1.0}, {one}}, {30.0}},
@@ -76,8 +98,8 @@ TEST(Page, HasNotesLimitsMarksAndKeysOfAMethod) {
   EXPECT_EQ(count_of("\"notes\":[\"a\",\n\"b\"]", json), 1U);
   EXPECT_EQ(count_of(R"("marks":{"label":"odd ones","t":[1],"q":[1,0,0,0],"error_deg":[30]})", json), 1U);
   EXPECT_EQ(count_of(R"("limits":{"error":0.1,"w":1.5},"units":{"w":{"unit":"°/s","size":0.01745329}})", json), 1U);
-  EXPECT_EQ(count_of(R"("torque":[1,2,3],"p":[],"error_t":[0.5],"error_deg":[4]})", json), 1U);
-  EXPECT_EQ(count_of(R"("keys":{"t":[2],"q":[1,0,0,0],"p":[]},)"
+  EXPECT_EQ(count_of(R"("torque":[1,2,3],"p":[],"error_t":[0.5],"error_deg":[4],"exactness_deg":null})", json), 1U);
+  EXPECT_EQ(count_of(R"("keys":{"t":[2],"q":[1,0,0,0],"p":[]},"clock":{"t":[0,3],"own":[0,1.5]},)"
                      R"("bands":{"w":{"label":"σ","t":[0.5,1],"low":[0,null],"high":[0.25,null]}}})",
                      json),
             1U);

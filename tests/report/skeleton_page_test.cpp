@@ -70,13 +70,24 @@ TEST(SkeletonPage, HasPositionsAsWholeStepsFromTheTimeBefore) {
 
 TEST(SkeletonPage, HasErrorsAsWholeStepsAndNoneOfWhatIsNotOff) {
   const std::string json = json_of(small_page());
-  EXPECT_EQ(count_of("\"errors\":{\"t\":[0,0.5],\"angle_step\":0.005,\"angle_deg\":[[],\n[0,400]],"
+  EXPECT_EQ(count_of("\"errors\":{\"t\":[0,0.5],\"angle_step\":0.001,\"angle_deg\":[[],\n[0,2000]],"
                      "\"distance_step\":0.001,\"distance\":[[],\n[0,500]]}",
                      json),
             1U);
   EXPECT_EQ(count_of(R"({"angle_deg":[2.5,0.25],"distance":[0.5,0.5],"keys":[9,4],"key_t":[0,0.125,0.25,0.5]})", json),
             1U);
   EXPECT_EQ(count_of(R"("start":0,"end":0.5,"rotation_keys":[9,4],"translation_keys":[2,1])", json), 1U);
+}
+
+TEST(SkeletonPage, RoundsWhatStandsInTablesAsItsLines) {
+  SkeletonPage page = small_page();
+  page.clips[0].joints[1].distances = {0.0, 1.00105};
+  page.clips[0].joints[1].distance = {1.00105, 0.5};
+  page.clips[0].joints[0].distance = {0.0004, 0.0};
+  const std::string json = json_of(page);
+  EXPECT_EQ(count_of("\"distance_step\":0.001,\"distance\":[[],\n[0,1001]]}", json), 1U);
+  EXPECT_EQ(count_of(R"("distance":[1.001,0.5])", json), 1U);
+  EXPECT_EQ(count_of(R"("distance":[0,0])", json), 1U);
 }
 
 TEST(SkeletonPage, OfAClipThatStandsStillAtOnePlaceHasStepsOfOne) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
 
+#include <orispline/base/base64.hpp>
+
 #include "scenes/gltf_written.hpp"
 #include "support/places.hpp"
 
@@ -129,12 +131,12 @@ TEST(GltfWriter, RemovesTheAnimationsOfClipsThatWentByTheirNames) {
 
 TEST(GltfWriter, MergesBuffers) {
   GltfFile file = test::turning();
-  const std::string second = gltf::base64_of(bytes_of<float>({3, 2, 1}));
+  const std::string second = base64_of(bytes_of<float>({3, 2, 1}));
   file.views.push_back(R"({"buffer":1,"byteLength":12})");
   file.accessors.push_back(R"({"bufferView":2,"componentType":5126,"count":1,"type":"VEC3"})");
   const std::string buffers = fmt::format(
       R"({{"byteLength":{},"uri":"data:;base64,{}","name":"keys"}},{{"byteLength":12,"uri":"data:application/gltf-buffer;base64,{}"}})",
-      file.binary.size(), gltf::base64_of(file.binary), second);
+      file.binary.size(), base64_of(file.binary), second);
   const auto scene = read(file.json(buffers));
   ASSERT_TRUE(scene) << describe(scene.error());
   const WrittenFile after = written(*scene);

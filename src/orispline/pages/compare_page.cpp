@@ -18,7 +18,9 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
 namespace {
 
-constexpr std::size_t samples_per_method = 600;
+constexpr std::size_t samples_of_all = 16'000;  ///< of all curves together, for smooth lines of rates
+constexpr std::size_t fewest_samples = 300, most_samples = 2000, samples_of_few_keys = 600, few_keys = 150;
+constexpr std::size_t samples_of_reference = 600;
 
 /// The smooth curves of most programs: what a first look compares the default with.
 constexpr std::array<std::string_view, 3> widely_used{"rotation-spline", "squad", "tcb"};
@@ -71,8 +73,19 @@ std::map<std::string, report::PageBand, std::less<>> bands_of(const Candidate& c
   return bands;
 }
 
-report::PageMethod method_of(const ComparedMethod& method, const ComparedCurves& compared,
-                             const report::PagePath& truth) {
+report::Fineness fineness_of(std::size_t keys, std::size_t methods) {
+  const std::size_t fewest = keys > few_keys ? fewest_samples : samples_of_few_keys;
+  return {.least = std::clamp(samples_of_all / methods, fewest, most_samples)};
+}
+
+/// What all curves of the page have alike.
+struct ComparedCurve {
+  const ComparedCurves& compared;
+  const report::PagePath& truth;
+  report::Fineness fineness;
+};
+
+report::PageMethod method_of(const ComparedMethod& method, const ComparedCurve& of_all) {
   report::PageMethod result{.name = method.label};
   if (!method.measures) {
     result.failure = describe(method.measures.error());
@@ -81,8 +94,8 @@ report::PageMethod method_of(const ComparedMethod& method, const ComparedCurves&
   result.continuity = continuity_of(*method.measures);
   const auto curve = curve_of(method.candidate);
   if (!curve) return result;  // it was made before
-  result.samples = samples_of(*curve, compared.inertia, samples_per_method);
-  result.samples.errors = report::errors_to(truth, result.samples.path);
+  result.samples = samples_of(*curve, of_all.compared.inertia, of_all.fineness);
+  result.samples.errors = report::errors_to(of_all.truth, result.samples.path);
   result.bands = bands_of(method.candidate, result.samples.path);
   return result;
 }
@@ -135,15 +148,16 @@ report::Page compare_page(const ComparedCurves& compared, const PageHead& head, 
       std::ranges::count(compared.methods, std::size_t{0}, &ComparedMethod::key_set));  // they stand first
   report::Page page = begun_page(formatted("{} on {}", counted(in_page, "method"), counted(keys.size(), "key")), head,
                                  compared.epoch, keys);
-  page.reference = report::thinned(truth, samples_per_method);
+  page.reference = report::thinned(truth, samples_of_reference);
   page.columns = columns_of(compared);
   page.sorted_by = id_of_word(compared.measures, compared.sorted_by);
   auto [first, second] = pair_that_teaches(compared, in_page);
   page.first = std::move(first);
   page.second = std::move(second);
   page.methods.resize(in_page);
+  const ComparedCurve of_all{compared, truth, fineness_of(keys.size(), in_page)};
   parallel_for(in_page, threads, [&](std::size_t i) {
-    page.methods[i] = method_of(compared.methods[i], compared, truth);
+    page.methods[i] = method_of(compared.methods[i], of_all);
     add_measures(page.methods[i], compared);
   });
   return page;

@@ -65,8 +65,8 @@ std::vector<report::PageColumn> measure_columns(std::vector<MeasureInfo> measure
 }
 
 report::PageSamples samples_of(const PoseCurve& curve, const std::optional<Eigen::Matrix3d>& inertia,
-                               std::size_t count) {
-  report::PageSamples samples = report::sampled(curve, count);
+                               const report::Fineness& fineness) {
+  report::PageSamples samples = report::drawn_samples(curve, fineness);
   if (inertia) samples.torques = torques_of(samples, *inertia);
   return samples;
 }
@@ -74,10 +74,11 @@ report::PageSamples samples_of(const PoseCurve& curve, const std::optional<Eigen
 std::string continuity_of(const Measures& measures) { return formatted("C{}", measures.continuity.order()); }
 
 report::PageMethod method_of(const CurvePage& page, const ShownCurve& curve) {
-  report::PageMethod method{.name = curve.name,
-                            .continuity = continuity_of(curve.measures),
-                            .samples = samples_of(curve.curve, page.inertia, samples_of_few),
-                            .keys = keys_in_page(curve.keys)};
+  report::PageMethod method{
+      .name = curve.name,
+      .continuity = continuity_of(curve.measures),
+      .samples = samples_of(curve.curve, page.inertia, {.least = samples_of_few, .covers = page.covers}),
+      .keys = keys_in_page(curve.keys)};
   for (const MeasureInfo& measure : page.measures)
     if (const auto value = measure.value(curve.measures, on_page(page.recording.times()));
         value && measure.is_finite(curve.measures))
@@ -101,10 +102,8 @@ report::PageErrors errors_at(const PoseCurve& curve, const report::PagePath& rec
 
 std::vector<std::string> notes_on_samples(std::size_t samples) {
   if (samples <= samples_of_few) return {};
-  return {
-      formatted("Curves are drawn through {} points. A drawn error is the largest of {:.3g} samples. The table counts "
-                "all samples.",
-                samples_of_few, static_cast<double>(samples) / samples_of_few)};
+  return {formatted("A drawn error is the largest of {:.3g} samples. The table counts all samples.",
+                    static_cast<double>(samples) / samples_of_few)};
 }
 
 report::PageMethod with_errors(report::PageMethod method, const report::PageErrors& errors,

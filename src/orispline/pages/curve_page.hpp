@@ -30,7 +30,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
 /// A curve as a page shows it, its torques too where the inertia [kg m²] is known.
 [[nodiscard]] report::PageSamples samples_of(const PoseCurve& curve, const std::optional<Eigen::Matrix3d>& inertia,
-                                             std::size_t count);
+                                             const report::Fineness& fineness);
 
 /// `C2`
 [[nodiscard]] std::string continuity_of(const Measures& measures);
@@ -48,6 +48,7 @@ struct CurvePage {
   Keyframes recording{};  ///< or keys, that the curves are measured against
   std::vector<MeasureInfo> measures{};
   std::optional<Eigen::Matrix3d> inertia{};  ///< [kg m²]: torques are shown too
+  report::Covers covers{};                   ///< where there is a motion; absent: everywhere
 
   [[nodiscard]] RecordedMotion recorded() const {
     return {recording.times(), recording.orientations(), recording.angular_velocities()};

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
+#include <optional>
 
 #include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/pages/curve_page.hpp>
+#include <orispline/pages/way_clock.hpp>
 #include <orispline/retime/rate_bounds.hpp>
 #include <orispline/retime/retime.hpp>
 
@@ -98,6 +99,14 @@ report::PageMethod method_of(const RetimedKeys& retimed, std::string name, const
   return method;
 }
 
+/// The motion before is shown at the place where that after is.
+std::optional<report::PageClock> clock_of(const Keyframes& before, const Retiming& retiming) {
+  if (!retiming.evenness) return clock_of_keys(retiming.track.keys, before);
+  const auto even = make_pose_curve(retiming.method, retiming.track.keys),
+             path = make_pose_curve(retiming.evenness->path_method, before);
+  return even && path ? std::optional(clock_of_ways(*even, *path)) : std::nullopt;
+}
+
 }  // namespace
 
 report::Page retime_page(const Track& before, const Retiming& retiming, const MotionLimits& limits,
@@ -115,6 +124,7 @@ report::Page retime_page(const Track& before, const Retiming& retiming, const Mo
   page.columns = columns_of(retimed.curves, certificates);
   page.methods.push_back(method_of(retimed, "after", retiming.method, retiming.track.keys, retiming.peaks));
   page.methods.push_back(method_of(retimed, "before", path_method, before.keys, {}));
+  page.methods.back().clock = clock_of(before.keys, retiming);
   return page;
 }
 

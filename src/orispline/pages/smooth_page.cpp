@@ -17,7 +17,6 @@
 #include <orispline/pages/curve_page.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
-
 namespace {
 
 constexpr std::string_view rms_of_accepted = "rms_accepted_deg";
@@ -76,9 +75,6 @@ struct Source {
   const CurvePage& curves;
 
   [[nodiscard]] const Keyframes& smoothed() const { return smoothing.track.keys; }
-  [[nodiscard]] report::Covers coverage() const {
-    return [this](double t) { return smoothing.covers(t); };
-  }
 };
 
 /// The curve of the method with the measures of its shape, and nothing in the gaps.
@@ -91,7 +87,6 @@ report::PageMethod method_of(const Source& source, const CurvePage& page, ShownC
   shown.measures.peaks = shape->peaks;
   report::PageMethod result = method_of(page, shown);
   result.keys.reset();  // those of the page
-  result.samples = report::with_gaps(std::move(result.samples), source.coverage());
   return result;
 }
 
@@ -137,7 +132,7 @@ report::PageMethod smoothed_one(const Source& source, const PoseCurve& curve) {
       method_of(source, source.curves, {"smoothed", source.smoothed(), curve, distances}, smoothed_method);
   method.measures.emplace(rms_of_accepted, root_mean_square(accepted.values));
   method.bands = bands_of(source);
-  return with_errors(std::move(method), accepted, source.coverage());
+  return with_errors(std::move(method), accepted, source.curves.covers);
 }
 
 /// It passes all samples: distances say nothing.
@@ -145,7 +140,9 @@ report::PageMethod as_read(const Source& source) {
   const Keyframes& samples = source.curves.recording;
   const auto curve = make_pose_curve(default_method, samples);
   if (!curve) return {.name = "as read", .failure = describe(curve.error())};
-  const CurvePage shape{samples, without_angle_travelled(measures_of({MeasureGroup::shape}))};
+  const CurvePage shape{.recording = samples,
+                        .measures = without_angle_travelled(measures_of({MeasureGroup::shape})),
+                        .covers = source.curves.covers};
   return method_of(source, shape, {"as read", samples, *curve, {}}, default_method);
 }
 
@@ -202,13 +199,15 @@ std::vector<report::PageColumn> columns_of(const CurvePage& curves, const Smooth
 }  // namespace
 
 report::Page smooth_page(const Track& recording, const Smoothing& smoothing, const PageHead& head) {
-  const CurvePage curves{recording.keys.at(smoothing.keys),
-                         without_angle_travelled(measures_of({MeasureGroup::distance, MeasureGroup::shape}))};
+  const CurvePage curves{
+      .recording = recording.keys.at(smoothing.keys),
+      .measures = without_angle_travelled(measures_of({MeasureGroup::distance, MeasureGroup::shape})),
+      .covers = [&](double t) { return smoothing.covers(t); }};
   const Source source{smoothing, curves};
   report::Page page = begun_page(title_of(recording, smoothing), head, recording.epoch, source.smoothed());
   std::ranges::move(notes_of(smoothing), std::back_inserter(page.notes));
   std::ranges::move(notes_on_samples(curves.recording.size()), std::back_inserter(page.notes));
-  page.reference = report::with_gaps(report::thinned(path_of(recording.keys), samples_of_few), source.coverage());
+  page.reference = report::with_gaps(report::thinned(path_of(recording.keys), samples_of_few), source.curves.covers);
   page.columns = columns_of(curves, smoothing);
   const auto curve = make_pose_curve(smoothed_method, source.smoothed());
   if (!curve) return page.methods = {{.name = "smoothed", .failure = describe(curve.error())}}, page;

@@ -47,7 +47,8 @@ struct PageKeys {
   std::vector<Eigen::Vector3d> positions{};  ///< [m], world; none or as many as keys
 };
 
-/// A curve sampled so densely that straight lines between the samples show it: a few hundred are enough.
+/// A curve sampled so densely that what is drawn between the samples shows it: of orientations the cubic with the
+/// angular velocities at both ends (Kim, Kim & Shin 1995), of all else straight lines.
 struct PageSamples {
   PagePath path{};
   std::vector<Eigen::Vector3d> angular_velocities{};     ///< [rad/s], body; as many as times
@@ -57,6 +58,7 @@ struct PageSamples {
   std::vector<Eigen::Vector3d> positions{};              ///< [m], world; none or as many as times
   std::vector<double> error_times{};                     ///< [s], they do not decrease; empty: those of the path
   std::vector<double> errors{};  ///< [deg], angle to the reference; none or as many as times; NaN where it has no value
+  std::optional<double> exactness{};  ///< [deg], the largest angle found between curve and drawing; absent: not known
 };
 
 /// A band in a plot, behind its lines: from `low` to `high`, as many as times. One of NaN ends the band before it.
@@ -64,6 +66,12 @@ struct PageBand {
   std::string label;            ///< such as `one standard deviation`
   std::vector<double> times{};  ///< [s]
   std::vector<double> low{}, high{};
+};
+
+/// When a method is at the places where the others are: both times rise, straight lines are between them.
+struct PageClock {
+  std::vector<double> times{};  ///< [s], of the page
+  std::vector<double> own{};    ///< [s], of the method; as many
 };
 
 /// What one method did.
@@ -74,6 +82,7 @@ struct PageMethod {
   std::map<std::string, double, std::less<>> measures{};  ///< by the id of the column; absent or not finite: a dash
   PageSamples samples{};                                  ///< empty where the method failed
   std::optional<PageKeys> keys{};                         ///< its own; absent: those of the page
+  std::optional<PageClock> clock{};                       ///< that its bodies move by; absent: that of the page
   std::map<std::string, PageBand, std::less<>>
       bands{};  ///< in plots, by the words of Page::limits and by `angle` [deg]
 };
@@ -109,9 +118,10 @@ struct Page {
 
 /// The page as one HTML file that needs nothing else, no network either.
 ///
-/// Numbers are rounded to 7 significant digits. The text may hold any characters; what is not UTF-8 shows as U+FFFD.
-/// The content of the embedded JSON is described in studio/report/README.md. 38 methods of 600 samples make about 4 MB.
-/// Not in a build without ORISPLINE_PAGE; the JSON alone (page_json.hpp) is in every build.
+/// Numbers of long lists are rounded to single precision, rates and errors to half of it. The text may hold any
+/// characters; what is not UTF-8 shows as U+FFFD. The content of the embedded JSON is described in
+/// studio/report/README.md. 38 methods of 600 samples make about 4 MB. Not in a build without ORISPLINE_PAGE; the JSON
+/// alone (page_json.hpp) is in every build.
 [[nodiscard]] ORISPLINE_EXPORT std::string document(const Page& page);
 
 /// A joint of the skeleton that a page shows.
@@ -175,9 +185,10 @@ struct SkeletonPage {
 
 /// The page as one HTML file that needs nothing else, no network either.
 ///
-/// Positions are rounded to an eight thousandth of what the clip takes up, their differences and errors to a five
-/// hundredth of the largest. 76 clips of 54 joints with 40 times each make about 4 MB. Texts as in document(const
-/// Page&). Not in a build without ORISPLINE_PAGE; the JSON alone (page_json.hpp) is in every build.
+/// Positions are rounded to an eight thousandth of what the clip takes up, their differences to a five hundredth of the
+/// largest, and errors to a power of ten that is not more than that. 76 clips of 54 joints with 40 times each make
+/// about 4 MB. Texts as in document(const Page&). Not in a build without ORISPLINE_PAGE; the JSON alone (page_json.hpp)
+/// is in every build.
 [[nodiscard]] ORISPLINE_EXPORT std::string skeleton_document(const SkeletonPage& page);
 
 }}}  // namespace orispline::report

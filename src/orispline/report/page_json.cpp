@@ -17,12 +17,15 @@
 #include <orispline/base/abi.hpp>
 #include <orispline/base/decimal.hpp>
 #include <orispline/math/eigen.hpp>
+#include <orispline/report/page_lists.hpp>
 
 // The JSON of pages: numbers rounded to what a line on a screen can show, and texts that end no script.
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
 namespace {
+
+constexpr std::string_view data_version = "2";  ///< of studio/report/README.md, "The data"
 
 using Member = std::pair<std::string_view, std::string>;  // name, JSON
 
@@ -31,28 +34,6 @@ template <class Value, class JsonOf>
 std::string array_of(const std::vector<Value>& values, JsonOf json_of_value) {
   std::string json = "[";
   for (const Value& value : values) json += (json.size() > 1 ? ",\n" : "") + json_of_value(value);
-  return json + ']';
-}
-
-/// What a line on a screen can show; keeps the file small.
-constexpr int significant_digits = 7;
-
-void append(std::string& json, double value) {
-  if (std::isfinite(value)) fmt::format_to(std::back_inserter(json), "{:.{}g}", value, significant_digits);
-  else json += "null";
-}
-
-void append(std::string& json, long long value) { fmt::format_to(std::back_inserter(json), "{}", value); }
-
-/// One flat array of what `numbers_of` gives for each value.
-template <class Value, class NumbersOf>
-std::string flat_list(std::span<const Value> values, NumbersOf numbers_of) {
-  std::string json = "[";
-  for (const Value& value : values)
-    for (const auto number : numbers_of(value)) {
-      if (json.size() > 1) json += ',';
-      append(json, number);
-    }
   return json + ']';
 }
 
@@ -67,30 +48,12 @@ std::string text_of(std::string_view text) {
   return json + '"';
 }
 
-/// With 7 significant digits; `null` where it is not finite.
-std::string number_text(double value) {
-  std::string json;
-  append(json, value);
-  return json;
-}
-
-/// One flat array.
-std::string list_of(const std::vector<double>& values) {
-  return flat_list(std::span(values), [](double v) { return std::array{v}; });
-}
-
+/// One flat array of whole numbers, which are short.
 std::string list_of(const std::vector<long long>& values) {
-  return flat_list(std::span(values), [](long long v) { return std::array{v}; });
-}
-
-std::string list_of(const std::vector<Eigen::Vector3d>& values) {
-  return flat_list(std::span(values), [](const Eigen::Vector3d& v) { return std::array{v.x(), v.y(), v.z()}; });
-}
-
-std::string list_of(const std::vector<Eigen::Quaterniond>& values) {
-  return flat_list(std::span(values), [](const Eigen::Quaterniond& q) {
-    return std::array{q.w(), q.x(), q.y(), q.z()};
-  });
+  std::string json = "[";
+  for (const long long value : values)
+    fmt::format_to(std::back_inserter(json), "{}{}", json.size() > 1 ? "," : "", value);
+  return json + ']';
 }
 
 std::string object_of(std::initializer_list<Member> members) {
@@ -100,27 +63,33 @@ std::string object_of(std::initializer_list<Member> members) {
   return json + '}';
 }
 
-std::string json_of(double value) { return number_text(value); }
+std::string json_of(double value) { return number_json(value); }
+
+std::string number_or_null(const std::optional<double>& value) { return value ? number_json(*value) : "null"; }
 
 std::string json_of(const PagePath& path) {
-  return object_of({{"t", list_of(path.times)}, {"q", list_of(path.orientations)}});
+  return object_of({{"t", doubles_json(path.times)}, {"q", floats_json(path.orientations)}});
 }
 
 std::string json_of(const PageKeys& keys) {
-  return object_of(
-      {{"t", list_of(keys.path.times)}, {"q", list_of(keys.path.orientations)}, {"p", list_of(keys.positions)}});
+  return object_of({{"t", doubles_json(keys.path.times)},
+                    {"q", floats_json(keys.path.orientations)},
+                    {"p", floats_json(keys.positions)}});
 }
 
-std::string json_of(const PageSamples& samples) {
-  return object_of({{"t", list_of(samples.path.times)},
-                    {"q", list_of(samples.path.orientations)},
-                    {"w", list_of(samples.angular_velocities)},
-                    {"a", list_of(samples.angular_accelerations)},
-                    {"j", list_of(samples.angular_jerks)},
-                    {"torque", list_of(samples.torques)},
-                    {"p", list_of(samples.positions)},
-                    {"error_t", list_of(samples.error_times)},
-                    {"error_deg", list_of(samples.errors)}});
+/// `times`: the JSON of those of the path.
+std::string json_of(const PageSamples& samples, std::string times) {
+  return object_of(
+      {{"t", std::move(times)},
+       {"q", floats_json(samples.path.orientations)},
+       {"w", halves_json(samples.angular_velocities)},
+       {"a", halves_json(samples.angular_accelerations)},
+       {"j", halves_json(samples.angular_jerks)},
+       {"torque", halves_json(samples.torques)},
+       {"p", floats_json(samples.positions)},
+       {"error_t", doubles_json(samples.error_times)},
+       {"error_deg", samples.error_times.empty() ? halves_json(samples.errors) : floats_json(samples.errors)},
+       {"exactness_deg", number_or_null(samples.exactness)}});
 }
 
 std::string_view name_of(Better better) {
@@ -139,9 +108,9 @@ std::string json_of(const PageUnit& unit) {
 
 std::string json_of(const PageBand& band) {
   return object_of({{"label", text_of(band.label)},
-                    {"t", list_of(band.times)},
-                    {"low", list_of(band.low)},
-                    {"high", list_of(band.high)}});
+                    {"t", doubles_json(band.times)},
+                    {"low", floats_json(band.low)},
+                    {"high", floats_json(band.high)}});
 }
 
 std::string json_of(const PageColumn& column) {
@@ -156,9 +125,13 @@ std::string json_of(const PageColumn& column) {
 
 std::string json_of(const PageMarks& marks) {
   return object_of({{"label", text_of(marks.label)},
-                    {"t", list_of(marks.path.times)},
-                    {"q", list_of(marks.path.orientations)},
-                    {"error_deg", list_of(marks.errors)}});
+                    {"t", doubles_json(marks.path.times)},
+                    {"q", floats_json(marks.path.orientations)},
+                    {"error_deg", floats_json(marks.errors)}});
+}
+
+std::string json_of(const PageClock& clock) {
+  return object_of({{"t", doubles_json(clock.times)}, {"own", doubles_json(clock.own)}});
 }
 
 template <class Value>
@@ -176,24 +149,44 @@ std::string json_of(const std::map<std::string, Value, std::less<>>& values) {
   return json + '}';
 }
 
-std::string json_of(const PageMethod& method) {
+std::string json_of(const PageMethod& method, std::string times) {
   return object_of({{"name", text_of(method.name)},
                     {"continuity", text_of(method.continuity)},
                     {"failure", text_of(method.failure)},
                     {"measures", json_of(method.measures)},
-                    {"samples", json_of(method.samples)},
+                    {"samples", json_of(method.samples, std::move(times))},
                     {"keys", json_or_null(method.keys)},
+                    {"clock", json_or_null(method.clock)},
                     {"bands", json_of(method.bands)}});
+}
+
+/// Times that several methods have are written once.
+std::string json_of(const std::vector<PageMethod>& methods) {
+  std::vector<std::string> texts;
+  for (const PageMethod& method : methods) {
+    const auto like = std::ranges::find_if(
+        methods, [&](const PageMethod& other) { return other.samples.path.times == method.samples.path.times; });
+    const bool is_first = &*like == &method || method.samples.path.times.empty();
+    texts.push_back(json_of(method, is_first ? steps_json(method.samples.path.times)
+                                             : fmt::format(R"({{"like":{}}})", like - methods.begin())));
+  }
+  return array_of(texts, [](const std::string& text) { return text; });
 }
 
 constexpr double steps_of_extent = 8000.0;  ///< how finely positions are rounded: a step is less than a pixel
 constexpr double steps_of_largest =
     500.0;  ///< likewise what is drawn as a line, and differences, which may be magnified
 
+/// The power of ten that is not larger, in steps of which numbers are rounded as decimals are; 1 where there is nothing
+/// to divide.
+double decimal_step(double step) {
+  if (!(step > 0.0) || !std::isfinite(step)) return 1.0;
+  return Decimal::power_of_ten(Decimal::from_double(step).decade()).to_double();
+}
+
 /// The largest of 1, 2 and 5 times a power of ten that is not larger; 1 where there is nothing to divide.
 double round_step(double step) {
-  if (!(step > 0.0) || !std::isfinite(step)) return 1.0;
-  const double power = Decimal::power_of_ten(Decimal::from_double(step).decade()).to_double();
+  const double power = decimal_step(step);
   for (const double digit : {5.0, 2.0})
     if (digit * power <= step) return digit * power;
   return power;
@@ -247,10 +240,10 @@ double largest_offset_of(const PageClip& clip) {
 std::string poses_json(const PageClip& clip) {
   const double step = round_step(clip.before.empty() ? 0.0 : extent_of(clip.before) / steps_of_extent);
   const double offset_step = round_step(largest_offset_of(clip) / steps_of_largest);
-  return object_of({{"t", list_of(clip.times)},
-                    {"step", number_text(step)},
+  return object_of({{"t", doubles_json(clip.times)},
+                    {"step", number_json(step)},
                     {"before", moves_of(clip.before, clip.joints.size(), step)},
-                    {"offset_step", number_text(offset_step)},
+                    {"offset_step", number_json(offset_step)},
                     {"after", offsets_of(clip, offset_step)}});
 }
 
@@ -265,63 +258,70 @@ std::string lines_json(const std::vector<PageJointErrors>& joints, double step) 
   });
 }
 
+/// The steps of what is drawn as lines and stands in tables: both are rounded alike.
+struct ErrorSteps {
+  double angle = 1.0, distance = 1.0;
+};
+
 template <PageLargest PageJointErrors::*Member>
 double error_step(const std::vector<PageJointErrors>& joints) {
   double largest = 0.0;
   for (const PageJointErrors& joint : joints) largest = std::max(largest, (joint.*Member).value);
-  return round_step(largest / steps_of_largest);
+  return decimal_step(largest / steps_of_largest);
 }
 
-std::string errors_json(const PageClip& clip) {
-  const double angle = error_step<&PageJointErrors::angle>(clip.joints),
-               distance = error_step<&PageJointErrors::distance>(clip.joints);
-  return object_of({{"t", list_of(clip.error_times)},
-                    {"angle_step", number_text(angle)},
-                    {"angle_deg", lines_json<&PageJointErrors::angles>(clip.joints, angle)},
-                    {"distance_step", number_text(distance)},
-                    {"distance", lines_json<&PageJointErrors::distances>(clip.joints, distance)}});
+std::string errors_json(const PageClip& clip, const ErrorSteps& steps) {
+  return object_of({{"t", doubles_json(clip.error_times)},
+                    {"angle_step", number_json(steps.angle)},
+                    {"angle_deg", lines_json<&PageJointErrors::angles>(clip.joints, steps.angle)},
+                    {"distance_step", number_json(steps.distance)},
+                    {"distance", lines_json<&PageJointErrors::distances>(clip.joints, steps.distance)}});
 }
 
 std::string json_of(const PageKeyCounts& keys) {
   return list_of(std::vector{static_cast<long long>(keys.before), static_cast<long long>(keys.after)});
 }
 
-std::string json_of(const PageLargest& largest) { return list_of(std::vector{largest.value, largest.time}); }
+std::string json_of(const PageLargest& largest, double step) {
+  return fmt::format("[{},{}]", number_json(static_cast<double>(in_steps(largest.value, step)) * step),
+                     number_json(largest.time));
+}
 
-std::string json_of(const PageJointErrors& joint) {
-  return object_of({{"angle_deg", json_of(joint.angle)},
-                    {"distance", json_of(joint.distance)},
+std::string json_of(const PageJointErrors& joint, const ErrorSteps& steps) {
+  return object_of({{"angle_deg", json_of(joint.angle, steps.angle)},
+                    {"distance", json_of(joint.distance, steps.distance)},
                     {"keys", json_of(joint.keys)},
-                    {"key_t", list_of(joint.key_times)}});
+                    {"key_t", doubles_json(joint.key_times)}});
 }
 
 std::string json_of(const PageClip& clip) {
-  return object_of({{"name", text_of(clip.name)},
-                    {"start", number_text(clip.start)},
-                    {"end", number_text(clip.end)},
-                    {"rotation_keys", json_of(clip.rotation_keys)},
-                    {"translation_keys", json_of(clip.translation_keys)},
-                    {"poses", poses_json(clip)},
-                    {"errors", errors_json(clip)},
-                    {"joints", array_of(clip.joints, [](const PageJointErrors& joint) { return json_of(joint); })}});
+  const ErrorSteps steps{error_step<&PageJointErrors::angle>(clip.joints),
+                         error_step<&PageJointErrors::distance>(clip.joints)};
+  return object_of(
+      {{"name", text_of(clip.name)},
+       {"start", number_json(clip.start)},
+       {"end", number_json(clip.end)},
+       {"rotation_keys", json_of(clip.rotation_keys)},
+       {"translation_keys", json_of(clip.translation_keys)},
+       {"poses", poses_json(clip)},
+       {"errors", errors_json(clip, steps)},
+       {"joints", array_of(clip.joints, [&](const PageJointErrors& joint) { return json_of(joint, steps); })}});
 }
 
 std::string json_of(const PageJoint& joint) {
   return object_of({{"name", text_of(joint.name)},
-                    {"parent", joint.parent ? number_text(static_cast<double>(*joint.parent)) : "null"},
+                    {"parent", joint.parent ? number_json(static_cast<double>(*joint.parent)) : "null"},
                     {"is_compared", joint.is_compared ? "true" : "false"}});
 }
-
-std::string limit_json(const std::optional<double>& limit) { return limit ? number_text(*limit) : "null"; }
 
 std::string skeleton_json(const SkeletonPage& page) {
   return object_of({{"before", text_of(page.before)},
                     {"after", text_of(page.after)},
                     {"unit", text_of(page.length_unit)},
-                    {"shell", number_text(page.shell)},
+                    {"shell", number_json(page.shell)},
                     {"up", text_of(page.up == PageUp::y ? "y" : "z")},
-                    {"angle_limit", limit_json(page.angle_limit)},
-                    {"distance_limit", limit_json(page.distance_limit)},
+                    {"angle_limit", number_or_null(page.angle_limit)},
+                    {"distance_limit", number_or_null(page.distance_limit)},
                     {"joints", array_of(page.joints, [](const PageJoint& joint) { return json_of(joint); })},
                     {"clips", array_of(page.clips, [](const PageClip& clip) { return json_of(clip); })}});
 }
@@ -329,7 +329,8 @@ std::string skeleton_json(const SkeletonPage& page) {
 }  // namespace
 
 std::string json_of(const Page& page) {
-  return object_of({{"title", text_of(page.title)},
+  return object_of({{"data", std::string(data_version)},
+                    {"title", text_of(page.title)},
                     {"command", text_of(page.command)},
                     {"date", text_of(page.date)},
                     {"version", text_of(page.version)},
@@ -345,11 +346,12 @@ std::string json_of(const Page& page) {
                     {"sorted_by", text_of(page.sorted_by)},
                     {"first", text_of(page.first)},
                     {"second", text_of(page.second)},
-                    {"methods", array_of(page.methods, [](const PageMethod& m) { return json_of(m); })}});
+                    {"methods", json_of(page.methods)}});
 }
 
 std::string json_of(const SkeletonPage& page) {
-  return object_of({{"title", text_of(page.title)},
+  return object_of({{"data", std::string(data_version)},
+                    {"title", text_of(page.title)},
                     {"command", text_of(page.command)},
                     {"date", text_of(page.date)},
                     {"version", text_of(page.version)},

@@ -198,17 +198,6 @@ PageErrors largest(const PageErrors& errors, std::size_t count) {
   return few;
 }
 
-PageSamples with_gaps(PageSamples samples, const Covers& covers) {
-  const Eigen::Vector3d none = Eigen::Vector3d::Constant(nan);
-  for (std::size_t i = 0; i < samples.path.times.size(); ++i) {
-    if (covers(samples.path.times[i])) continue;
-    samples.path.orientations[i] = no_orientation;
-    samples.angular_velocities[i] = samples.angular_accelerations[i] = samples.angular_jerks[i] = none;
-    if (!samples.torques.empty()) samples.torques[i] = none;
-  }
-  return samples;
-}
-
 PagePath with_gaps(const PagePath& path, const Covers& covers) {
   PagePath result;
   std::tie(result.times, result.orientations) = interrupted(path.times, path.orientations, no_orientation, covers);

@@ -19,6 +19,26 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 /// column. `count` is at least 2. Of a constant curve, one sample.
 [[nodiscard]] ORISPLINE_EXPORT PageSamples sampled(const PoseCurve& curve, std::size_t count = 600);
 
+/// Whether there is a motion at a time [s]; not in a gap.
+using Covers = std::function<bool(double)>;
+
+/// How finely a curve is sampled for what the page draws between its samples.
+struct Fineness {
+  double angle = 0.005;     ///< [deg], within which the drawing is of the curve, where `most` samples can
+  std::size_t least = 600;  ///< samples for smooth lines of rates; fewer where straight lines show these
+  std::size_t most = 5000;  ///< samples
+  Covers covers{};          ///< the segments with a motion, by their middles; absent: all
+};
+
+/// Samples between which the page draws the curve within the angle, and positions within a 2000th of what they take up,
+/// or as near as `most` samples come; `exactness` is the angle that was found. In each gap there is one of NaN.
+///
+/// Of a curve with up to `least` / 4 segments at least `least` even times, and both sides of the knots where a rate
+/// jumps by more than a thousandth of its largest. Of others few where the curve is smooth, and all together up to
+/// `least` or a quarter more than the angle takes where the lines of rates are farthest from straight ones, so that no
+/// peak is missed.
+[[nodiscard]] ORISPLINE_EXPORT PageSamples drawn_samples(const PoseCurve& curve, const Fineness& fineness = {});
+
 /// Angles [deg] to the reference, which goes the shortest way between its orientations; NaN beyond its ends.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<double> errors_to(const PagePath& reference, const PagePath& path);
 
@@ -31,10 +51,6 @@ struct PageErrors {
 /// At most `count` of the errors: the largest of every so many neighbours, so that none is missed. None of them is NaN.
 [[nodiscard]] ORISPLINE_EXPORT PageErrors largest(const PageErrors& errors, std::size_t count);
 
-/// Whether there is a motion at a time [s]; not in a gap.
-using Covers = std::function<bool(double)>;
-/// The curve with NaN for its orientations and rates in gaps.
-[[nodiscard]] ORISPLINE_EXPORT PageSamples with_gaps(PageSamples samples, const Covers& covers);
 /// The orientations with one of NaN between neighbours that a gap is between.
 [[nodiscard]] ORISPLINE_EXPORT PagePath with_gaps(const PagePath& path, const Covers& covers);
 /// The errors with a NaN likewise.

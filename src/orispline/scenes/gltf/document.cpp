@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include <orispline/base/base64.hpp>
 #include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
@@ -26,7 +27,6 @@ namespace {
 
 constexpr std::string_view glb_magic = "glTF", json_type = "JSON", binary_type{"BIN\0", 4};
 constexpr std::size_t header_size = 12, chunk_header_size = 8;
-constexpr std::string_view base64_letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 std::uint32_t byte_at(std::string_view bytes, std::size_t at) { return static_cast<unsigned char>(bytes[at]); }
 
@@ -72,35 +72,6 @@ Expected<Container> glb_parts(std::string_view bytes) {
   }
   if (length == header_size) return bad("found a GLB without a JSON chunk, wanted it first");
   return parts;
-}
-
-constexpr std::array<signed char, 256> base64_values() {
-  std::array<signed char, 256> values{};
-  values.fill(-1);
-  for (std::size_t i = 0; i < base64_letters.size(); ++i)
-    values[static_cast<unsigned char>(base64_letters[i])] = static_cast<signed char>(i);
-  return values;
-}
-
-/// Nothing for text that is not base64.
-std::optional<std::string> from_base64(std::string_view text) {
-  static constexpr auto values = base64_values();
-  for (int i = 0; i < 2 && text.ends_with('='); ++i) text.remove_suffix(1);
-  if (text.size() % 4 == 1) return std::nullopt;
-  std::string bytes;
-  bytes.reserve(text.size() / 4 * 3 + 2);
-  std::uint32_t held = 0;
-  int bits = 0;
-  for (const char letter : text) {
-    const int value = values[static_cast<unsigned char>(letter)];
-    if (value < 0) return std::nullopt;
-    held = held << 6 | static_cast<std::uint32_t>(value);
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes += static_cast<char>(held >> bits & 0xFF);
-  }
-  return bytes;
 }
 
 std::size_t padded(std::size_t size) { return (size + 3) / 4 * 4; }
@@ -179,7 +150,7 @@ Expected<std::string> data_of(const Object& buffer, std::string_view uri, const 
   if (!is_data(uri)) return file_beside(buffer, uri, path);
   constexpr std::string_view mark = ";base64,";
   const std::size_t found = uri.find(mark);
-  auto bytes = found == std::string_view::npos ? std::nullopt : from_base64(uri.substr(found + mark.size()));
+  auto bytes = found == std::string_view::npos ? std::nullopt : bytes_from_base64(uri.substr(found + mark.size()));
   if (!bytes) return buffer.fault("found a data uri that is not base64, wanted one that is");
   return std::move(*bytes);
 }
@@ -330,21 +301,6 @@ Expected<std::string> glb_of(std::string_view json, std::string_view binary) {
   append_number(bytes, padded(binary.size()));
   bytes.append(binary_type).append(binary).append(padded(binary.size()) - binary.size(), '\0');
   return bytes;
-}
-
-std::string base64_of(std::string_view bytes) {
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t left = bytes.size() - i;
-    const std::uint32_t three =
-        byte_at(bytes, i) << 16 | (left > 1 ? byte_at(bytes, i + 1) << 8 : 0) | (left > 2 ? byte_at(bytes, i + 2) : 0);
-    text += base64_letters[three >> 18];
-    text += base64_letters[three >> 12 & 63];
-    text += left > 1 ? base64_letters[three >> 6 & 63] : '=';
-    text += left > 2 ? base64_letters[three & 63] : '=';
-  }
-  return text;
 }
 
 Expected<Document> document_of(std::string_view bytes, const std::string& path) {

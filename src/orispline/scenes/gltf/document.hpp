@@ -29,8 +29,6 @@ struct Container {
 /// A GLB. Errors (bad_data): more bytes than it can state.
 [[nodiscard]] Expected<std::string> glb_of(std::string_view json, std::string_view binary);
 
-[[nodiscard]] std::string base64_of(std::string_view bytes);
-
 /// A stretch of the binary.
 struct View {
   std::size_t offset = 0, length = 0;

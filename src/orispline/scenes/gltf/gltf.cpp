@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include <orispline/base/base64.hpp>
 #include <orispline/base/counted.hpp>
 #include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
