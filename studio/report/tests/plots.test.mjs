@@ -123,4 +123,10 @@ for (const count of [2000, 1e5])
     assert.equal(await page.locator('.plots > .facts').isVisible(), false);
   });
 
+const marks = { label: 'rejected', t: spread(3000, 10), q: keysAt(spread(3000, 10), 0.1).q, error_deg: spread(3000, 1) };
+const judged = [method('a', turning(times, 0.1, { error_deg: times.map(() => 0.5) }))];
+reportWith('marks near each other are drawn as one, which is said', { ...two, methods: judged, marks }, async (page) => {
+  assert.match(await how(page), /Of points nearer to each other than 7 px one is drawn\./);
+});
+
 reportWith('a few keys need no words', two, async (page) => assert.equal(await page.locator('.plots > .facts').isVisible(), false));

@@ -6,7 +6,7 @@ import type { Colours } from '../look/theme';
 import type { PlacedBand, Points } from '../quantities/quantity';
 
 export const closestKeys = 12; // [px] keys nearer to each other than this are not marked
-const cell = 7; // [px] of several marks in a square of this size one is drawn
+export const cell = 7; // [px] of several marks in a square of this size one is drawn
 const manyMarks = 150; // are drawn as dots
 
 /** Says whether some are not marked. */
@@ -78,23 +78,25 @@ export function drawBand({ ctx, bbox, valToPos }: uPlot, { place, t, low, high }
 }
 
 /** One of the points in each small square of the picture; at the upper edge where they would be above it. */
-function placesOf({ bbox, valToPos }: uPlot, { t, values }: Points): [x: number, y: number][] {
+function placesOf({ bbox, valToPos }: uPlot, { t, values }: Points): { places: [x: number, y: number][]; areThinned: boolean } {
   const size = cell * devicePixelRatio;
   const places = new Map<string, [number, number]>();
+  let areThinned = false;
   t.forEach((time, i) => {
     const x = valToPos(time, 'x', true);
     if (Number.isNaN(values[i]) || x < bbox.left || x > bbox.left + bbox.width) return;
     const y = Math.max(valToPos(values[i], 'y', true), bbox.top + size / 2);
     const square = `${Math.floor(x / size)} ${Math.floor(y / size)}`;
-    if (!places.has(square)) places.set(square, [x, y]);
+    if (places.has(square)) areThinned = true;
+    else places.set(square, [x, y]);
   });
-  return [...places.values()];
+  return { places: [...places.values()], areThinned };
 }
 
-/** Crosses; of many, dots. */
-export function drawMarks(plot: uPlot, points: Points, colours: Colours): void {
+/** Crosses; of many, dots. Says whether some are not drawn. */
+export function drawMarks(plot: uPlot, points: Points, colours: Colours): boolean {
   const { ctx } = plot;
-  const places = placesOf(plot, points);
+  const { places, areThinned } = placesOf(plot, points);
   const ratio = devicePixelRatio;
   ctx.save();
   ctx.beginPath();
@@ -116,4 +118,5 @@ export function drawMarks(plot: uPlot, points: Points, colours: Colours): void {
     ctx.stroke();
   }
   ctx.restore();
+  return areThinned;
 }

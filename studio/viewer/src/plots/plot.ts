@@ -37,11 +37,17 @@ interface Drawn {
   colours: Colours;
 }
 
+/** Of what some are not drawn, since they are too near to each other. */
+export interface Thinned {
+  keys: boolean;
+  marks: boolean;
+}
+
 interface Hooks {
   ready: () => void;
   range: () => uPlot.Range.MinMax;
   drawn: () => Drawn;
-  thinned: (keys: boolean) => void;
+  thinned: (what: keyof Thinned, is: boolean) => void;
 }
 
 function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, drawn, thinned }: Hooks, width: number): uPlot.Options {
@@ -50,7 +56,7 @@ function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, dra
   const axis = { stroke: colours.faint, font, ticks: { stroke: colours.grid, size: 4 } };
   const before = (plot: uPlot) => {
     const { keys, band } = drawn();
-    thinned(markKeys(plot, keys, colours));
+    thinned('keys', markKeys(plot, keys, colours));
     if (band) drawBand(plot, band, colours);
   };
   return {
@@ -68,7 +74,7 @@ function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, dra
     hooks: {
       ready: [ready],
       drawClear: [before],
-      draw: [(plot) => limit !== undefined && drawLimit(plot, limit, colours), (plot) => marks && drawMarks(plot, marks, colours)],
+      draw: [(plot) => limit !== undefined && drawLimit(plot, limit, colours), (plot) => marks && thinned('marks', drawMarks(plot, marks, colours))],
       setCursor: [(plot) => plot.cursor.event && !current().playing && moveTo(plot.posToVal(plot.cursor.left!, 'x'))],
       setScale: [(plot, key) => key === 'x' && chooseWindow(plot, store)],
     },
@@ -105,7 +111,7 @@ export class Plot {
   private rounding = rounding;
   private values: HTMLElement[] = []; // of each line, beside its name
   private readonly cut = element('span', { className: 'cut' });
-  leavesOut = false; // some keys, which are too near to each other
+  readonly thinned: Thinned = { keys: false, marks: false };
 
   constructor(
     private readonly store: Store,
@@ -169,8 +175,8 @@ export class Plot {
       ready: () => this.plot && this.showTime(this.store.current()), // before that, places in the plot are not known
       range: () => this.range(),
       drawn: () => this.drawn,
-      thinned: (keys) => {
-        this.leavesOut = keys;
+      thinned: (what, is) => {
+        this.thinned[what] = is;
         this.told();
       },
     };

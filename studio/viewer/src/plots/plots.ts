@@ -4,8 +4,8 @@ import { element } from '../look/element';
 import { chordTolerance } from '../motion/lines';
 import type { Quantity } from '../quantities/quantity';
 import type { State, Store } from '../store/store';
-import { closestKeys } from './drawings';
-import { Plot, type Plotted } from './plot';
+import { cell, closestKeys } from './drawings';
+import { Plot, type Plotted, type Thinned } from './plot';
 import { Turns } from './turns';
 
 /** The lines of the plot of a quantity, as they are drawn; none where there is no such plot. */
@@ -45,14 +45,16 @@ export function exactness({ current, methodNamed }: Store): string {
   return `Curves are drawn within ${upwards(within)}°, the angle between two within ${upwards(2 * within)}°.`;
 }
 
-const thinned = `Keys are marked where they are ${closestKeys} px apart; zoom in to see all.`;
+const thinnedKeys = `Keys are marked where they are ${closestKeys} px apart; zoom in to see all.`;
+const thinnedMarks = `Of points nearer to each other than ${cell} px one is drawn.`;
 
 /** The plots of the quantities; they are made anew when one of the fields changes. What `how` says of the drawing stands below them. */
 export function showPlots(store: Store, place: HTMLElement, quantities: Quantity[], fields: (keyof State)[], how: () => string = () => ''): PlottedOf {
   const turns = new Turns(store);
   const line = element('p', { className: 'facts' });
   const tell = () => {
-    const text = [how(), plots.some(({ figure, leavesOut }) => leavesOut && !figure.hidden) ? thinned : ''].filter(Boolean).join(' ');
+    const isThinned = (what: keyof Thinned) => plots.some(({ figure, thinned }) => thinned[what] && !figure.hidden);
+    const text = [how(), isThinned('keys') && thinnedKeys, isThinned('marks') && thinnedMarks].filter(Boolean).join(' ');
     line.hidden = text === '';
     if (line.textContent !== text) line.textContent = text;
   };
