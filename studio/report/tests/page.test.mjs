@@ -227,7 +227,7 @@ onPage('has the table and the motion side by side on the first screen of a lapto
   assert.ok(box.height > 500);
 });
 
-onPage('keeps the names in view while the table is scrolled sideways', { viewport: { width: 700, height: 1000 } }, async (page) => {
+onPage('keeps the names in view while the table is scrolled sideways', { viewport: { width: 660, height: 1000 } }, async (page) => {
   await page.locator('.measures').evaluate((one) => (one.scrollLeft = 400));
   const [table, name] = [await page.locator('.measures').boundingBox(), await page.locator('tbody th').first().boundingBox()];
   assert.ok(Math.abs(name.x - table.x) < 2);

@@ -9,7 +9,7 @@ const times = spread(21, 10);
 const keys = keysAt([0, 10], 0.1);
 const caption = (page, id) => page.locator(`[data-quantity=${id}] figcaption`).textContent();
 const many = Array.from({ length: 30 }, (_, i) => method(`method ${i}`, turning(times, 0.1 + i / 100), { measures: Object.fromEntries(Array.from({ length: 26 }, (_, k) => [`measure${k}`, i + k / 7])) }));
-const large = { title: 'T', command: 'orispline compare keys.csv', notes: ['One.', 'Two.', 'Three.'], keys, columns: Array.from({ length: 26 }, (_, k) => column(`measure${k}`)), methods: many };
+const large = { title: 'T', command: 'orispline compare keys.csv', notes: ['One.', 'Two.', 'Three.'], keys, columns: Array.from({ length: 26 }, (_, k) => column(`measure${k}`, { label: `largest ${k}` })), methods: many };
 
 const holed = turning(times, 0.1);
 const without = (list, from, to) => list.map((value, i) => (i >= from && i < to ? null : value));
