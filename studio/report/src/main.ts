@@ -7,4 +7,5 @@ import { readPage } from './data';
 const report = readPage(document.getElementById('report-data')?.textContent ?? '');
 document.title = report.title;
 const viewer = createViewer(document.querySelector('main')!, report, { keys: document });
+Object.assign(globalThis, { viewer }); // for those who want what it shows, such as tests
 viewer.subscribe(['theme'], ({ theme }) => (document.documentElement.dataset.theme = theme));

@@ -31,10 +31,17 @@ export const tooWide = (page) =>
 
 export const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
-/** Waits for frames instead of time: one for the sizes, one for what is drawn in them, one for what that changes. */
+const sizes = { 'on a wide screen': {}, 'on a tablet': { viewport: { width: 820, height: 1180 }, hasTouch: true }, 'on a phone': phone };
+
+/** Those that a page is looked at on. */
+export const screens = Object.fromEntries(
+  Object.entries(sizes).flatMap(([name, options]) => [[name, options], [`${name} in the dark`, { ...options, colorScheme: 'dark' }]]),
+);
+
+/** Waits for frames instead of time: one for the sizes, one for what is drawn in them, one for what that changes; and for plots out of view. */
 export const drawn = (page) =>
   page.evaluate(async () => {
-    for (let frame = 0; frame < 3; ++frame) await new Promise(requestAnimationFrame);
+    for (let frame = 0; frame < 3 || document.querySelector('[aria-busy]'); ++frame) await new Promise(requestAnimationFrame);
   });
 
 /** Opens a file; the page's complaints and what it asks of the network are collected in it. `first` runs in it before all else. */

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { drawn, faultsOf, launch, open, phone, tooWide } from './browser.mjs';
+import { drawn, faultsOf, launch, open, phone, screens, tooWide } from './browser.mjs';
 
 const file = process.env.FLIGHT_PAGE;
 const data = JSON.parse(/id="report-data">(.*?)<\/script>/s.exec(readFileSync(file, 'utf8'))[1]);
@@ -143,8 +143,9 @@ onPage('follows the bar with the cursor, and says the values there', {}, async (
   await moveTo(page, time);
   for (const place of await cursors(page)) assert.ok(Math.abs(place - 0.7) < 0.005, `${place}`);
   const { t, w } = working[0].samples;
-  const nearest = t.reduce((best, value, i) => (Math.abs(value - time) <= Math.abs(t[best] - time) ? i : best), 0);
-  const speed = Math.hypot(...w.slice(3 * nearest, 3 * nearest + 3));
+  const next = t.findIndex((value) => value > time);
+  const [before, after] = [next - 1, next].map((i) => Math.hypot(...w.slice(3 * i, 3 * i + 3)));
+  const speed = before + ((after - before) * (time - t[next - 1])) / (t[next] - t[next - 1]);
   const said = Number.parseFloat(new RegExp(`${working[0].name} ([\\d.]+)`).exec(await caption(page, 'w'))[1]);
   assert.ok(Math.abs(said - speed) < 1e-3 * speed, `${said} ${speed}`);
 });
@@ -207,7 +208,7 @@ onPage('fits on a phone, and follows a finger', phone, async (page) => {
   assert.ok(Math.abs((await clock(page)) - (timeStart + 0.6 * (timeEnd - timeStart))) < 0.3);
 });
 
-for (const [name, options] of Object.entries({ 'on a wide screen': {}, 'in the dark': { colorScheme: 'dark' }, 'on a phone': phone }))
+for (const [name, options] of Object.entries(screens))
   onPage(`is accessible ${name}`, options, async (page) => assert.deepEqual(await faultsOf(page), []));
 
 /** Whether all of an element is seen without scrolling, above the bar at the foot. */
@@ -226,7 +227,7 @@ onPage('has the table and the motion side by side on the first screen of a lapto
   assert.ok(box.height > 500);
 });
 
-onPage('keeps the names in view while the table is scrolled sideways', {}, async (page) => {
+onPage('keeps the names in view while the table is scrolled sideways', { viewport: { width: 660, height: 1000 } }, async (page) => {
   await page.locator('.measures').evaluate((one) => (one.scrollLeft = 400));
   const [table, name] = [await page.locator('.measures').boundingBox(), await page.locator('tbody th').first().boundingBox()];
   assert.ok(Math.abs(name.x - table.x) < 2);

@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { drawn, faultsOf, launch, open, phone, tooWide } from './browser.mjs';
+import { drawn, faultsOf, launch, open, phone, screens, tooWide } from './browser.mjs';
 
 const file = process.env.ARM_PAGE;
 const data = JSON.parse(/id="report-data">(.*?)<\/script>/s.exec(readFileSync(file, 'utf8'))[1]);
@@ -40,7 +40,9 @@ onPage('shows every clip, the one that is farthest off first, at its worst', {},
   assert.equal(await page.locator('.measures tr.is-first th').textContent(), clips[0].name);
   const worst = clips[0].joints.find((joint) => joint.distance[0] === sorted[0]);
   assert.ok(Math.abs((await clock(page)) - worst.distance[1]) < 0.01);
-  assert.match(await caption(page, 'distance'), new RegExp(`all joints ${sorted[0].toPrecision(4)}`));
+  const { distance_step: step } = clips[0].errors;
+  const written = (Math.round(sorted[0] / step) * step).toFixed(Math.max(0, Math.floor(-Math.log10(step)))); // no more digits than the step has
+  assert.match(await caption(page, 'distance'), new RegExp(`all joints ${written}`));
   assert.match(await sceneCaption(page), new RegExp(`arm.glb.*small.glb.*farthest: .* ${sorted[0].toPrecision(4)} mm`));
 });
 
@@ -172,7 +174,7 @@ onPage('fits on a phone, and follows a finger', phone, async (page) => {
   assert.ok(Math.abs((await clock(page)) - (start + 0.6 * (end - start))) < 0.1);
 });
 
-for (const [name, options] of Object.entries({ 'on a wide screen': {}, 'in the dark': { colorScheme: 'dark' }, 'on a phone': phone }))
+for (const [name, options] of Object.entries(screens))
   onPage(`is accessible ${name}`, options, async (page) => assert.deepEqual(await faultsOf(page), []));
 
 onPage('has table and motion on the first screen of a laptop', { viewport: { width: 1440, height: 900 } }, async (page) => {

@@ -5,11 +5,14 @@ import './style/tables.css';
 import './style/motion.css';
 import './style/playback.css';
 import './style/narrow.css';
+import './style/print.css';
 import { headerOf } from './controls/header';
 import type { Report } from './data/report';
 import { showMethods } from './layout/methods';
 import { placesIn } from './layout/places';
+import { printLight } from './layout/printing';
 import { showSkeleton } from './layout/skeleton';
+import type { PlottedOf } from './plots/plots';
 import { element } from './look/element';
 import { coloursOf, paint } from './look/theme';
 import { Store } from './store/store';
@@ -19,6 +22,8 @@ export { reportOf, type Report } from './data/report';
 export type { State } from './store/store';
 
 export interface Viewer extends Pick<Store, 'choose' | 'current' | 'subscribe'> {
+  /** The lines of a plot, such as `angle`, `apart`, `w`: of each its label, times [s] and values; NaN breaks a line. */
+  plotted: PlottedOf;
   /** Leaves the element as it was. */
   destroy: () => void;
 }
@@ -37,10 +42,10 @@ export function createViewer(place: HTMLElement, report: Report, { keys }: Optio
   });
   place.append(root);
   store.atEnd(() => root.remove());
+  printLight(store);
   root.append(headerOf(store));
   const places = placesIn(root, keys ?? root);
-  if (report.skeleton) showSkeleton(store, report.skeleton, places);
-  else showMethods(store, places);
+  const plotted = report.skeleton ? showSkeleton(store, report.skeleton, places) : showMethods(store, places);
   const { choose, current, subscribe } = store;
-  return { choose, current, subscribe, destroy: () => store.destroy() };
+  return { choose, current, subscribe, plotted, destroy: () => store.destroy() };
 }

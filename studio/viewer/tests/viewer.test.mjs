@@ -69,6 +69,17 @@ onPage('a viewer tells what is chosen until it is asked no more', async (page, p
   assert.deepEqual(heard, [0, 0.5]);
 });
 
+onPage('the bar at the foot of a viewer does not cover its head, where only that is in view', async (page, put) => {
+  await put('left', 'a', 'b');
+  await page.evaluate(() => {
+    document.querySelector('h1').style.height = '700px'; // of the page, above the viewer
+    scrollTo(0, 0);
+  });
+  await drawn(page);
+  const [head, bar] = await page.evaluate(() => ['.head', '.playback'].map((one) => document.querySelector(one).getBoundingClientRect()).map(({ top, bottom }) => ({ top, bottom })));
+  assert.ok(head.top < 800 && bar.top >= head.bottom, `${JSON.stringify([head, bar])}`);
+}, { viewport: { width: 1400, height: 800 } });
+
 /** What the page looks like where there is no viewer. */
 const looks = (page) =>
   page.evaluate(() => ['body', 'h1', '#own', '#own button'].map((one) => ['margin', 'font', 'color', 'backgroundColor', 'cursor'].map((name) => getComputedStyle(document.querySelector(one))[name])));

@@ -19,7 +19,7 @@ export function headerOf({ report, choose, current, subscribe }: Store): HTMLEle
     onclick: () => choose({ theme: current().theme === 'dark' ? 'light' : 'dark' }),
   });
   subscribe(['theme'], ({ theme }) => (toggle.textContent = theme === 'dark' ? '☀ Light' : '☾ Dark'));
-  const start = report.time_start && report.time_start !== '0' && `t = 0 at ${report.time_start} s`;
+  const start = report.time_start && report.time_start !== '0' && `t\u00a0=\u00a00 at ${report.time_start}\u00a0s`;
   const facts = [report.date, report.version && `orispline ${report.version}`, start].filter(Boolean).join(' · ');
   const paragraph = (className: string) => (text: string) => element('p', { className }, ...breakable(text));
   const isWarning = (note: string) => note.startsWith(warningStart);

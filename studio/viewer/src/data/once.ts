@@ -8,3 +8,9 @@ export function once<Of extends object, Result>(compute: (of: Of) => Result): (o
     return results.get(of)!;
   };
 }
+
+/** Computes once what is asked for late, or never. */
+export function lazily<Result>(compute: () => Result): () => Result {
+  let result: Result | undefined;
+  return () => (result ??= compute());
+}

@@ -20,6 +20,6 @@ export function placesIn(root: HTMLElement, keys: EventTarget): Places {
   const plots = part('plots', 'Motion over time');
   const main = element('div', { className: 'main' }, measures, scenes, plots);
   const playback = part('playback', 'Playback');
-  root.append(main, playback);
+  root.append(element('div', { className: 'shown' }, main, playback)); // below the head, which the playback is not to cover
   return { main, measures, scenes, plots, playback, keys };
 }

@@ -4,7 +4,7 @@ import { isAlone, type Skeleton } from '../data/report';
 import { playbackOf } from '../controls/playback';
 import { element, menu } from '../look/element';
 import { firstJoint, worstJoint } from '../motion/poses';
-import { plotControls, showPlots } from '../plots/plots';
+import { plotControls, showPlots, type PlottedOf } from '../plots/plots';
 import { skeletonQuantities } from '../quantities/skeleton';
 import { withPainter } from '../scene/scenes';
 import { sides, SkeletonScene } from '../scene/skeleton/skeletonScene';
@@ -52,9 +52,9 @@ function controls({ choose, subscribe }: Store, skeleton: Skeleton, scene: Skele
   return element('div', { className: 'controls' }, element('div', { className: 'choice', attributes: { role: 'group', 'aria-label': 'Seen from' } }, ...from), placeChoice, ...(isAlone(skeleton) ? [] : [magnifyChoice]));
 }
 
-export function showSkeleton(store: Store, skeleton: Skeleton, { main, measures, scenes, plots, playback, keys }: Places): void {
+export function showSkeleton(store: Store, skeleton: Skeleton, { main, measures, scenes, plots, playback, keys }: Places): PlottedOf {
   const { clips } = skeleton;
-  if (clips.length === 0 || skeleton.joints.length === 0) return;
+  if (clips.length === 0 || skeleton.joints.length === 0) return () => [];
   const time = isAlone(skeleton) ? clips[0].start : clips[0].joints[worstJoint(clips[0], 'distance')].distance[1];
   const isOne = skeleton.joints.length === 1; // a body, of which the path is all that can be seen
   store.choose({ ...withClip(clips, 0, time), joint: firstJoint(skeleton, clips[0]), place: isOne ? 'path' : 'follow' });
@@ -69,6 +69,7 @@ export function showSkeleton(store: Store, skeleton: Skeleton, { main, measures,
     }),
   );
   plots.append(plotControls(store));
-  showPlots(store, plots, skeletonQuantities(skeleton), ['clip', 'joint']);
+  const plotted = showPlots(store, plots, skeletonQuantities(skeleton), ['clip', 'joint']);
   plots.append(jointTable(store, skeleton));
+  return plotted;
 }

@@ -2,7 +2,7 @@
 // Angles over time and ways over the sphere, drawn within a stated angle.
 import type { Numbers } from '../data/numbers';
 import { isGap, type Path } from '../data/report';
-import { quaternionAt, segmentOf, spanAt } from './orientation';
+import { isShownAt, orientationAt, quaternionAt, segmentOf, spanAt } from './orientation';
 import { polyline, type Piece, type Polyline } from './polyline';
 import { angleBetween, bodyAxis, type Axis, type Quaternion } from './quaternion';
 
@@ -26,12 +26,23 @@ const piecesOf =
     return turns && ((t) => valuesOf(turns(t)));
   };
 
+/** Its first orientation. */
+function startOf(path: Path): Quaternion | null {
+  const first = path.t.findIndex((_, i) => !isGap(path, i));
+  return first < 0 ? null : quaternionAt(path, first);
+}
+
 /** [deg] */
 export function anglesFromStart(path: Path): Polyline {
-  const first = path.t.findIndex((_, i) => !isGap(path, i));
-  if (first < 0) return { t: new Float64Array(), values: new Float64Array() };
-  const start = quaternionAt(path, first);
+  const start = startOf(path);
+  if (!start) return { t: new Float64Array(), values: new Float64Array() };
   return polyline(path.t, piecesOf(path, (q) => [angleBetween(start, q)]), chordTolerance);
+}
+
+/** The same at any time; NaN in a gap. */
+export function angleFromStartAt(path: Path): (time: number) => number {
+  const start = startOf(path);
+  return (time) => (start && isShownAt(path, time) ? angleBetween(start, orientationAt(path, time)) : NaN);
 }
 
 /** The way of a body axis over the unit sphere. */
@@ -55,4 +66,10 @@ export function anglesApart(path: Path, other: Path): Polyline {
     return first && second && ((t) => [angleBetween(first(t), second(t))]);
   };
   return polyline(times, pieceOf, chordTolerance);
+}
+
+/** The same at any time; NaN where there is only one of both. */
+export function angleApartAt(path: Path, other: Path): (time: number) => number {
+  const isAt = (one: Path, time: number) => time >= one.t[0] && time <= one.t[one.t.length - 1] && isShownAt(one, time);
+  return (time) => (isAt(path, time) && isAt(other, time) ? angleBetween(orientationAt(path, time), orientationAt(other, time)) : NaN);
 }

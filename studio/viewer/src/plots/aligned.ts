@@ -2,7 +2,7 @@
 // Lines over times of their own as the columns over one list of times that uPlot draws.
 import type uPlot from 'uplot';
 import type { Numbers } from '../data/numbers';
-import type { Line } from '../quantities/quantity';
+import type { Course } from '../quantities/quantity';
 
 /** Of a column: nothing in this row (undefined) joins its neighbours, a gap (null) does not. */
 type Column = (number | null | undefined)[];
@@ -17,7 +17,7 @@ function widenGaps(column: Column): void {
 }
 
 /** All times of all lines; a jump of one line is two rows. */
-function joined(lines: Line[]): uPlot.AlignedData {
+function joined(lines: Course[]): uPlot.AlignedData {
   const times: number[] = [];
   const columns: Column[] = lines.map(() => []);
   const next = lines.map(() => 0);
@@ -42,7 +42,7 @@ function joined(lines: Line[]): uPlot.AlignedData {
 }
 
 /** Where there are no lines, over the extent. */
-export function aligned(lines: Line[], extent: [number, number]): uPlot.AlignedData {
+export function aligned(lines: Course[], extent: [number, number]): uPlot.AlignedData {
   if (lines.length === 0) return [[...extent]];
   if (lines.every(({ t }) => t === lines[0].t)) return [lines[0].t, ...lines.map(({ values }) => drawable(values))] as uPlot.AlignedData;
   return joined(lines);

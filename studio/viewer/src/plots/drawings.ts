@@ -5,19 +5,25 @@ import type { Numbers } from '../data/numbers';
 import { widths, type Colours } from '../look/theme';
 import type { PlacedBand, Points } from '../quantities/quantity';
 
-const closestKeys = 12; // [px] keys nearer to each other than this are not marked
-const cell = 7; // [px] of several marks in a square of this size one is drawn
+export const closestKeys = 12; // [px] keys nearer to each other than this are not marked
+export const cell = 7; // [px] of several marks in a square of this size one is drawn
 const manyMarks = 150; // are drawn as dots
 
-export function markKeys(plot: uPlot, keys: Numbers, colours: Colours): void {
+/** Says whether some are not marked. */
+export function markKeys(plot: uPlot, keys: Numbers, colours: Colours): boolean {
   const { ctx, bbox } = plot;
   const ratio = devicePixelRatio;
   let last = -Infinity;
+  let areThinned = false;
   ctx.save();
   ctx.lineWidth = ratio;
   for (const t of keys) {
     const x = plot.valToPos(t, 'x', true);
-    if (x < bbox.left - 1 || x > bbox.left + bbox.width + 1 || x - last < closestKeys * ratio) continue;
+    if (x < bbox.left - 1 || x > bbox.left + bbox.width + 1) continue;
+    if (x - last < closestKeys * ratio) {
+      areThinned = true;
+      continue;
+    }
     last = x;
     ctx.strokeStyle = colours.grid;
     ctx.beginPath();
@@ -32,6 +38,7 @@ export function markKeys(plot: uPlot, keys: Numbers, colours: Colours): void {
     ctx.fill();
   }
   ctx.restore();
+  return areThinned;
 }
 
 /** A dashed line that nothing is to cross. */
@@ -71,23 +78,25 @@ export function drawBand({ ctx, bbox, valToPos }: uPlot, { place, t, low, high }
 }
 
 /** One of the points in each small square of the picture; at the upper edge where they would be above it. */
-function placesOf({ bbox, valToPos }: uPlot, { t, values }: Points): [x: number, y: number][] {
+function placesOf({ bbox, valToPos }: uPlot, { t, values }: Points): { places: [x: number, y: number][]; areThinned: boolean } {
   const size = cell * devicePixelRatio;
   const places = new Map<string, [number, number]>();
+  let areThinned = false;
   t.forEach((time, i) => {
     const x = valToPos(time, 'x', true);
     if (Number.isNaN(values[i]) || x < bbox.left || x > bbox.left + bbox.width) return;
     const y = Math.max(valToPos(values[i], 'y', true), bbox.top + size / 2);
     const square = `${Math.floor(x / size)} ${Math.floor(y / size)}`;
-    if (!places.has(square)) places.set(square, [x, y]);
+    if (places.has(square)) areThinned = true;
+    else places.set(square, [x, y]);
   });
-  return [...places.values()];
+  return { places: [...places.values()], areThinned };
 }
 
-/** Crosses; of many, dots. */
-export function drawMarks(plot: uPlot, points: Points, colours: Colours): void {
+/** Crosses; of many, dots. Says whether some are not drawn. */
+export function drawMarks(plot: uPlot, points: Points, colours: Colours): boolean {
   const { ctx } = plot;
-  const places = placesOf(plot, points);
+  const { places, areThinned } = placesOf(plot, points);
   const ratio = devicePixelRatio;
   ctx.save();
   ctx.beginPath();
@@ -109,4 +118,5 @@ export function drawMarks(plot: uPlot, points: Points, colours: Colours): void {
     ctx.stroke();
   }
   ctx.restore();
+  return areThinned;
 }

@@ -6,12 +6,12 @@ import type { Numbers } from '../data/numbers';
 import { element } from '../look/element';
 import { chosen, shown, tick } from '../look/number';
 import { coloursOf, type Colours } from '../look/theme';
-import { spanAt } from '../motion/orientation';
-import type { Line, PlacedBand, Quantity } from '../quantities/quantity';
+import type { Course, Line, PlacedBand, Quantity } from '../quantities/quantity';
 import type { State, Store } from '../store/store';
 import { aligned } from './aligned';
 import { drawBand, drawLimit, drawMarks, markKeys } from './drawings';
 import { rangeOf, shownOf, type Cut } from './range';
+import type { Turns } from './turns';
 
 const height = 190;
 const font = '12px system-ui, sans-serif';
@@ -37,19 +37,26 @@ interface Drawn {
   colours: Colours;
 }
 
+/** Of what some are not drawn, since they are too near to each other. */
+export interface Thinned {
+  keys: boolean;
+  marks: boolean;
+}
+
 interface Hooks {
   ready: () => void;
   range: () => uPlot.Range.MinMax;
   drawn: () => Drawn;
+  thinned: (what: keyof Thinned, is: boolean) => void;
 }
 
-function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, drawn }: Hooks, width: number): uPlot.Options {
+function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, drawn, thinned }: Hooks, width: number): uPlot.Options {
   const { current, moveTo, moments } = store;
   const { lines, colours } = drawn();
   const axis = { stroke: colours.faint, font, ticks: { stroke: colours.grid, size: 4 } };
   const before = (plot: uPlot) => {
     const { keys, band } = drawn();
-    markKeys(plot, keys, colours);
+    thinned('keys', markKeys(plot, keys, colours));
     if (band) drawBand(plot, band, colours);
   };
   return {
@@ -67,7 +74,7 @@ function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, dra
     hooks: {
       ready: [ready],
       drawClear: [before],
-      draw: [(plot) => limit !== undefined && drawLimit(plot, limit, colours), (plot) => marks && drawMarks(plot, marks, colours)],
+      draw: [(plot) => limit !== undefined && drawLimit(plot, limit, colours), (plot) => marks && thinned('marks', drawMarks(plot, marks, colours))],
       setCursor: [(plot) => plot.cursor.event && !current().playing && moveTo(plot.posToVal(plot.cursor.left!, 'x'))],
       setScale: [(plot, key) => key === 'x' && chooseWindow(plot, store)],
     },
@@ -88,31 +95,46 @@ function followFinger(plot: uPlot, moveTo: Store['moveTo']): void {
   plot.over.addEventListener('click', (event) => moveTo(plot.posToVal(event.offsetX, 'x')));
 }
 
+/** A line as it is drawn. */
+export interface Plotted extends Course {
+  label: string;
+}
+
 export class Plot {
+  readonly figure: HTMLElement;
   private readonly caption = element('figcaption');
   private readonly frame = element('div', { className: 'frame' });
-  private readonly figure: HTMLElement;
   private plot?: uPlot;
   private look = '';
   private drawn: Drawn;
   private cuts: Cut[] = [];
-  private rounding = 0;
+  private rounding = rounding;
+  private values: HTMLElement[] = []; // of each line, beside its name
+  private readonly cut = element('span', { className: 'cut' });
+  readonly thinned: Thinned = { keys: false, marks: false };
 
   constructor(
     private readonly store: Store,
     place: HTMLElement,
     private readonly quantity: Quantity,
+    private readonly turns: Turns,
+    private readonly told: () => void, // of what is left out
   ) {
     this.drawn = this.drawnIn(store.current());
     this.figure = element('figure', { attributes: { 'data-quantity': quantity.id } }, this.caption, this.frame);
     place.append(this.figure); // its width is to be known
+    turns.add(this);
     store.watchSize(this.frame, () => this.plot?.setSize({ width: this.frame.clientWidth, height }));
     store.atEnd(() => this.plot?.destroy());
   }
 
-  /** What the plot shows, for tests and for those who want the numbers. */
-  get lines(): readonly Line[] {
-    return this.drawn.lines;
+  get id(): string {
+    return this.quantity.id;
+  }
+
+  /** For tests, and for those who want the numbers. */
+  get plotted(): Plotted[] {
+    return this.drawn.lines.map(({ label, course }) => ({ label, ...course() }));
   }
 
   private drawnIn(state: State): Drawn {
@@ -120,16 +142,25 @@ export class Plot {
     return { lines: this.quantity.lines(state, colours), keys: this.quantity.keys(state), band: this.quantity.band?.(state), colours };
   }
 
-  /** Where the lines look as those before, the plot stays and draws them. */
+  /** What is written stands there at once; what is drawn waits for its turn. */
   rebuild(state: State): void {
     this.drawn = this.drawnIn(state);
+    this.figure.hidden = this.drawn.lines.length === 0;
+    this.cuts = [];
+    this.write();
+    this.turns.ask(this);
+  }
+
+  /** Where the lines look as those before, the plot stays and draws them. */
+  draw(): void {
+    const state = this.store.current();
     const { lines } = this.drawn;
-    this.figure.hidden = lines.length === 0;
+    const courses = lines.map(({ course }) => course());
     this.rounding = rounding * largest(
-      lines.map(({ values }) => values),
+      courses.map(({ values }) => values),
       1,
     );
-    const data = aligned(lines, state.extent);
+    const data = aligned(courses, state.extent);
     const look = lookOf(this.drawn);
     if (this.plot && look === this.look) this.plot.setData(data, false);
     else this.replace(data);
@@ -140,10 +171,14 @@ export class Plot {
 
   private replace(data: uPlot.AlignedData): void {
     this.plot?.destroy();
-    const hooks = {
+    const hooks: Hooks = {
       ready: () => this.plot && this.showTime(this.store.current()), // before that, places in the plot are not known
       range: () => this.range(),
       drawn: () => this.drawn,
+      thinned: (what, is) => {
+        this.thinned[what] = is;
+        this.told();
+      },
     };
     this.plot = new uPlot(optionsOf(this.store, this.quantity, hooks, this.frame.clientWidth), data, this.frame);
     followFinger(this.plot, this.store.moveTo);
@@ -153,6 +188,7 @@ export class Plot {
     const { band, lines } = this.drawn;
     const { reach, cuts } = shownOf(lines, this.store.current().window, largest(band ? [band.high] : [], this.quantity.limit ?? 0));
     this.cuts = cuts;
+    this.writeCuts();
     return rangeOf(reach);
   }
 
@@ -161,23 +197,33 @@ export class Plot {
   }
 
   showTime({ time }: State): void {
-    const plot = this.plot!;
-    if (!plot.cursor.event || plot.posToVal(plot.cursor.left!, 'x') !== time)
-      plot.setCursor({ left: plot.valToPos(time, 'x'), top: 1 }, false);
-    const values = this.drawn.lines.map(({ label, colour, t, values }) => {
-      const i = spanAt(t, time);
-      const nearest = t[i + 1] - time < time - t[i] ? i + 1 : i;
-      const swatch = element('i');
-      swatch.style.background = colour;
-      return element('span', {}, swatch, `${label} `, element('b', {}, this.written(values[nearest])));
-    });
-    const unit = this.quantity.unit ? [element('small', {}, ` [${this.quantity.unit}] `)] : [];
-    this.caption.replaceChildren(element('strong', {}, this.quantity.title), ...unit, ...values, ...this.legend());
+    const { plot } = this;
+    if (plot && (!plot.cursor.event || plot.posToVal(plot.cursor.left!, 'x') !== time)) plot.setCursor({ left: plot.valToPos(time, 'x'), top: 1 }, false);
+    this.drawn.lines.forEach(({ valueAt }, k) => (this.values[k].textContent = this.written(valueAt(time))));
   }
 
   private written = (value: number) => this.quantity.text?.(value, this.store.current()) ?? shown(value, this.rounding);
 
-  /** What is drawn beside the lines, and what is cut. */
+  /** Title, names of the lines with their values, and what is drawn beside them. */
+  private write(): void {
+    const { lines } = this.drawn;
+    const { title, unit } = this.quantity;
+    this.values = lines.map(() => element('b'));
+    const names = lines.map(({ label, colour }, k) => {
+      const swatch = element('i');
+      swatch.style.background = colour;
+      return element('span', {}, swatch, `${label} `, this.values[k]);
+    });
+    this.caption.replaceChildren(element('strong', {}, title), ...(unit ? [element('small', {}, ` [${unit}] `)] : []), ...names, ...this.legend(), this.cut);
+    this.writeCuts();
+    this.showTime(this.store.current());
+  }
+
+  private writeCuts(): void {
+    this.cut.hidden = this.cuts.length === 0;
+    this.cut.textContent = this.cuts.map(({ label, largest }) => `${label} goes on to ${shown(largest)}`).join(', ');
+  }
+
   private legend(): HTMLElement[] {
     const { band, colours } = this.drawn;
     const sign = (text: string, colour: string) => {
@@ -190,7 +236,6 @@ export class Plot {
       ...(limit !== undefined ? [element('span', {}, sign('╌╌', colours.limit), ` ${limitLabel} `, element('b', {}, chosen(limit)))] : []),
       ...(band ? [element('span', {}, sign('▮', colours[band.place]), ` ${band.label}`)] : []),
       ...(marks ? [element('span', {}, sign('×', colours.mark), ` ${marks.label}`)] : []),
-      ...this.cuts.map(({ label, largest }) => element('span', { className: 'cut' }, `${label} goes on to ${shown(largest)}`)),
     ];
   }
 }

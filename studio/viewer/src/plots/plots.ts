@@ -4,7 +4,12 @@ import { element } from '../look/element';
 import { chordTolerance } from '../motion/lines';
 import type { Quantity } from '../quantities/quantity';
 import type { State, Store } from '../store/store';
-import { Plot } from './plot';
+import { cell, closestKeys } from './drawings';
+import { Plot, type Plotted, type Thinned } from './plot';
+import { Turns } from './turns';
+
+/** The lines of the plot of a quantity, as they are drawn; none where there is no such plot. */
+export type PlottedOf = (id: string) => Plotted[];
 
 /** Shows all of the time again; there while the plots show less. */
 function wholeButton({ choose, current, subscribe }: Store): HTMLElement {
@@ -23,15 +28,6 @@ export function componentsChoice({ choose, subscribe }: Store): HTMLElement {
 /** The controls of all plots, above them. */
 export const plotControls = (store: Store, ...choices: HTMLElement[]): HTMLElement => element('div', { className: 'controls' }, ...choices, wholeButton(store));
 
-/** They are made anew when one of the fields changes. */
-export function showPlots(store: Store, place: HTMLElement, quantities: Quantity[], fields: (keyof State)[]): void {
-  const plots = quantities.map((quantity) => new Plot(store, place, quantity));
-  const every = (update: (plot: Plot, state: State) => void) => (state: State) => plots.forEach((plot) => update(plot, state));
-  store.subscribe([...fields, 'theme'], every((plot, state) => plot.rebuild(state)));
-  store.subscribe(['window'], every((plot, state) => plot.showWindow(state)));
-  store.subscribe(['time'], every((plot, state) => plot.showTime(state)));
-}
-
 const wanted = 0.005; // [deg] of the samples: a drawing that is better says no more
 
 /** With two digits. */
@@ -41,13 +37,34 @@ function upwards(size: number): number {
 }
 
 /** How exact the drawing of the methods that are shown is, where the samples say it. */
-export function exactness({ methodNamed, subscribe }: Store): HTMLElement {
+export function exactness({ current, methodNamed }: Store): string {
+  const { first, second } = current();
+  const reached = [first, second].flatMap((name) => methodNamed(name)?.samples.exactness_deg ?? []);
+  if (reached.length === 0) return '';
+  const within = Math.max(wanted, ...reached) + chordTolerance;
+  return `Curves are drawn within ${upwards(within)}°, the angle between two within ${upwards(2 * within)}°.`;
+}
+
+const thinnedKeys = `Keys are marked where they are ${closestKeys} px apart; zoom in to see all.`;
+const thinnedMarks = `Of points nearer to each other than ${cell} px one is drawn.`;
+
+/** The plots of the quantities; they are made anew when one of the fields changes. What `how` says of the drawing stands below them. */
+export function showPlots(store: Store, place: HTMLElement, quantities: Quantity[], fields: (keyof State)[], how: () => string = () => ''): PlottedOf {
+  const turns = new Turns(store);
   const line = element('p', { className: 'facts' });
-  subscribe(['first', 'second'], ({ first, second }) => {
-    const reached = [first, second].flatMap((name) => methodNamed(name)?.samples.exactness_deg ?? []);
-    const within = Math.max(wanted, ...reached) + chordTolerance;
-    line.hidden = reached.length === 0;
-    line.textContent = `Curves are drawn within ${upwards(within)}°, the angle between two within ${upwards(2 * within)}°.`;
-  });
-  return line;
+  const tell = () => {
+    const isThinned = (what: keyof Thinned) => plots.some(({ figure, thinned }) => thinned[what] && !figure.hidden);
+    const text = [how(), isThinned('keys') && thinnedKeys, isThinned('marks') && thinnedMarks].filter(Boolean).join(' ');
+    line.hidden = text === '';
+    if (line.textContent !== text) line.textContent = text;
+  };
+  const plots: Plot[] = quantities.map((quantity) => new Plot(store, place, quantity, turns, tell));
+  place.append(line);
+  const every = (update: (plot: Plot, state: State) => void) => (state: State) => plots.forEach((plot) => update(plot, state));
+  store.subscribe([...fields, 'theme'], every((plot, state) => plot.rebuild(state)));
+  store.subscribe([...fields], tell);
+  store.subscribe(['window'], every((plot, state) => plot.showWindow(state)));
+  store.subscribe(['time'], every((plot, state) => plot.showTime(state)));
+  store.listen(window, 'beforeprint', () => turns.drawAll());
+  return (id) => plots.find((plot) => plot.id === id)?.plotted ?? [];
 }

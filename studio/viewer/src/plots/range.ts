@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How high a plot is.
 import uPlot from 'uplot';
-import type { Numbers } from '../data/numbers';
-import type { Line } from '../quantities/quantity';
+import type { Course, Line } from '../quantities/quantity';
 
 const flat = 4; // so many times as large a line is cut that yields
 const rounding = 1e-12; // of 1
@@ -13,7 +12,7 @@ export interface Reach {
 }
 
 /** From its least value to its largest one, of a stretch of time. */
-function reachOf({ t, values }: { t: Numbers; values: Numbers }, [from, to]: readonly [number, number]): Reach {
+function reachOf({ t, values }: Course, [from, to]: readonly [number, number]): Reach {
   let [low, high] = [Infinity, -Infinity];
   for (let i = 0; i < t.length; ++i) {
     if (t[i] < from || t[i] > to) continue;
@@ -33,7 +32,7 @@ export interface Cut {
 
 /** What a plot has to show of its lines, and which of them go on beyond it. */
 export function shownOf(lines: Line[], window: readonly [number, number], least: number): { reach: Reach; cuts: Cut[] } {
-  const reaches = lines.map((line) => ({ line, reach: reachOf(line, window) }));
+  const reaches = lines.map((line) => ({ line, reach: reachOf(line.course(), window) }));
   const leading = reaches.filter(({ line }) => !line.yields).reduce((sum, { reach }) => both(sum, reach), { ...nothing, high: least > 0 ? least : -Infinity });
   const isCut = ({ line, reach }: { line: Line; reach: Reach }) => !!line.yields && leading.high > 0 && reach.high > flat * leading.high;
   const reach = reaches.filter((one) => !isCut(one)).reduce((sum, one) => both(sum, one.reach), leading);

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is plotted of methods: each quantity as lines over the times of those that are shown.
 import type { Numbers } from '../data/numbers';
-import { once } from '../data/once';
+import { lazily, once } from '../data/once';
 import type { Method, Path, Samples } from '../data/report';
 import { typeset } from '../look/number';
 import { widths, wordsOf, type Colours } from '../look/theme';
-import { anglesApart, anglesFromStart } from '../motion/lines';
-import type { Polyline } from '../motion/polyline';
+import { angleApartAt, angleFromStartAt, anglesApart, anglesFromStart } from '../motion/lines';
 import type { State, Store } from '../store/store';
-import type { Line, Quantity } from './quantity';
+import { straight, type Course, type Line, type Quantity } from './quantity';
 
 type Rate = 'w' | 'a' | 'j' | 'torque';
-type Drawn = Pick<Line, 't' | 'values'>;
+type Drawn = Pick<Line, 'course' | 'valueAt'>;
 
 const component = (vectors: Numbers, k: number) => Float64Array.from({ length: vectors.length / 3 }, (_, i) => vectors[3 * i + k]);
 const magnitudes = (vectors: Numbers) =>
@@ -56,12 +55,12 @@ class Quantities {
   rate(id: Rate, word: 'rate' | 'acceleration' | 'jerk' | 'torque'): Quantity {
     const { title, unit } = wordsOf(word);
     const axes = (['x', 'y', 'z'] as const).map((axis, k) => ({ axis, valuesOf: once((samples: Samples) => this.inUnitOf(id, component(samples[id], k))) }));
-    const size = once((samples: Samples) => ({ t: samples.t, values: this.inUnitOf(id, magnitudes(samples[id])) }));
+    const size = once((samples: Samples): Course => ({ t: samples.t, values: this.inUnitOf(id, magnitudes(samples[id])) }));
     /** The body components of the first method. */
     const components = ({ first, components }: State, colours: Colours): Line[] => {
       const method = this.store.methodNamed(first);
       if (!components || !method) return [];
-      return axes.map(({ axis, valuesOf }) => ({ label: axis, colour: colours[axis], width: widths.component, t: method.samples.t, values: valuesOf(method.samples) }));
+      return axes.map(({ axis, valuesOf }) => ({ label: axis, colour: colours[axis], width: widths.component, ...straight(() => ({ t: method.samples.t, values: valuesOf(method.samples) })) }));
     };
     return {
       id,
@@ -69,13 +68,13 @@ class Quantities {
       unit: typeset(this.unitOf(id, unit).unit),
       limit: this.limitOf(id),
       keys: this.keys,
-      lines: (state, colours) => [...components(state, colours), ...this.ofBoth(state, colours, size)],
+      lines: (state, colours) => [...components(state, colours), ...this.ofBoth(state, colours, (samples) => straight(() => size(samples)))],
       band: this.bandOf(id),
     };
   }
 
   angle(): Quantity {
-    const angles = once((path: Path): Drawn => anglesFromStart(path));
+    const angles = once((path: Path): Drawn => ({ course: lazily(() => anglesFromStart(path)), valueAt: angleFromStartAt(path) }));
     const { reference } = this.store.report;
     const grey = (colours: Colours): Line[] =>
       reference && reference.t.length > 1 ? [{ label: 'reference', colour: colours.reference, width: widths.reference, ...angles(reference) }] : [];
@@ -90,14 +89,14 @@ class Quantities {
 
   error(): Quantity {
     const { marks } = this.store.report;
-    const errors = once(({ t, error_t, error_deg }: Samples): Drawn => ({ t: error_t.length > 0 ? error_t : t, values: this.inUnitOf('error', error_deg) }));
+    const errors = once(({ t, error_t, error_deg }: Samples): Course => ({ t: error_t.length > 0 ? error_t : t, values: this.inUnitOf('error', error_deg) }));
     return {
       id: 'error',
       title: wordsOf('error').title,
       unit: typeset(this.unitOf('error', wordsOf('error').unit).unit),
       limit: this.limitOf('error'),
       keys: this.keys,
-      lines: (state, colours) => this.ofBoth(state, colours, errors).filter(({ values }) => values.length > 0),
+      lines: (state, colours) => this.ofBoth(state, colours, (samples) => straight(() => errors(samples))).filter(({ course }) => course().values.length > 0),
       marks: marks ? { label: marks.label, t: marks.t, values: this.inUnitOf('error', marks.error_deg) } : undefined,
       band: this.bandOf('error'),
     };
@@ -105,7 +104,8 @@ class Quantities {
 
   /** Where one of both has a time of its own, they are at the same place at other times: no plot. */
   apart(): Quantity {
-    const anglesOf = once((first: Method) => once((second: Method): Polyline => anglesApart(first.samples, second.samples)));
+    const drawn = (one: Path, other: Path): Drawn => ({ course: lazily(() => anglesApart(one, other)), valueAt: angleApartAt(one, other) });
+    const anglesOf = once((first: Method) => once((second: Method) => drawn(first.samples, second.samples)));
     return {
       id: 'apart',
       ...wordsOf('apart'),

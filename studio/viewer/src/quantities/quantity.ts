@@ -3,7 +3,14 @@
 import type { Numbers } from '../data/numbers';
 import type { Band } from '../data/report';
 import type { Colours } from '../look/theme';
+import { fraction, spanAt } from '../motion/orientation';
 import type { State } from '../store/store';
+
+/** What a line goes through. */
+export interface Course {
+  t: Numbers; // a time that stands twice is a jump
+  values: Numbers; // NaN breaks the line
+}
 
 export interface Line {
   label: string;
@@ -11,15 +18,13 @@ export interface Line {
   width: number;
   dashes?: number[];
   yields?: boolean; // is cut where it would make the others flat
-  t: Numbers; // a time that stands twice is a jump
-  values: Numbers; // NaN breaks the line
+  course: () => Course; // is asked for when the line is drawn
+  valueAt: (time: number) => number; // NaN where there is nothing
 }
 
 /** Points that stand out. */
-export interface Points {
+export interface Points extends Course {
   label: string;
-  t: Numbers;
-  values: Numbers;
 }
 
 /** A band in the colour of its method. */
@@ -39,3 +44,14 @@ export interface Quantity {
   band?: (state: State) => PlacedBand | undefined;
   text?: (value: number, state: State) => string; // how its values are written; else with four digits
 }
+
+/** On the line, at its ends beyond them; after a jump. */
+export function onCourse({ t, values }: Course, time: number): number {
+  if (t.length === 0) return NaN;
+  const i = spanAt(t, time);
+  const u = t.length > 1 ? fraction(t, i, time) : 0;
+  return u === 0 || u === 1 ? values[i + u] : (1 - u) * values[i] + u * values[i + 1];
+}
+
+/** What a line has that is drawn straight between its values. */
+export const straight = (course: () => Course): Pick<Line, 'course' | 'valueAt'> => ({ course, valueAt: (time) => onCourse(course(), time) });

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is plotted of a clip: how far all joints are off, and the chosen one.
-import { isAlone, type Skeleton } from '../data/report';
+import { once } from '../data/once';
+import { isAlone, type Clip, type Skeleton } from '../data/report';
 import { stepped } from '../look/number';
 import type { Colours } from '../look/theme';
 import { errorsOf, largestErrors, roundingsOf, stepOf, type Kind } from '../motion/poses';
 import type { State } from '../store/store';
-import type { Line, Quantity } from './quantity';
+import { straight, type Line, type Quantity } from './quantity';
+
+const largest = { angle_deg: once((clip: Clip) => largestErrors(clip, 'angle_deg')), distance: once((clip: Clip) => largestErrors(clip, 'distance')) };
 
 function linesOf(skeleton: Skeleton, kind: Kind, { clip, joint }: State, colours: Colours): Line[] {
   const shown = skeleton.clips[clip];
   const { t } = shown.errors;
   if (t.length < 2) return [];
-  const all: Line = { label: 'all joints', colour: kind === 'distance' ? colours.first : colours.reference, width: kind === 'distance' ? 2 : 1, t, values: largestErrors(shown, kind) };
-  const one: Line = { label: skeleton.joints[joint].name, colour: colours.second, width: kind === 'distance' ? 1.5 : 2, t, values: errorsOf(shown, kind, joint) };
+  const values = errorsOf(shown, kind, joint);
+  const all: Line = { label: 'all joints', colour: kind === 'distance' ? colours.first : colours.reference, width: kind === 'distance' ? 2 : 1, ...straight(() => ({ t, values: largest[kind](shown) })) };
+  const one: Line = { label: skeleton.joints[joint].name, colour: colours.second, width: kind === 'distance' ? 1.5 : 2, ...straight(() => ({ t, values })) };
   return kind === 'distance' ? [one, all] : [all, one];
 }
 
