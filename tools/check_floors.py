@@ -138,6 +138,34 @@ def functions(path, text):
     return found
 
 
+def shared_classes(text):
+    """(name with its namespaces, line) of each class that other files could define too: not of those in a namespace without
+    a name, in a class or in a function."""
+    text = SILENT.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
+    scopes, head = [], 0
+    for mark in re.finditer(r"[{};]", text):
+        before = text[head : mark.start()].strip()
+        if mark[0] == "{":
+            space = re.search(r"\bnamespace(?: (\w+(?:::\w+)*))?$", before)
+            name = re.search(r"(?<!enum )\b(?:struct|class)(?: ORISPLINE_EXPORT)? (\w+)(?: final)?(?:\s*:(?!:).*)?$", before, re.S)
+            if name and None not in scopes:
+                yield "::".join([*scopes, name[1]]), text.count("\n", 0, mark.start()) + 1
+            scopes.append(space[1] if space else None)  # None, too, of a namespace without a name
+        elif mark[0] == "}" and scopes:
+            scopes.pop()
+        head = mark.end()
+
+
+def class_breaches(sources):
+    """Two classes of one name are one to the linker, which takes the functions of either for both."""
+    places = {}
+    for path, text in sources.items():
+        if path.startswith(("src/", "cli/")):
+            for name, line in shared_classes(text):
+                places.setdefault(name, []).append(f"{path}: line {line}")
+    yield from (f"{where[1]}: {name} is the name of another class, in {where[0]}" for name, where in places.items() if len(where) > 1)
+
+
 def flag_breaches(path, text):
     """The library speaks to callers in C++ and other languages: the options of the command are for `cli`."""
     if not path.startswith("src/orispline/"):
@@ -175,7 +203,7 @@ def file_breaches(path, text):
 root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 files = [f for room in ROOMS for f in sorted((root / room).rglob("*")) if f.suffix in {".hpp", ".cpp", ".py"}]
 sources = {f.relative_to(root).as_posix(): f.read_text("utf-8") for f in files}
-breaches = [*include_breaches(sources), *(b for path, text in sources.items() for b in (*file_breaches(path, text), *flag_breaches(path, text), *bits_breaches(path, text),
+breaches = [*include_breaches(sources), *class_breaches(sources), *(b for path, text in sources.items() for b in (*file_breaches(path, text), *flag_breaches(path, text), *bits_breaches(path, text),
                                                                                              *dropped_result_breaches(path, text)))]
 if (median := statistics.median(text.count("\n") for text in sources.values())) >= MEDIAN_LINES:
     breaches.append(f"the median file has {median} lines, wanted below {MEDIAN_LINES}")

@@ -140,6 +140,16 @@ class CheckFloors(unittest.TestCase):
                       "friend Expected<int> made(int);", "/// Expected<void> f(int) in words"):
             self.assert_sound("src/orispline/io/csv.hpp", SPDX + "#pragma once\n" + sound)
 
+    def test_finds_two_classes_of_one_name(self):
+        text = SPDX + "namespace orispline { inline namespace V1 {\n%s\nstruct Stretch final : Base {\n};\n%s}}\n"
+        plain, hidden = text % ("", ""), text % ("namespace {", "}  // namespace\n")
+        again = {"src/orispline/curve/a.cpp": plain, "src/orispline/io/b.cpp": plain}
+        self.assertIn("src/orispline/io/b.cpp: line 4: orispline::V1::Stretch is the name of another class, in "
+                      "src/orispline/curve/a.cpp: line 4", report(files=again))
+        self.assertIsNone(report(files=again | {"src/orispline/io/b.cpp": hidden}))
+        inner = plain.replace("struct", "struct Outer {\nstruct")
+        self.assertIsNone(report(files=again | {"src/orispline/io/b.cpp": inner.replace("};", "};};")}))
+
     def test_finds_a_file_of_601_lines(self):
         self.assert_sound("cli/main.cpp", SPDX + "int a;\n" * 599)
         self.assert_breach("cli/main.cpp", SPDX + "int a;\n" * 600, "cli/main.cpp: 601 lines, at most 600")

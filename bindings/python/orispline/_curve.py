@@ -33,7 +33,6 @@ if TYPE_CHECKING:
 
 BEYOND = tuple(_core.extrapolations())
 LEAVE_OUT = "leave-out"
-HOLD = BEYOND.index("hold")
 SIDES = ("right", "left")
 ALONE = 1  # thread, of an int and not of what equals one
 ORIENTATION, VELOCITY, ACCELERATION, JERK, POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION = range(7)
@@ -562,7 +561,7 @@ class Curve(Looks, Orienting):
     def _as_key(self, seconds: float) -> dict[str, Any]:
         """What a key has at a time of the library, beyond the ends what they have."""
         parts = {"orientations": ORIENTATION, **({} if self._keys.positions is None else {"positions": POSITION})}
-        return {"times": seconds, **{name: self._core.one(what, seconds, False, HOLD) for name, what in parts.items()}}
+        return {"times": seconds, **{name: self._core.one(what, seconds, False, BEYOND.index("hold")) for name, what in parts.items()}}
 
     def _series(self, times: Any, rows: Array, name: str) -> tuple[Array, Array]:
         seconds = self._clock.seconds("times", times)

@@ -34,7 +34,7 @@ Continuity between_keys(const AnyCurve& curve) {
 }
 
 /// Largest jumps, and of those that are not rounding the largest as `relative`, still in the unit of the rate.
-void compare_sides(Continuity& found, const Joint& joint) {
+void compare_sides(Continuity& found, const SegmentJoint& joint) {
   widen_magnitudes(found, joint.left);
   widen_magnitudes(found, joint.right);
   for (std::size_t k = 0; k < rates_of_motion.size(); ++k) {
@@ -60,7 +60,7 @@ struct Rounding {
   double direction, curvature, curvature_rate;
 };
 
-Rounding rounding_of(const Joint& joint) {
+Rounding rounding_of(const SegmentJoint& joint) {
   const auto larger = [&](auto rate) { return std::max((joint.left.*rate).norm(), (joint.right.*rate).norm()); };
   const double v = std::min(joint.left.angular_velocity.norm(), joint.right.angular_velocity.norm());
   const double bend = larger(&Motion::angular_acceleration) / (v * v),
@@ -83,7 +83,7 @@ void compare_sides(ShapeJump& jump, std::size_t key, const Eigen::Vector3d& left
 }
 
 /// The smaller turn of the segments beside a joint [rad], at most 1: in this unit its path is to be judged.
-double turn_beside(const AnyCurve& curve, const Joint& joint) {
+double turn_beside(const AnyCurve& curve, const SegmentJoint& joint) {
   const auto t = curve.knots().times();
   const Eigen::Quaterniond& here = joint.right.orientation;
   const std::size_t before = joint.key > 0 ? joint.key - 1 : t.size() - 2;
@@ -93,7 +93,7 @@ double turn_beside(const AnyCurve& curve, const Joint& joint) {
 constexpr double largest_hidden_turn = 1e-3;  // [rad]
 
 /// The order up to which a jump that matters would not be taken for rounding.
-int told_order(const AnyCurve& curve, const Joint& joint, const Rounding& rounding) {
+int told_order(const AnyCurve& curve, const SegmentJoint& joint, const Rounding& rounding) {
   if (rounding.direction > largest_hidden_turn) return 0;
   if (rounding.curvature <= 1.0 && rounding.curvature_rate <= 1.0) return 3;
   const double turn = turn_beside(curve, joint);
@@ -101,7 +101,7 @@ int told_order(const AnyCurve& curve, const Joint& joint, const Rounding& roundi
   return rounding.curvature_rate * turn * turn > 1.0 ? 2 : 3;
 }
 
-void look_at_rest(ShapeContinuity& found, const Joint& joint, const std::optional<DirectionBeside>& left,
+void look_at_rest(ShapeContinuity& found, const SegmentJoint& joint, const std::optional<DirectionBeside>& left,
                   const std::optional<DirectionBeside>& right) {
   if (found.rests++ == 0) found.first_rest = joint.key;
   if (left && right)
@@ -109,7 +109,7 @@ void look_at_rest(ShapeContinuity& found, const Joint& joint, const std::optiona
   else if (found.stands++ == 0) found.first_stand = joint.key;
 }
 
-void compare_sides(ShapeContinuity& found, const AnyCurve& curve, const Joint& joint, const Continuity& in_time) {
+void compare_sides(ShapeContinuity& found, const AnyCurve& curve, const SegmentJoint& joint, const Continuity& in_time) {
   ++found.joints;
   const auto before = direction_beside(joint.left, Side::left, joint.spacing, in_time);
   const auto behind = direction_beside(joint.right, Side::right, joint.spacing, in_time);
@@ -157,7 +157,7 @@ int Continuity::order() const noexcept {
 
 Continuity continuity_at_keys(const AnyCurve& curve, Seam seam) {
   Continuity found = between_keys(curve);
-  for_each_joint(curve, seam, [&](const Joint& joint) { compare_sides(found, joint); });
+  for_each_joint(curve, seam, [&](const SegmentJoint& joint) { compare_sides(found, joint); });
   return with_relative_jumps(found);
 }
 
@@ -195,7 +195,7 @@ ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam) {
 Continuities continuities_at_keys(const AnyCurve& curve, Seam seam) {
   Continuities found{.in_time = between_keys(curve)};
   found.of_shape.broken = found.in_time.orientation.angle > 0.0;
-  for_each_joint(curve, seam, [&](const Joint& joint) {
+  for_each_joint(curve, seam, [&](const SegmentJoint& joint) {
     compare_sides(found.in_time, joint);
     compare_sides(found.of_shape, curve, joint, found.in_time);
   });

@@ -44,7 +44,7 @@ class EvenMotion {
     const double speed = speed_of(options);
     const double longest_rest = options.shorten_rests.value_or(std::numeric_limits<double>::infinity());
     starts_.push_back(start);
-    for (const Stretch& stretch : path.stretches()) {
+    for (const EvenStretch& stretch : path.stretches()) {
       laws_.emplace_back(stretch.length, speed, stretch.is_rest() ? 0.0 : options.ease.value_or(0.0));
       const double duration =
           stretch.is_rest() ? std::min(stretch.to - stretch.from, longest_rest) : laws_.back().duration();
@@ -53,10 +53,10 @@ class EvenMotion {
   }
 
   [[nodiscard]] std::size_t stretches() const noexcept { return laws_.size(); }
-  [[nodiscard]] const Stretch& stretch(std::size_t i) const { return path_.stretches()[i]; }
+  [[nodiscard]] const EvenStretch& stretch(std::size_t i) const { return path_.stretches()[i]; }
   /// The times of its stretches [s], one after the other, and the end.
   [[nodiscard]] const std::vector<double>& starts() const noexcept { return starts_; }
-  [[nodiscard]] bool has_rests() const { return std::ranges::any_of(path_.stretches(), &Stretch::is_rest); }
+  [[nodiscard]] bool has_rests() const { return std::ranges::any_of(path_.stretches(), &EvenStretch::is_rest); }
   /// How often it stops for no time.
   [[nodiscard]] std::size_t stops() const {
     std::size_t count = 0;
@@ -167,7 +167,7 @@ class EvenKeys {
  private:
   /// The steps of a stretch: from one of the path's knots to the next, cut into small turns.
   void begin(std::size_t i) {
-    const Stretch& stretch = motion_.stretch(i);
+    const EvenStretch& stretch = motion_.stretch(i);
     std::vector<double> path_times{stretch.from};
     if (!stretch.is_rest())
       for (const double t : path_.orientation.knots().times())
@@ -269,7 +269,7 @@ Expected<DenseKeys> dense_enough(EvenKeys even, OpenEndedWork& work) {
 /// Error: a path that has to be stopped on, and no ease for it.
 Expected<void> check_ease(const EvenPath& path, const RetimeOptions& options) {
   if (options.ease || path.stretches().size() == 1) return {};
-  const Stretch& first = path.stretches().front();
+  const EvenStretch& first = path.stretches().front();
   return bad_option("ease",
                     formatted("the path stops {:.6g} s after its start, where an even motion would jump; wanted "
                               "a duration in which it slows down, such as 0.5s",

@@ -127,7 +127,7 @@ class Stretches {
     stop_at(from, length);
     add(to, length, 0.0);
   }
-  [[nodiscard]] std::vector<Stretch> all() && { return std::move(all_); }
+  [[nodiscard]] std::vector<EvenStretch> all() && { return std::move(all_); }
 
  private:
   void add(double time, double length, double of_it) {
@@ -137,7 +137,7 @@ class Stretches {
   }
 
   double start_, shortest_, before_ = 0.0;
-  std::vector<Stretch> all_;
+  std::vector<EvenStretch> all_;
 };
 
 /// Error: the other kind of motion goes on in a rest, or the motion jumps where the segment begins.
@@ -170,7 +170,7 @@ std::vector<double> kinks_of(const C& curve, const Turns<C>& turns) {
 }
 
 template <class C>
-Expected<std::vector<Stretch>> stretches_of(const C& curve, const PoseCurve& pose, const Turns<C>& turns,
+Expected<std::vector<EvenStretch>> stretches_of(const C& curve, const PoseCurve& pose, const Turns<C>& turns,
                                             std::span<const double> kinks, const ArcLength<C>& travelled) {
   Stretches stretches(curve.knots().front(), shortest_of(curve));
   bool moved = false;
@@ -200,8 +200,8 @@ Expected<EvenPath> EvenPath::along(const C& curve, const PoseCurve& pose, double
   const std::vector<double> kinks = kinks_of(curve, turns);
   const ArcLength<C> travelled(curve, kinks);
   return stretches_of(curve, pose, turns, kinks, travelled)
-      .and_then([&](std::vector<Stretch> stretches) -> Expected<EvenPath> {
-        if (std::ranges::all_of(stretches, &Stretch::is_rest))
+      .and_then([&](std::vector<EvenStretch> stretches) -> Expected<EvenPath> {
+        if (std::ranges::all_of(stretches, &EvenStretch::is_rest))
           return bad_option(words_of(curve).option,
                             formatted("no key {} from the one before it, wanted keys that do", words_of(curve).moves));
         return EvenPath(travelled, std::move(stretches));
@@ -215,13 +215,13 @@ Expected<EvenPath> EvenPath::by_distance(const PoseCurve& curve, double sharp_be
   return along(*curve.position, curve, sharp_bend);
 }
 
-double EvenPath::time_at(const Stretch& stretch, double length) const {
+double EvenPath::time_at(const EvenStretch& stretch, double length) const {
   if (stretch.is_rest()) return stretch.from;
   const double time = std::visit([&](const auto& all) { return all.time_at(stretch.before + length); }, travelled_);
   return std::clamp(time, stretch.from, stretch.to);
 }
 
-double EvenPath::length_at(const Stretch& stretch, double time) const {
+double EvenPath::length_at(const EvenStretch& stretch, double time) const {
   const double length = std::visit([time](const auto& all) { return all.at(time); }, travelled_);
   return std::clamp(length - stretch.before, 0.0, stretch.length);
 }

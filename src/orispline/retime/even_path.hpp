@@ -11,7 +11,7 @@
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A part of a curve between two times of its own [s] in which it does not stop; or a rest, whose length is 0.
-struct Stretch {
+struct EvenStretch {
   double from, to;
   double before;  ///< the length of all that comes before it
   double length;
@@ -31,22 +31,22 @@ class EvenPath {
   /// Precondition: there are positions.
   [[nodiscard]] static Expected<EvenPath> by_distance(const PoseCurve& curve, double sharp_bend);
 
-  [[nodiscard]] const std::vector<Stretch>& stretches() const noexcept { return stretches_; }
+  [[nodiscard]] const std::vector<EvenStretch>& stretches() const noexcept { return stretches_; }
   /// The curve's own time [s] at a length from the start of a stretch.
-  [[nodiscard]] double time_at(const Stretch& stretch, double length) const;
+  [[nodiscard]] double time_at(const EvenStretch& stretch, double length) const;
   /// The length from the start of a stretch to a time of it [s].
-  [[nodiscard]] double length_at(const Stretch& stretch, double time) const;
+  [[nodiscard]] double length_at(const EvenStretch& stretch, double time) const;
 
  private:
   using Travelled = std::variant<AngleTravelled, DistanceTravelled>;
-  EvenPath(Travelled travelled, std::vector<Stretch> stretches)
+  EvenPath(Travelled travelled, std::vector<EvenStretch> stretches)
       : travelled_(std::move(travelled)), stretches_(std::move(stretches)) {}
 
   template <class C>
   [[nodiscard]] static Expected<EvenPath> along(const C& curve, const PoseCurve& pose, double sharp_bend);
 
   Travelled travelled_;
-  std::vector<Stretch> stretches_;
+  std::vector<EvenStretch> stretches_;
 };
 
 }}  // namespace orispline

@@ -28,8 +28,8 @@ const inPlace = (changes) => ({ ...many, keys: { ...many.keys, p: [] }, methods:
 /** Counts what is asked of the graphics. */
 function counting() {
   window.graphics = { contexts: [], linkProgram: 0, createBuffer: 0, draws: [] };
-  const own = HTMLCanvasElement.prototype.getContext;
-  HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+  const own = OffscreenCanvas.prototype.getContext;
+  OffscreenCanvas.prototype.getContext = function (kind, ...more) {
     const context = own.call(this, kind, ...more);
     if (kind === 'webgl2' && context && !graphics.contexts.includes(context)) graphics.contexts.push(context);
     return context;
@@ -96,7 +96,7 @@ const stage = (page, which) => page.locator(`.stages .${which} canvas`);
 /** Of the solid pixels of a scene that are blue: how far they go across, and the darkest. */
 const bodyIn = (page, which) =>
   stage(page, which).evaluate((canvas) => {
-    const { data, width } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    const { data, width } = pixelsOf(canvas);
     let [left, right, darkest] = [width, 0, 255];
     for (let i = 0; i < data.length; i += 4) {
       const [r, g, b, alpha] = data.subarray(i, i + 4);
@@ -159,8 +159,8 @@ scenesWith('say that the graphics were taken away, and go on when they are back'
 
 /** A browser that has no graphics. */
 const without3d = () => {
-  const own = HTMLCanvasElement.prototype.getContext;
-  HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+  const own = OffscreenCanvas.prototype.getContext;
+  OffscreenCanvas.prototype.getContext = function (kind, ...more) {
     return kind.startsWith('webgl') ? null : own.call(this, kind, ...more);
   };
 };
@@ -173,7 +173,7 @@ scenesWith('are a sentence where there is no WebGL', many, async (page) => {
 scenesWith('are printed as they are shown', many, async (page) => {
   await page.emulateMedia({ media: 'print' });
   for (const which of ['first', 'second', 'sphere']) {
-    const isBlank = await stage(page, which).evaluate((canvas) => canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.every((value) => value === 0));
+    const isBlank = await stage(page, which).evaluate((canvas) => pixelsOf(canvas).data.every((value) => value === 0));
     assert.equal(isBlank, false, which);
   }
 });

@@ -107,7 +107,7 @@ onPage('viewers may come and go more often than a browser has contexts', async (
   }
   await put('left', 'a', 'b');
   await drawn(page);
-  const pictures = await page.locator('.stages canvas').evaluateAll((all) => all.map((canvas) => canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.some((value) => value > 0)));
+  const pictures = await page.locator('.stages canvas').evaluateAll((all) => all.map((canvas) => pixelsOf(canvas).data.some((value) => value > 0)));
   assert.deepEqual(pictures, [true, true, true]);
   assert.equal(await page.locator('.stages .lost:visible').count(), 0);
 });

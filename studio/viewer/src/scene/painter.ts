@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One graphics context for all scenes of a viewer, since a browser has few. What it paints is copied to the scene's own canvas, where it
+// One graphics context for all scenes of a viewer, since a browser has few. What it paints is handed to the scene's own canvas, where it
 // stays: for printing, and where the browser takes the context away.
 import { WebGLRenderer, type PerspectiveCamera, type Scene } from 'three';
 import type { Store } from '../store/store';
@@ -13,14 +13,12 @@ export interface Size {
 
 export class Painter {
   private readonly renderer: WebGLRenderer;
-  private readonly size: Size = { width: 0, height: 0 }; // of the largest scene
+  private readonly size: Size = { width: 0, height: 0 }; // of the last scene
   private readonly watchers: ((isLost: boolean) => void)[] = [];
   private isLost = false;
 
-  /** `context`: of a canvas of its own. */
   constructor(store: Store, context: WebGL2RenderingContext) {
     this.renderer = new WebGLRenderer({ canvas: context.canvas, context, alpha: true });
-    this.renderer.setScissorTest(true);
     const tell = (isLost: boolean) => () => {
       this.isLost = isLost;
       for (const watcher of this.watchers) watcher(isLost);
@@ -39,27 +37,21 @@ export class Painter {
     this.watchers.push(watcher);
   }
 
-  paint(scene: Scene, camera: PerspectiveCamera, canvas: HTMLCanvasElement, { width, height }: Size): void {
+  /** Hands the picture over as it is: to copy it would wait for the graphics. */
+  paint(scene: Scene, camera: PerspectiveCamera, canvas: HTMLCanvasElement, size: Size): void {
     if (this.isLost) return;
-    this.makeRoom(width, height);
-    this.renderer.setViewport(0, 0, width, height);
-    this.renderer.setScissor(0, 0, width, height);
+    this.fit(size);
     this.renderer.render(scene, camera);
-    const ratio = this.renderer.getPixelRatio();
-    const [wide, high] = [Math.round(width * ratio), Math.round(height * ratio)];
-    if (canvas.width !== wide || canvas.height !== high) Object.assign(canvas, { width: wide, height: high });
-    const context = canvas.getContext('2d')!;
-    context.clearRect(0, 0, wide, high);
-    context.drawImage(this.renderer.domElement, 0, this.renderer.domElement.height - high, wide, high, 0, 0, wide, high);
+    const picture = (this.renderer.domElement as unknown as OffscreenCanvas).transferToImageBitmap();
+    if (canvas.width !== picture.width || canvas.height !== picture.height) Object.assign(canvas, { width: picture.width, height: picture.height });
+    canvas.getContext('bitmaprenderer')!.transferFromImageBitmap(picture);
   }
 
-  private makeRoom(width: number, height: number): void {
+  private fit({ width, height }: Size): void {
     const ratio = Math.min(devicePixelRatio, sharpest);
-    const isNew = ratio !== this.renderer.getPixelRatio();
-    if (!isNew && width <= this.size.width && height <= this.size.height) return;
-    this.size.width = Math.ceil(Math.max(this.size.width, width));
-    this.size.height = Math.ceil(Math.max(this.size.height, height));
+    if (ratio === this.renderer.getPixelRatio() && width === this.size.width && height === this.size.height) return;
+    Object.assign(this.size, { width, height });
     this.renderer.setPixelRatio(ratio);
-    this.renderer.setSize(this.size.width, this.size.height, false);
+    this.renderer.setSize(width, height, false);
   }
 }

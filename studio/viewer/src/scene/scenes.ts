@@ -42,7 +42,7 @@ const noScenes = () => element('p', { className: 'facts' }, 'The scenes in space
 
 /** What the scenes show, or a sentence instead of them. */
 export function withPainter(store: Store, show: (painter: Painter) => HTMLElement[]): HTMLElement[] {
-  const context = document.createElement('canvas').getContext('webgl2', { antialias: true });
+  const context = 'OffscreenCanvas' in globalThis ? new OffscreenCanvas(1, 1).getContext('webgl2', { antialias: true }) : null;
   return context ? show(new Painter(store, context)) : [noScenes()];
 }
 
