@@ -16,7 +16,7 @@ test('the largest angle of a page is that of its own lines', async () => {
   const { t, values } = anglesApart(slerp, squad);
   const angle = values.reduce((most, value) => Math.max(most, value), 0); // NaN is not larger
   const found = apart(file, 'slerp', 'squad');
-  assert.equal(found.angle, angle);
+  assert.ok(Math.abs(found.angle - angle) < 1e-12, `${found.angle} ${angle}`); // browsers round sines in their own ways
   assert.equal(found.time, t[values.indexOf(angle)]);
 });
 

@@ -44,10 +44,21 @@ export const drawn = (page) =>
     for (let frame = 0; frame < 3 || document.querySelector('[aria-busy]'); ++frame) await new Promise(requestAnimationFrame);
   });
 
+/** What a canvas shows, in a page, whoever draws it. */
+function withPixels() {
+  window.pixelsOf = (canvas) => {
+    const copy = Object.assign(document.createElement('canvas'), { width: canvas.width, height: canvas.height });
+    const context = copy.getContext('2d');
+    context.drawImage(canvas, 0, 0);
+    return context.getImageData(0, 0, copy.width, copy.height);
+  };
+}
+
 /** Opens a file; the page's complaints and what it asks of the network are collected in it. `first` runs in it before all else. */
 export async function open(browser, file, { first, ...options } = {}) {
   const page = await browser.newPage({ viewport: { width: 1400, height: 1000 }, ...options });
   page.setDefaultTimeout(0); // other work may be beside it
+  await page.addInitScript(withPixels);
   if (first) await page.addInitScript(first);
   const complaints = [];
   const requests = [];

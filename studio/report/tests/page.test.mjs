@@ -4,12 +4,14 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
+import { moduleOf } from '../../viewer/tests/built.mjs';
 import { drawn, faultsOf, launch, open, phone, screens, tooWide } from './browser.mjs';
 
 const file = process.env.FLIGHT_PAGE;
 const data = JSON.parse(/id="report-data">(.*?)<\/script>/s.exec(readFileSync(file, 'utf8'))[1]);
 const working = data.methods.filter((method) => !method.failure);
-const [timeStart, timeEnd] = [data.keys.t[0], data.keys.t.at(-1)];
+const { keys } = (await moduleOf('data/document.ts')).readDocument(data);
+const [timeStart, timeEnd] = [keys.t[0], keys.t.at(-1)];
 
 let browser;
 before(async () => (browser = await launch()));
