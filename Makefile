@@ -2,7 +2,7 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build test test-more python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python docs page format tidy clean
+.PHONY: run build test test-more python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python bench-web docs page format tidy clean
 .NOTPARALLEL:
 
 # How long the parts of `make test` take, in build/times.tsv: $(call timed,PART) COMMAND.
@@ -125,6 +125,15 @@ bench:
 
 bench-quick:
 	$(call build_and_measure,--sizes quick)
+
+# How long a choice on the page of all methods takes, beside the page of an earlier template, which a short history may lack.
+bench-web: build
+	tools/setup.sh build test
+	tests/npm_ci.sh studio build/bench-web
+	build/release/orispline compare examples/data/flight_truth.csv --keep-every 8 --report build/bench-web/page.html > /dev/null
+	git show 5da2fce2:src/orispline/report/page_template.html > build/bench-web/earlier.html 2> /dev/null || rm -f build/bench-web/earlier.html
+	cp -R studio/report studio/viewer benchmarks/web build/bench-web
+	node build/bench-web/web/choosing.mjs build/bench-web/page.html $(if $(wildcard .git),build/bench-web/earlier.html)
 
 # Of the headers that are installed, in build/docs/html, and of the Python package, in build/python/reference.
 docs: build

@@ -109,7 +109,8 @@ void look_at_rest(ShapeContinuity& found, const SegmentJoint& joint, const std::
   else if (found.stands++ == 0) found.first_stand = joint.key;
 }
 
-void compare_sides(ShapeContinuity& found, const AnyCurve& curve, const SegmentJoint& joint, const Continuity& in_time) {
+void compare_sides(ShapeContinuity& found, const AnyCurve& curve, const SegmentJoint& joint,
+                   const Continuity& in_time) {
   ++found.joints;
   const auto before = direction_beside(joint.left, Side::left, joint.spacing, in_time);
   const auto behind = direction_beside(joint.right, Side::right, joint.spacing, in_time);

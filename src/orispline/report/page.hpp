@@ -97,12 +97,12 @@ struct PageMarks {
 /// Everything that the page of a report shows: plain data, in the order in which it is shown.
 struct Page {
   std::string title{};
-  std::string command{};             ///< the command line that makes this page again
-  std::string date{};                ///< of the making, as it is to be read
-  std::string version{};             ///< of orispline
-  std::string time_start{};          ///< the input's own time at t = 0, as text; empty: it is 0
-  std::vector<std::string> notes{};  ///< sentences of the head, such as what is left out
-  PageBody body = PageBody::box;  ///< which says nothing of what moves; what is shown at first
+  std::string command{};                ///< the command line that makes this page again
+  std::string date{};                   ///< of the making, as it is to be read
+  std::string version{};                ///< of orispline
+  std::string time_start{};             ///< the input's own time at t = 0, as text; empty: it is 0
+  std::vector<std::string> notes{};     ///< sentences of the head, such as what is left out
+  PageBody body = PageBody::box;        ///< which says nothing of what moves; what is shown at first
   PageKeys keys{};                      ///< of every method that has none of its own
   std::optional<PagePath> reference{};  ///< what the methods are compared with
   std::optional<PageMarks> marks{};

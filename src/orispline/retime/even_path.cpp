@@ -171,7 +171,7 @@ std::vector<double> kinks_of(const C& curve, const Turns<C>& turns) {
 
 template <class C>
 Expected<std::vector<EvenStretch>> stretches_of(const C& curve, const PoseCurve& pose, const Turns<C>& turns,
-                                            std::span<const double> kinks, const ArcLength<C>& travelled) {
+                                                std::span<const double> kinks, const ArcLength<C>& travelled) {
   Stretches stretches(curve.knots().front(), shortest_of(curve));
   bool moved = false;
   for (std::size_t s = 0; s < curve.knots().segments(); ++s) {

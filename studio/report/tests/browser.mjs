@@ -54,6 +54,14 @@ function withPixels() {
   };
 }
 
+/** To run before a page: a browser that has no graphics. */
+export function withoutGraphics() {
+  const own = OffscreenCanvas.prototype.getContext;
+  OffscreenCanvas.prototype.getContext = function (kind, ...more) {
+    return kind.startsWith('webgl') ? null : own.call(this, kind, ...more);
+  };
+}
+
 /** Opens a file; the page's complaints and what it asks of the network are collected in it. `first` runs in it before all else. */
 export async function open(browser, file, { first, ...options } = {}) {
   const page = await browser.newPage({ viewport: { width: 1400, height: 1000 }, ...options });

@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { drawn, faultsOf, launch, open, phone, tooWide } from './browser.mjs';
+import { drawn, faultsOf, launch, open, phone, tooWide, withoutGraphics } from './browser.mjs';
 
 const template = readFileSync(new URL('../dist/index.html', import.meta.url), 'utf8');
 const folder = mkdtempSync(join(tmpdir(), 'orispline-scenes-'));
@@ -157,18 +157,11 @@ scenesWith('say that the graphics were taken away, and go on when they are back'
   assert.notEqual(await picture(page, 'first'), before);
 });
 
-/** A browser that has no graphics. */
-const without3d = () => {
-  const own = OffscreenCanvas.prototype.getContext;
-  OffscreenCanvas.prototype.getContext = function (kind, ...more) {
-    return kind.startsWith('webgl') ? null : own.call(this, kind, ...more);
-  };
-};
 scenesWith('are a sentence where there is no WebGL', many, async (page) => {
   assert.match(await page.locator('.scenes').textContent(), /no WebGL/);
   assert.equal(await page.locator('.stages').count(), 0);
   assert.ok((await page.locator('.plots figure:visible').count()) > 3);
-}, { first: without3d });
+}, { first: withoutGraphics });
 
 scenesWith('are printed as they are shown', many, async (page) => {
   await page.emulateMedia({ media: 'print' });

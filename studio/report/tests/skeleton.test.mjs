@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { drawn, faultsOf, launch, open, phone, screens, tooWide } from './browser.mjs';
+import { drawn, faultsOf, launch, open, phone, screens, tooWide, withoutGraphics } from './browser.mjs';
 
 const file = process.env.ARM_PAGE;
 const data = JSON.parse(/id="report-data">(.*?)<\/script>/s.exec(readFileSync(file, 'utf8'))[1]);
@@ -223,12 +223,10 @@ for (const [name, options] of [['', {}], [' on a phone', phone]])
   });
 
 test('of a skeleton shows the rest where there is no WebGL', async () => {
-  const plain = await launch('--disable-3d-apis');
-  const page = await open(plain, file);
+  const page = await open(browser, file, { first: withoutGraphics });
   assert.match(await page.locator('.scenes').textContent(), /no WebGL/);
   assert.equal(await page.locator('.plots figure:visible').count(), 3);
   await page.finish();
-  await plain.close();
 });
 
 const pictures = { light: { height: 1500 }, dark: { height: 1500, colorScheme: 'dark' }, phone: { width: 390, height: 844 } };

@@ -186,7 +186,7 @@ export class Plot {
 
   private range(): uPlot.Range.MinMax {
     const { band, lines } = this.drawn;
-    const { reach, cuts } = shownOf(lines, this.store.current().window, largest(band ? [band.high] : [], this.quantity.limit ?? 0));
+    const { reach, cuts } = shownOf(lines, this.store.current().window, largest(band ? [band.high] : [], Math.max(this.quantity.limit ?? 0, this.quantity.least ?? 0)));
     this.cuts = cuts;
     this.writeCuts();
     return rangeOf(reach);

@@ -5,7 +5,7 @@ import { lazily, once } from '../data/once';
 import type { Method, Path, Samples } from '../data/report';
 import { typeset } from '../look/number';
 import { widths, wordsOf, type Colours } from '../look/theme';
-import { angleApartAt, angleFromStartAt, anglesApart, anglesFromStart } from '../motion/lines';
+import { angleApartAt, angleFromStartAt, anglesApart, anglesFromStart, chordTolerance } from '../motion/lines';
 import type { State, Store } from '../store/store';
 import { straight, type Course, type Line, type Quantity } from './quantity';
 
@@ -109,6 +109,7 @@ class Quantities {
     return {
       id: 'apart',
       ...wordsOf('apart'),
+      least: 8 * chordTolerance,
       keys: this.keys,
       lines: (state, colours) => {
         const [first, second] = [this.store.methodNamed(state.first), this.store.methodNamed(state.second)];

@@ -38,6 +38,7 @@ export interface Quantity {
   unit: string;
   limit?: number; // in that unit
   limitLabel?: string;
+  least?: number; // the plot goes up to it at least: what is much smaller is the drawing's own
   keys: (state: State) => Numbers; // times that are marked
   lines: (state: State, colours: Colours) => Line[];
   marks?: Points;
