@@ -178,7 +178,7 @@ class Curve(Looks, Orienting):
 
     def _with(self, keys: Keys) -> Curve:
         """The curve of the same method through other keys."""
-        return _restored(keys, self._core.method, self._beyond)
+        return _restored(keys, *self.__reduce__()[1][1:])
 
     # What it is at times.
 
