@@ -92,7 +92,8 @@ def test_an_edited_key_arrives_in_python_and_its_curve_in_the_page(notebook):
     keys, = heard
     assert keys is notebook.widget.keys and keys.times.tolist() == [0, 1.5, 3] and np.allclose(keys.rotations[1], [0, 0, 0.5**0.5, 0.5**0.5])
     assert np.array_equal(keys.rotations[2], Q[2]), "what was not touched has all its digits"
-    assert notebook.page.locator(".orispline-viewer").count() == 1 and notebook.page.locator(".plots canvas").count() > 2
+    assert notebook.page.locator(".orispline-viewer").count() == 1
+    notebook.wait_for("document.querySelectorAll('.plots canvas').length > 2")
 
 
 def test_keys_are_added_at_the_time_shown_and_deleted(notebook):
