@@ -119,13 +119,18 @@ def include_breaches(sources):
         yield "include circle: " + " -> ".join(circle.args[1])
 
 
+def quiet(text):
+    """With blanks for texts, comments and the preprocessor's lines, of the same places."""
+    return SILENT.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
+
+
 def functions(path, text):
     """(first line, last line) of every function; in C++ of every block that follows a parameter list or a condition. The
     lines of a docstring do not count."""
     if path.endswith(".py"):
         return [(f.lineno, f.end_lineno - len((ast.get_docstring(f, clean=False) or "").splitlines()))
                 for f in ast.walk(ast.parse(text)) if isinstance(f, ast.FunctionDef)]
-    text = SILENT.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
+    text = quiet(text)
     found, starts, head = [], [], 0
     for mark in re.finditer(r"[{};]", text):
         before, line = text[head : mark.start()].lstrip(), text.count("\n", 0, mark.start()) + 1
@@ -141,7 +146,7 @@ def functions(path, text):
 def shared_classes(text):
     """(name with its namespaces, line) of each class that other files could define too: not of those in a namespace without
     a name, in a class or in a function."""
-    text = SILENT.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
+    text = quiet(text)
     scopes, head = [], 0
     for mark in re.finditer(r"[{};]", text):
         before = text[head : mark.start()].strip()
@@ -185,9 +190,9 @@ def dropped_result_breaches(path, text):
 def bits_breaches(path, text):
     """What the system's library rounds in one way on one processor and in another way on the next."""
     if path.startswith(("src/", *FACES)) and not path.endswith(".py"):
-        quiet = SILENT.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
-        for found in SYSTEM_MATH.finditer(quiet):
-            yield f"{path}: line {quiet.count(chr(10), 0, found.start()) + 1}: {found[0]}() has other bits elsewhere, wanted that of math/number.hpp"
+        code = quiet(text)
+        for found in SYSTEM_MATH.finditer(code):
+            yield f"{path}: line {code.count(chr(10), 0, found.start()) + 1}: {found[0]}() has other bits elsewhere, wanted that of math/number.hpp"
 
 
 def file_breaches(path, text):

@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/jobs/smooth.hpp>
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
+#include "jobs/swinging.hpp"
 #include "jobs/turns.hpp"
 
 namespace orispline::jobs { namespace {
-
-/// A slow swing of a joint with a jitter, one key per second.
-RotationChannel swinging(std::size_t joint, int keys = 40) {
-  RotationChannel channel{.joint = joint};
-  for (int i = 0; i < keys; ++i) {
-    const double angle = std::sin(0.1 * i) + (i % 2 == 0 ? 0.01 : -0.01);
-    channel.times.push_back(i);
-    channel.values.emplace_back(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
-  }
-  return channel;
-}
 
 /// Of an arm whose hand has too few keys.
 SmoothClipsRequest wave(std::size_t clips = 1) {

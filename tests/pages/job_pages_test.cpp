@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <jobs/swinging.hpp>
 #include <jobs/turns.hpp>
 #include <orispline/jobs/inspect.hpp>
 #include <orispline/jobs/inspect_scene.hpp>
@@ -12,17 +13,6 @@
 #include <pages/page_head.hpp>
 
 namespace orispline::jobs { namespace {
-
-/// One key per second, with a jitter.
-RotationChannel swinging(std::size_t joint, int keys = 40) {
-  RotationChannel channel{.joint = joint};
-  for (int i = 0; i < keys; ++i) {
-    const double angle = std::sin(0.1 * i) + (i % 2 == 0 ? 0.01 : -0.01);
-    channel.times.push_back(i);
-    channel.values.emplace_back(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
-  }
-  return channel;
-}
 
 Skeleton arm() { return Skeleton::make({{.name = "arm"}, {.name = "hand", .parent = 0}}).value(); }
 
