@@ -129,10 +129,10 @@ bench-quick:
 # How long a choice on the page of all methods takes, beside the page of an earlier template, which a short history may lack.
 bench-web: build
 	tools/setup.sh build test
-	rm -rf build/bench-web/studio/report build/bench-web/benchmarks build/bench-web/earlier.html
+	rm -rf build/bench-web/studio/report build/bench-web/studio/viewer build/bench-web/benchmarks build/bench-web/earlier.html
 	tests/npm_ci.sh $(CURDIR)/studio $(CURDIR)/build/bench-web/studio
 	mkdir -p build/bench-web/benchmarks
-	cp -R studio/report build/bench-web/studio
+	cp -R studio/report studio/viewer build/bench-web/studio
 	cp -R benchmarks/web build/bench-web/benchmarks
 	build/release/orispline compare examples/data/flight_truth.csv --keep-every 8 --report build/bench-web/page.html > /dev/null
 	git show 5da2fce2:src/orispline/report/page_template.html > build/bench-web/earlier.html 2> /dev/null || rm build/bench-web/earlier.html

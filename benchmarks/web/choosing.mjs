@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // How long it takes to choose another method on a report, beside a page of the same data that an earlier template makes:
 // node benchmarks/web/choosing.mjs PAGE [EARLIER_TEMPLATE]
-import { readFileSync, writeFileSync } from 'node:fs';
-import { mkdtempSync } from 'node:fs';
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { launch, open } from '../../studio/report/tests/browser.mjs';
+import { documentOf } from '../../studio/report/tests/document.mjs';
 import { plain } from './plain.mjs';
 
 const [file, template] = process.argv.slice(2);
 const rounds = 3; // of all methods, one page after the other
-const data = /id="report-data">(.*?)<\/script>/s.exec(readFileSync(file, 'utf8'))[1];
-const document = JSON.parse(data);
+const document = documentOf(file);
 const names = document.methods.filter(({ failure }) => !failure).map(({ name }) => name);
 
 const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];

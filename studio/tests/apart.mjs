@@ -6,6 +6,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { documentIn } from '../report/tests/document.mjs';
 
 /** Runs in the page, behind its own script. */
 function largest(first, second) {
@@ -29,7 +30,7 @@ const flags = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-3d-apis
 /** Of the file of a page: the largest angle [deg], and its time [s]. */
 export function apart(page, first, second) {
   const html = readFileSync(page, 'utf8');
-  const { methods = [] } = JSON.parse(/id="report-data">(.*?)<\/script>/s.exec(html)?.[1] ?? '{}');
+  const { methods = [] } = documentIn(html);
   for (const name of [first, second]) if (!methods.some((method) => method.name === name && !method.failure)) throw new Error(`${page} has no method ${name}.`);
   const folder = mkdtempSync(join(tmpdir(), 'orispline-apart-'));
   try {

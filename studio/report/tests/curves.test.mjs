@@ -8,6 +8,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { moduleOf } from '../../viewer/tests/built.mjs';
+import { documentOf } from './document.mjs';
 
 const { ORISPLINE_COMMAND: command, ORISPLINE_EXAMPLES: examples = '', ORISPLINE_SHARED_DATA: shared = '' } = process.env;
 const chord = 0.005; // [deg] of the page's lines; at least as much is stated of its samples
@@ -81,7 +82,7 @@ for (const [name, [file, every, most]] of Object.entries(recordings)) {
     writeFileSync(all, [...head, ...rows, ''].join('\n'));
     writeFileSync(kept, [...head, ...keys, ''].join('\n'));
     run('compare', all, '--keep-every', String(every), '--drop-duplicates', '--report', page);
-    const { methods } = readDocument(JSON.parse(/id="report-data">(.*?)<\/script>/s.exec(readFileSync(page, 'utf8'))[1]));
+    const { methods } = readDocument(documentOf(page));
     const working = methods.filter(({ failure }) => !failure);
     assert.ok(working.length > 10);
     let beside;

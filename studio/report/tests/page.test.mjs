@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The report of the example flight in a browser: FLIGHT_PAGE names the file, PICTURES a folder for pictures of it.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { moduleOf } from '../../viewer/tests/built.mjs';
+import { documentOf } from './document.mjs';
 import { drawn, faultsOf, launch, open, phone, screens, tooWide } from './browser.mjs';
 
 const file = process.env.FLIGHT_PAGE;
-const data = JSON.parse(/id="report-data">(.*?)<\/script>/s.exec(readFileSync(file, 'utf8'))[1]);
+const data = documentOf(file);
 const working = data.methods.filter((method) => !method.failure);
 const { keys, methods } = (await moduleOf('data/document.ts')).readDocument(data);
 const [timeStart, timeEnd] = [keys.t[0], keys.t.at(-1)];

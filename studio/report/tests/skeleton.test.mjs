@@ -5,10 +5,11 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
+import { documentOf } from './document.mjs';
 import { drawn, faultsOf, launch, open, phone, screens, tooWide, withoutGraphics } from './browser.mjs';
 
 const file = process.env.ARM_PAGE;
-const data = JSON.parse(/id="report-data">(.*?)<\/script>/s.exec(readFileSync(file, 'utf8'))[1]);
+const data = documentOf(file);
 const { joints, clips } = data.skeleton;
 const largest = (clip, kind) => Math.max(...clip.joints.map((joint) => joint[kind][0]));
 

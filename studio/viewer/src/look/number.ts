@@ -27,14 +27,15 @@ export function roundStep(size: number): number {
   return power * (size >= 5 * power ? 5 : size >= 2 * power ? 2 : 1);
 }
 
-const superscripts = '⁰¹²³⁴⁵⁶⁷⁸⁹';
+/** The digits of a number, such as ² */
+export const raised = (digits: string) => [...digits].map((digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)]).join('');
 
 /** Units and names as they are printed: `rad/s^2` and `rad/s2` as rad/s². */
-export const typeset = (text: string) => text.replace(/\^k\b/g, 'ᵏ').replace(/(?<=[a-z])\^?([23])(?![\w.])/g, (_, digit) => superscripts[Number(digit)]);
+export const typeset = (text: string) => text.replace(/\^k\b/g, 'ᵏ').replace(/(?<=[a-z])\^?([23])(?![\w.])/g, (_, digit) => raised(digit));
 
 /** 10⁻³; nothing for 10⁰. */
 export const powerOfTen = (exponent: number) =>
-  exponent === 0 ? '' : `10${exponent < 0 ? '⁻' : ''}${[...String(Math.abs(exponent))].map((digit) => superscripts[Number(digit)]).join('')}`;
+  exponent === 0 ? '' : `10${exponent < 0 ? '⁻' : ''}${raised(String(Math.abs(exponent)))}`;
 
 const leastDigits = 4; // of the smallest number of a column
 const mostDecimals = 5;

@@ -2,7 +2,7 @@
 // The table of measures: a click on a head sorts it, a click on a row shows the method.
 import { hasSamples, type Column, type Method } from '../data/report';
 import { breakable, element } from '../look/element';
-import { NumberColumn, powerOfTen, typeset } from '../look/number';
+import { NumberColumn, powerOfTen, raised, typeset } from '../look/number';
 import { sortable, type Head, type Value } from '../look/sortable';
 import type { Store } from '../store/store';
 
@@ -106,7 +106,7 @@ function rowOf(store: Store, method: Method, columns: Shown[]): HTMLTableRowElem
     row.append(element('td', { colSpan: columns.length + 1 }, method.failure));
     return row;
   }
-  row.append(element('td', { className: 'continuity' }, method.continuity.replace(/C(\d)/, (_, order) => `C${'⁰¹²³⁴⁵⁶⁷⁸⁹'[order]}`)));
+  row.append(element('td', { className: 'continuity' }, method.continuity.replace(/C(\d)/, (_, order) => `C${raised(order)}`)));
   row.append(...columns.map((column) => cellOf(store, method, column)));
   if (hasSamples(method)) row.onclick = () => store.choose({ first: method.name });
   return row;
