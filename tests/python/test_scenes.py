@@ -210,6 +210,48 @@ def test_a_bound_that_is_given_holds_for_what_nearly_rests(tmp_path):
     assert 0 < report.angle.value <= math.radians(1e-5)
 
 
+@pytest.fixture
+def noisy(tmp_path):
+    """An arm of the file noisy.bvh, whose shoulder is recorded with noise of 0.3°; and how it truly turns [deg]."""
+    truth = 50 * np.sin(np.linspace(0, 6, 121))
+    return ori.read_scene(bvh(tmp_path / "noisy.bvh", truth + 0.3 * np.random.default_rng(3).normal(size=121))), truth
+
+
+def test_a_scene_is_smoothed_as_by_the_command(noisy, tmp_path):
+    scene, truth = noisy
+    smooth, found = ori.smooth_scene(scene)
+    *told, _ = run("smooth", tmp_path / "noisy.bvh", "-o", tmp_path / "by_command.bvh")[1].splitlines()  # where it was written
+    assert str(found).splitlines() == told
+    document = json_of("smooth", tmp_path / "noisy.bvh", "-o", tmp_path / "again.bvh")
+    assert found.as_dict()["clips"] == document["clips"]
+    smooth.write(tmp_path / "mine.bvh")
+    assert (tmp_path / "mine.bvh").read_bytes() == (tmp_path / "by_command.bvh").read_bytes()
+    turn = lambda of: np.degrees(2 * np.arctan2(channel(of, "shoulder").values[:, 2], channel(of, "shoulder").values[:, 3]))
+    rms = lambda of: np.sqrt(np.mean((turn(of) - truth) ** 2))
+    assert rms(smooth) < 0.6 * rms(scene), "the shoulder turns about z alone"
+    shoulder, elbow = found.joints
+    assert (shoulder.joint, elbow.joint, shoulder.clip) == ("shoulder", "elbow", scene.clips[0].name)
+    assert 0.2 < math.degrees(shoulder.change) < 2 and (found.left, found.refused) == (0, 0)
+    assert len(channel(scene, "elbow")) == len(channel(smooth, "elbow")) == 121
+
+
+def test_smoothing_of_a_scene_takes_the_options_of_smoothing(noisy):
+    scene, _ = noisy
+    one, two = (ori.smooth_scene(scene, cutoff=2, threads=threads)[0] for threads in (1, 2))
+    assert np.array_equal(channel(one, "shoulder").values, channel(two, "shoulder").values)
+    by_time, found = ori.smooth_scene(scene, smoothing_time=1 / (4 * math.pi))
+    assert np.array_equal(channel(one, "shoulder").values, channel(by_time, "shoulder").values)
+    assert {joint.smoothing_time for joint in found.joints} == {1 / (4 * math.pi)}
+    with pytest.raises(ori.ArgumentError, match="cutoff: found it beside noise"):
+        ori.smooth_scene(scene, cutoff=2, noise=0.1)
+    for option, says in [("gyro", "no angular velocities"), ("sigma", "no room for standard deviations")]:
+        with pytest.raises(ori.ArgumentError, match=f"{option}: found clips, which have {says}"):
+            ori.smooth_scene(scene, **{option: True})
+    assert not {"gyro", "gyro_offset", "sigma"} & set(ori.smooth_scene.__signature__.parameters)
+    with pytest.raises(TypeError, match="scene: found str, wanted a Scene"):
+        ori.smooth_scene("noisy.bvh")
+
+
 def shown(path):
     return json.loads(re.search(r'id="report-data">(.*?)</script>', path.read_text("utf-8"), re.S)[1])
 

@@ -62,9 +62,13 @@ def reduced_scene(tmp_path):
     return ori.reduce_scene(scene(tmp_path), "1deg")[1]
 
 
+def smoothed_scene(tmp_path):
+    return ori.smooth_scene(scene(tmp_path))[1]
+
+
 RESULTS = {"curve": lambda _: CURVE, "comparison": lambda _: ori.compare(RECORDING, ["slerp", "auto"]),
            "smoothing": lambda _: ori.smooth(RECORDING), "reduction": lambda _: ori.reduce(RECORDING, "2deg"),
-           "retiming": lambda _: ori.retime(CURVE.keys, max_rate=1), "skeleton": reduced_scene, "scene": scene}
+           "retiming": lambda _: ori.retime(CURVE.keys, max_rate=1), "skeleton": reduced_scene, "scene": scene, "smoothed scene": smoothed_scene}
 
 
 @pytest.mark.parametrize("name", RESULTS)
@@ -110,12 +114,13 @@ def test_a_view_is_not_made_by_hand_and_says_where_it_cannot_be_written(tmp_path
         CURVE.view().write(tmp_path / "none" / "page.html")
 
 
-def test_a_reduced_scene_that_was_copied_has_all_but_its_page(tmp_path):
-    reduction = reduced_scene(tmp_path)
-    for again in (pickle.loads(pickle.dumps(reduction)), copy.deepcopy(reduction)):
-        assert again == reduction and again.as_dict() == reduction.as_dict()
-        with pytest.raises(ori.ArgumentError, match="found a reduction that was copied or pickled, wanted the one that reduce_scene gave"):
-            again.view()
+def test_what_was_done_to_a_scene_and_was_copied_has_all_but_its_page(tmp_path):
+    for of, what, task in [(reduced_scene, "reduction", "reduce_scene"), (smoothed_scene, "smoothing", "smooth_scene")]:
+        found = of(tmp_path)
+        for again in (pickle.loads(pickle.dumps(found)), copy.deepcopy(found)):
+            assert again == found and again.as_dict() == found.as_dict()
+            with pytest.raises(ori.ArgumentError, match=f"found a {what} that was copied or pickled, wanted the one that {task} gave"):
+                again.view()
 
 
 def test_the_notebook_of_the_examples_shows_the_viewer():

@@ -179,12 +179,51 @@ nb::tuple reduce_scene(const SharedScene& shared, const MethodText& method, cons
   return nb::make_tuple(SharedScene(std::move(scene)), std::move(outcome));
 }
 
+bool has_no_unit(const scenes::Scene& scene) { return scene.format && scene.format->has_no_unit; }
+
+nb::tuple smooth_scene(const SharedScene& shared, const nb::dict& stated, unsigned threads) {
+  scenes::Scene scene = *shared.scene;
+  jobs::SmoothClipsRequest request{.name = scene.name,
+                                   .skeleton = scene.skeleton,
+                                   .clips = std::exchange(scene.clips, {}),
+                                   .options = options_in<SmoothOptions>(stated),
+                                   .threads = threads,
+                                   .has_no_unit = has_no_unit(scene)};
+  auto outcome = value_of(interruptible([&](const Progress&) { return jobs::smooth_clips(std::move(request)); }));
+  for (const ClipSmoothing& smoothed : outcome.clips) scene.clips.push_back(smoothed.clip);
+  return nb::make_tuple(SharedScene(std::move(scene)), std::move(outcome));
+}
+
+/// Clip, joint and what was found of every rotation that was smoothed.
+nb::list joints_of(const jobs::SmoothClipsOutcome& outcome) {
+  nb::list all;
+  for (const ClipSmoothing& clip : outcome.clips)
+    for (const auto& [joint, found, change, at] : clip.joints)
+      all.append(nb::make_tuple(text(clip.clip.name), text(outcome.request.skeleton[joint].name), found.smoothing_time,
+                                found.noise, found.rejected.size(), change, at));
+  return all;
+}
+
+/// How many rotations were left as they were, and how many of them since they could not be smoothed.
+nb::tuple left_by(const jobs::SmoothClipsOutcome& outcome) {
+  std::size_t left = 0, refused = 0;
+  for (const ClipSmoothing& clip : outcome.clips) {
+    left += clip.left + clip.refused.size();
+    refused += clip.refused.size();
+  }
+  return nb::make_tuple(left, refused);
+}
+
+nb::bytes page_of_smoothing(const jobs::SmoothClipsOutcome& outcome, const std::string& date) {
+  return bytes_of([&] { return report::skeleton_document(page_of(outcome, "smooth", pages::PageHead{.date = date})); });
+}
+
 jobs::MotionFile motion_of(const SharedScene& shared) {
   const scenes::Scene& scene = *shared.scene;
   return {.name = scene.name,
           .skeleton = scene.skeleton,
           .clips = scene.clips,
-          .has_no_unit = scene.format && scene.format->has_no_unit};
+          .has_no_unit = has_no_unit(scene)};
 }
 
 nb::bytes page_of_scene(const SharedScene& shared, const std::string& date) {
@@ -230,10 +269,16 @@ void add_scenes(nb::module_& module) {
       .def("page", &page_of_scene, "date"_a)
       .def("shell_distances", &shell_distances, "second"_a, "shell"_a)
       .def("reduced", &reduce_scene, "method"_a, "options"_a, "closed"_a, "position_scale"_a.none(), "threads"_a)
+      .def("smoothed", &smooth_scene, "options"_a, "threads"_a)
       .def("write", &write_scene, "path"_a, "euler"_a.none(), "rate"_a.none(), "bones"_a);
   auto outcome_class = nb::class_<jobs::ReduceSceneOutcome>(module, "SceneReduction");
   outcome_class.def("attributes", &attributes_of_reduction).def("page", &page_of_reduction, "date"_a);
   add_words(outcome_class);
+  auto smoothing_class = nb::class_<jobs::SmoothClipsOutcome>(module, "SceneSmoothing");
+  smoothing_class.def_prop_ro("joints", &joints_of)
+      .def_prop_ro("left", &left_by)
+      .def("page", &page_of_smoothing, "date"_a);
+  add_words(smoothing_class);
   module.def("read_scene", &read_scene, "path"_a, "drop_duplicates"_a);
 }
 

@@ -32,15 +32,16 @@ if TYPE_CHECKING:
     from ._measures import DistanceStatistics, Energies, HandleTurn, KeyStatistics, Peak, Peaks, Spread
     from ._rates import Rates, read_rates
     from ._results import Alignment, Certificate, OpenDirection, Reduction, Retiming, Smoothing, Tuning
-    from ._scene import Channel, Clip, Scene, SceneReduction, Skeleton, Worst
-    from ._scenes import read_scene, reduce_scene, shell_distance
+    from ._scene import Channel, Clip, Scene, SceneReduction, SceneSmoothing, Skeleton, SmoothedJoint, Worst
+    from ._scenes import read_scene, reduce_scene, shell_distance, smooth_scene
     from ._tasks import align, reduce, reduce_tracks, retime, smooth, tune
 
 __all__ = ["AccessError", "Alignment", "ArgumentError", "BakedCurve", "Blending", "BlendingFinding", "Certificate", "Channel", "Clip", "Comparison", "ConvergenceError", "Curve",
            "CurveStack", "DataError", "DistanceStatistics", "Energies", "Error", "HandleTurn", "KeyStatistics", "Keys", "Mean", "Motion", "OnlineCurve", "OpenDirection",
-           "Peak", "Peaks", "Rates", "Reduction", "Retiming", "RotationSpline", "Samples", "Scene", "SceneReduction", "ShapeWarning",
-           "Skeleton", "Slerp", "Smoothing", "Spread", "Tuning", "View", "Worst", "align", "blending", "compare", "mean", "methods", "plot_comparison", "plot_sphere",
-           "read", "read_blending", "read_rates", "read_scene", "reduce", "reduce_scene", "reduce_tracks", "retime", "shell_distance", "smooth", "tune", "write"]
+           "Peak", "Peaks", "Rates", "Reduction", "Retiming", "RotationSpline", "Samples", "Scene", "SceneReduction", "SceneSmoothing",
+           "ShapeWarning", "Skeleton", "Slerp", "SmoothedJoint", "Smoothing", "Spread", "Tuning", "View", "Worst", "align", "blending", "compare", "mean", "methods", "plot_comparison", "plot_sphere",
+           "read", "read_blending", "read_rates", "read_scene", "reduce", "reduce_scene", "reduce_tracks", "retime", "shell_distance", "smooth", "smooth_scene",
+           "tune", "write"]
 __version__: str = _core.version
 
 # Tasks and measures are imported when they are first asked for, so that a curve does not wait for them.
@@ -49,8 +50,8 @@ _ROOMS = {"_comparison": ("Comparison", "compare"),
           "_measures": ("DistanceStatistics", "Energies", "HandleTurn", "KeyStatistics", "Peak", "Peaks", "Spread"),
           "_rates": ("Rates", "read_rates"),
           "_results": ("Alignment", "Certificate", "OpenDirection", "Reduction", "Retiming", "Smoothing", "Tuning"),
-          "_scene": ("Channel", "Clip", "Scene", "SceneReduction", "Skeleton", "Worst"),
-          "_scenes": ("read_scene", "reduce_scene", "shell_distance"),
+          "_scene": ("Channel", "Clip", "Scene", "SceneReduction", "SceneSmoothing", "Skeleton", "SmoothedJoint", "Worst"),
+          "_scenes": ("read_scene", "reduce_scene", "shell_distance", "smooth_scene"),
           "_tasks": ("align", "reduce", "reduce_tracks", "retime", "smooth", "tune")}
 
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import inspect
+import math
 from typing import Any, Callable, Mapping, Sequence, TypeVar
 
 import numpy as np
 
 from . import _core
+from ._checks import real
 from ._errors import ArgumentError
 from ._keys import Keys
 
@@ -44,6 +46,24 @@ def _six(name: str, matrix: np.ndarray[Any, Any]) -> list[float]:
 def plain(options: Mapping[str, Any]) -> dict[str, Any]:
     """Options as the binding takes them."""
     return {name: _plain(name, value) for name, value in options.items()}
+
+
+def with_cutoff(cutoff: Any, options: dict[str, Any]) -> dict[str, Any]:
+    """Options with the smoothing time of a cut-off frequency."""
+    if cutoff is None:
+        return options
+    beside = [name for name in ("noise", "smoothing_time") if options.get(name) is not None]
+    if beside:
+        raise ArgumentError(f"cutoff: found it beside {beside[0]}, wanted one of them: each says how smooth")
+    hertz = cutoff
+    if isinstance(cutoff, str):
+        try:
+            hertz = float(cutoff.removesuffix("Hz")) if cutoff.endswith("Hz") else None
+        except ValueError:
+            hertz = None
+    if hertz is None or not 1e-300 < real("cutoff", hertz) < 1e300:
+        raise ArgumentError(f"cutoff: found {cutoff!r}, wanted a number greater than 0, or a text with its unit such as '8Hz'")
+    return {**options, "smoothing_time": 1 / (2 * math.pi * float(hertz))}
 
 
 def checked_keys(keys: Any, name: str = "keys") -> Keys:
@@ -93,15 +113,17 @@ def _option_lines(fields: list[dict[str, Any]]) -> str:
     return "\n".join(lines).strip()
 
 
-def takes(table: str, *others: str, also: Mapping[str, Sequence[str]] | None = None) -> Callable[[Task], Task]:
-    """Lets a function's help and signature state the options of a table, and some of others, in the place of `{options}`."""
-    fields = FIELDS[table] + [field for more, names in (also or {}).items() for field in FIELDS[more] if field["name"] in names]
+def takes(table: str, *, without: Sequence[str] = (), also: Mapping[str, Sequence[str]] | None = None) -> Callable[[Task], Task]:
+    """Lets a function's help and signature state the options of a table, but for some of them and with some of other tables, in
+    the place of `{options}`."""
+    fields = [field for field in FIELDS[table] if field["name"] not in without]
+    fields += [field for more, names in (also or {}).items() for field in FIELDS[more] if field["name"] in names]
 
     def documented(task: Task) -> Task:
         task.__doc__ = (task.__doc__ or "").replace("{options}", _option_lines(fields))
         signature = inspect.signature(task)
         stated = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
-        names = {p.name for p in stated} | set(others)
+        names = {p.name for p in stated}
         stated += [inspect.Parameter(field["name"], inspect.Parameter.KEYWORD_ONLY, default=field["default"])
                    for field in fields if field["name"] not in names]
         task.__signature__ = signature.replace(parameters=stated)  # type: ignore[attr-defined]

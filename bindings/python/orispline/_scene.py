@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import dataclasses
 import functools
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -218,8 +218,34 @@ class Worst:
     time: float
 
 
+class _DoneToScene(Viewed):
+    """What a task did to a scene: its document, its summary and its page."""
+
+    _members: dict[str, Any]
+    _summary: str
+    _core: Any
+    _task: ClassVar[tuple[str, str]]  # what it is, and the function that gives it
+
+    def as_dict(self) -> dict[str, Any]:
+        """By name with unit, as the JSON of the command has it."""
+        return copy.deepcopy(self._members)
+
+    def _page(self) -> bytes:
+        """Both skeletons, before and after."""
+        if self._core is None:
+            what, task = self._task
+            raise ArgumentError(f"found a {what} that was copied or pickled, wanted the one that {task} gave: it alone has the clips of its page")
+        return bytes(self._core.page(now()))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_core": None}
+
+    def __str__(self) -> str:
+        return self._summary.rstrip("\n")
+
+
 @dataclasses.dataclass(frozen=True)
-class SceneReduction(Viewed):
+class SceneReduction(_DoneToScene):
     """What `reduce_scene` did to the clips of a scene.
 
     Attributes
@@ -256,10 +282,7 @@ class SceneReduction(Viewed):
     _members: dict[str, Any] = dataclasses.field(repr=False, compare=False)
     _summary: str = dataclasses.field(repr=False, compare=False)
     _core: Any = dataclasses.field(repr=False, compare=False)
-
-    def as_dict(self) -> dict[str, Any]:
-        """By name with unit, as the JSON of the command has it."""
-        return copy.deepcopy(self._members)
+    _task: ClassVar[tuple[str, str]] = "reduction", "reduce_scene"
 
     @classmethod
     def _of(cls, core: Any) -> SceneReduction:
@@ -267,17 +290,62 @@ class SceneReduction(Viewed):
                                  for name, value in core.attributes().items()}
         return cls(**found, _members=core.members(), _summary=core.summary(), _core=core)
 
-    def _page(self) -> bytes:
-        """Both skeletons, before and after."""
-        if self._core is None:
-            raise ArgumentError("found a reduction that was copied or pickled, wanted the one that reduce_scene gave: it alone has the clips of its page")
-        return bytes(self._core.page(now()))
 
-    def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "_core": None}
+@dataclasses.dataclass(frozen=True)
+class SmoothedJoint:
+    """What `smooth_scene` found of the rotations of a joint in a clip.
 
-    def __str__(self) -> str:
-        return self._summary.rstrip("\n")
+    Attributes
+    ----------
+    clip, joint
+        Their names.
+    smoothing_time
+        [s].
+    noise
+        Of a key, about each axis [rad].
+    rejected
+        How many keys count as outliers.
+    change
+        The largest angle between a key before and after [rad].
+    change_time
+        Where that is [s].
+    """
+
+    clip: str
+    joint: str
+    smoothing_time: float
+    noise: float
+    rejected: int
+    change: float
+    change_time: float
+
+
+@dataclasses.dataclass(frozen=True)
+class SceneSmoothing(_DoneToScene):
+    """What `smooth_scene` did to the clips of a scene.
+
+    Attributes
+    ----------
+    joints
+        Of every rotation that was smoothed, clip after clip.
+    left
+        How many rotations are as they were: they rest, are steps or splines, have too few keys, or cannot be smoothed.
+    refused
+        How many of them cannot be smoothed, of which a warning tells.
+    """
+
+    joints: tuple[SmoothedJoint, ...]
+    left: int
+    refused: int
+    _members: dict[str, Any] = dataclasses.field(repr=False, compare=False)
+    _summary: str = dataclasses.field(repr=False, compare=False)
+    _core: Any = dataclasses.field(repr=False, compare=False)
+    _task: ClassVar[tuple[str, str]] = "smoothing", "smooth_scene"
+
+    @classmethod
+    def _of(cls, core: Any) -> SceneSmoothing:
+        left, refused = core.left
+        return cls(tuple(SmoothedJoint(*found) for found in core.joints), left, refused, core.members(), core.summary(), core)
 
 
 def _ordered(rows: Array | None, scalar_first: bool) -> Any:

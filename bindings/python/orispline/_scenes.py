@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files of skeletons read, reduced and compared."""
+"""Files of skeletons read, reduced, smoothed and compared."""
 from __future__ import annotations
 
 from typing import Any
@@ -9,8 +9,8 @@ from ._checks import flag
 from ._errors import ArgumentError, tell
 from ._files import Path, path_text
 from ._methods import method_words
-from ._options import checked_threads, plain, takes
-from ._scene import Scene, SceneReduction, positive
+from ._options import checked_threads, plain, takes, with_cutoff
+from ._scene import Scene, SceneReduction, SceneSmoothing, positive
 
 TOLERANCES = ("tolerance", "position_tolerance", "world_tolerance")
 
@@ -110,6 +110,54 @@ def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspl
     reduced, found = core.reduced(words, stated, flag("closed", closed), scale, checked_threads(threads))
     tell(found.warnings)
     return Scene._of(reduced, scene._scalar_first), SceneReduction._of(found)
+
+
+@takes("SmoothOptions", without=("gyro", "gyro_noise", "gyro_offset", "gyro_bias", "sigma"))
+def smooth_scene(scene: Scene, *, cutoff: float | str | None = None, threads: int = 0, **options: Any) -> tuple[Scene, SceneSmoothing]:
+    """A scene whose joints move smoothly, and what was found of them.
+
+    The rotations of every joint are smoothed by themselves, as `smooth` does it; with the translation of a joint that has the
+    same key times and moves, that too. The keys stay at their times. Rotations that rest, that are steps or splines, or that
+    have fewer than 20 keys are left as they are.
+
+    Parameters
+    ----------
+    scene : Scene
+    cutoff : float or str, optional
+        Cut-off frequency 1/(2πτ) [Hz] in the place of the smoothing time τ: half of a motion at this frequency is left.
+    threads : int
+        At most so many at work, 0 means one for each core. The result is the same on any.
+    {options}
+
+    Returns
+    -------
+    (Scene, SceneSmoothing)
+
+    Raises
+    ------
+    ArgumentError
+        An option that there is not, out of its range, that contradicts another, or that clips have no room for, such as `gyro`.
+    ConvergenceError
+        No smooth motion was found.
+
+    Warns
+    -----
+    ShapeWarning
+        Rotations that cannot be smoothed.
+
+    Examples
+    --------
+    >>> import orispline as ori
+    >>> scene = ori.read_scene("walk.bvh")  # doctest: +SKIP
+    >>> smooth, found = ori.smooth_scene(scene)  # doctest: +SKIP
+    >>> max(found.joints, key=lambda joint: joint.noise).joint  # doctest: +SKIP
+    'LeftHand'
+    >>> smooth.write("smooth.bvh")  # doctest: +SKIP
+    """
+    core = _checked(scene)._core
+    smoothed, found = core.smoothed(plain(with_cutoff(cutoff, options)), checked_threads(threads))
+    tell(found.warnings)
+    return Scene._of(smoothed, scene._scalar_first), SceneSmoothing._of(found)
 
 
 def shell_distance(a: Scene, b: Scene, shell: float = 0.03) -> dict[str, dict[str, float]]:

@@ -2,19 +2,18 @@
 """Tasks: recordings and keys in, better keys out."""
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
 
 from . import _core
-from ._checks import flag, real, wrong_type
+from ._checks import flag, wrong_type
 from ._clock import SecondsSince
 from ._errors import ArgumentError, DataError, tell
 from ._keys import Keys
 from ._methods import method_words
-from ._options import checked_keys, checked_threads, plain, reference_of, takes
+from ._options import checked_keys, checked_threads, plain, reference_of, takes, with_cutoff
 from ._rates import Rates
 from ._results import Alignment, Reduction, Retiming, Smoothing, Tuning
 
@@ -70,7 +69,7 @@ def smooth(keys: Keys, *, gyro: bool | Rates = False, cutoff: float | str | None
     """
     checked_keys(keys)
     rates = _finite_rates(keys, gyro) if isinstance(gyro, Rates) else ()
-    stated = plain(_with_time(cutoff, {**options, "gyro": bool(rates) or gyro}))
+    stated = plain(with_cutoff(cutoff, {**options, "gyro": bool(rates) or gyro}))
     core = _core.smooth(keys._core, stated, *rates)
     tell(core.warnings)
     return Smoothing._of(core, keys, (stated, *rates))
@@ -89,27 +88,9 @@ def _finite_rates(keys: Keys, gyro: Rates) -> tuple[Any, Any]:
     return seconds, rates
 
 
-def _with_time(cutoff: Any, options: dict[str, Any]) -> dict[str, Any]:
-    """Options with the smoothing time of a cut-off frequency."""
-    if cutoff is None:
-        return options
-    beside = [name for name in ("noise", "smoothing_time") if options.get(name) is not None]
-    if beside:
-        raise ArgumentError(f"cutoff: found it beside {beside[0]}, wanted one of them: each says how smooth")
-    hertz = cutoff
-    if isinstance(cutoff, str):
-        try:
-            hertz = float(cutoff.removesuffix("Hz")) if cutoff.endswith("Hz") else None
-        except ValueError:
-            hertz = None
-    if hertz is None or not 1e-300 < real("cutoff", hertz) < 1e300:
-        raise ArgumentError(f"cutoff: found {cutoff!r}, wanted a number greater than 0, or a text with its unit such as '8Hz'")
-    return {**options, "smoothing_time": 1 / (2 * math.pi * float(hertz))}
-
-
 def _smoothing_wanted(smooth: bool, cutoff: Any, options: dict[str, Any]) -> dict[str, Any] | None:
     """The options of smoothing, taken out of all; None where nothing is to be smoothed."""
-    stated = _with_time(cutoff, {name: value for name in SMOOTHNESS if (value := options.pop(name, None)) is not None})
+    stated = with_cutoff(cutoff, {name: value for name in SMOOTHNESS if (value := options.pop(name, None)) is not None})
     return plain(stated) if flag("smooth", smooth) or stated else None
 
 

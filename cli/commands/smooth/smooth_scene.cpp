@@ -30,9 +30,6 @@ Expected<void> check_clips(const SmoothArguments& options) {
     return usage_failure(
         formatted("{}: found a file of skeletons, whose keys are smoothed, wanted samples of one track",
                   options.rate ? "--rate" : "--include-end"));
-  if (is_given(options.smoothness.fields, "sigma"))
-    return usage_failure(
-        "--sigma: found a file of skeletons, which has no room for standard deviations, wanted a CSV file");
   return {};
 }
 

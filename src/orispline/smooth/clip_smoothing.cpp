@@ -75,6 +75,9 @@ Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton, std:
                                                   const SmoothOptions& options, unsigned threads) {
   if (options.gyro)
     return bad_option("gyro", "found clips, which have no angular velocities, wanted a recording of a gyro");
+  if (options.sigma)
+    return bad_option("sigma",
+                      "found clips, which have no room for standard deviations, wanted a recording of one track");
   std::vector<Piece> pieces;
   std::vector<ClipSmoothing> smoothings;
   for (std::size_t i = 0; i < clips.size(); ++i) {

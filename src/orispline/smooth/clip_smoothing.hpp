@@ -33,7 +33,8 @@ inline constexpr std::size_t fewest_smoothed_keys = 20;
 /// refuses for its samples.
 ///
 /// On up to that many threads, 0 means one per core; the results are the same on any number of them.
-/// Errors: those of smooth() but for bad_data, with clip and joint; bad_argument for `gyro`, since clips have no rates.
+/// Errors: those of smooth() but for bad_data, with clip and joint; bad_argument for `gyro`, since clips have no rates,
+/// and for `sigma`, for which they have no room.
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton,
                                                                                  std::span<const Clip> clips,
                                                                                  const SmoothOptions& options = {},
