@@ -2,7 +2,7 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build test test-more python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python bench-web docs page format tidy clean
+.PHONY: run build test test-more python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python bench-web docs page web format tidy clean
 .NOTPARALLEL:
 
 # How long the parts of `make test` take, in build/times.tsv: $(call timed,PART) COMMAND.
@@ -153,6 +153,13 @@ page:
 	tests/page/prepare.sh $(CURDIR)/studio $(CURDIR)/build/page
 	cp build/page/report/dist/index.html src/orispline/report/page_template.html
 	cp build/page/widget/dist/widget.* bindings/python/orispline/notebook/
+
+# The npm package, ready for `npm pack`, and its tests.
+web: build
+	tools/setup.sh build test
+	bindings/npm/build.sh $(CURDIR)/build/npm-work $(CURDIR)/build/npm
+	cmake --preset release -DORISPLINE_TESTS=ON
+	ctest --preset release -R '^npm' --output-on-failure
 
 format:
 	tools/setup.sh test

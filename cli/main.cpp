@@ -12,6 +12,7 @@
 #include <orispline/scenes/scene_tracks.hpp>
 
 #include "commands/align/align_options.hpp"
+#include "commands/bake/bake_options.hpp"
 #include "commands/compare/compare_options.hpp"
 #include "commands/completion/completion.hpp"
 #include "commands/convert/convert_options.hpp"
@@ -179,6 +180,8 @@ class CommandLine {
     add_retime_options(command("retime", "Slow a motion until it is within limits of rate, acceleration or torque",
                                [this] { return retime(retime_); }),
                        retime_);
+    add_bake_options(
+        command("bake", "Turn a curve into a small file that web pages play", [this] { return bake(bake_); }), bake_);
     add_methods_options(command("methods", "List the methods, or describe one", [this] { return methods(methods_); }));
     add_tasks_options(command("tasks", "List the options and results of every task", [this] { return tasks(tasks_); }));
     add_reproduce_options(
@@ -273,6 +276,7 @@ class CommandLine {
   TuneArguments tune_;
   ReduceArguments reduce_;
   RetimeArguments retime_;
+  BakeArguments bake_;
   MethodsArguments methods_;
   TasksArguments tasks_;
   ReproduceArguments reproduce_;

@@ -5,6 +5,8 @@
 // (ORISPLINE_OPTIMISE).
 
 #include <orispline/jobs/align.hpp>
+#include <orispline/jobs/bake.hpp>
+#include <orispline/jobs/baked_file.hpp>
 #include <orispline/jobs/compare.hpp>
 #include <orispline/jobs/curve_clip.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>

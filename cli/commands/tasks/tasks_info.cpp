@@ -2,6 +2,7 @@
 #include "commands/tasks/tasks_info.hpp"
 
 #include <orispline/fields.hpp>
+#include <orispline/jobs/bake.hpp>
 
 namespace orispline::cli {
 
@@ -25,6 +26,8 @@ std::vector<TaskInfo> tasks_info() {
       {"reduce", "The fewest keys that reproduce a recording within a tolerance", fields<ReduceOptions>(),
        fields<Reduction>()},
       {"retime", "The least slowing that keeps a motion within limits", fields<RetimeOptions>(), fields<Retiming>()},
+      {"bake", "A curve as polynomials that players evaluate", fields<jobs::BakeSettings>(),
+       fields<jobs::BakeOutcome>()},
       {"mean", "The mean or the median of many orientations", fields<MeanOptions>(), fields<Mean>()},
       {"align", "What brings one recording onto another one of the same motion", fields<AlignOptions>(),
        fields<Alignment>()},

@@ -51,10 +51,9 @@ class Baker {
     }
     const double middle = span.middle();
     if (halvings == most_halvings || middle <= span.start || middle >= span.end) {
-      failure_ = formatted(
-          "at {} s even the shortest piece is {:.2g} rad off, wanted {} at most: ask for a larger "
-          "tolerance",
-          middle, off, allowed_);
+      failure_ =
+          formatted("at {} s even the shortest piece reaches {:.4g} rad, wanted {:.4g}: ask for a larger tolerance",
+                    middle, reserve * off, reserve * allowed_);
       return false;
     }
     return add({span.segment, span.start, middle}, halvings + 1) && add({span.segment, middle, span.end}, halvings + 1);

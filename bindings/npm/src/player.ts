@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plays what `orispline bake` writes. docs/bake.md describes the two formats.
+import type { Numbers, Playable } from './playable.js';
+
+export type { Numbers, Playable };
+
+/** The content of a .json that `orispline bake` wrote. */
+export interface BakedFile {
+  orispline: string;
+  version: number;
+  /** Of the components: `xyzw`. */
+  order: string;
+  /** The time that the ends count from [s]. */
+  epoch: number;
+  /** From the curve, as it was found [rad]. */
+  largest_difference: number;
+  /** Of the pieces [s]. */
+  ends: number[];
+  /** Each has six coefficients of x, of y, of z and of w. */
+  pieces: number[][];
+}
+
+interface Parts {
+  epoch: number;
+  ends: ArrayLike<number>;
+  coefficients: Float32Array;
+}
+
+const version = 1, perPiece = 24;
+
+const refuse = (found: string): never => {
+  throw new Error(`orispline/player: found ${found}, wanted version ${version} of what 'orispline bake' writes`);
+};
+
+const partsOfBytes = (bytes: ArrayBuffer): Parts => {
+  if (bytes.byteLength < 32 || String.fromCharCode(...new Uint8Array(bytes, 0, 8)) !== 'ORIBAKED') refuse('other bytes');
+  const [found, count] = new Uint32Array(bytes, 8, 2), start = 40 + 8 * count;
+  if (found !== version) refuse(`version ${found}`);
+  if (bytes.byteLength !== start + 4 * perPiece * count) refuse(`${bytes.byteLength} bytes for ${count} pieces`);
+  return { epoch: new Float64Array(bytes, 16, 1)[0], ends: new Float64Array(bytes, 32, count + 1), coefficients: new Float32Array(bytes, start) };
+};
+
+const partsOfFile = (file: BakedFile): Parts => {
+  if (file?.orispline !== 'baked') refuse('another object');
+  if (file.version !== version) refuse(`version ${file.version}`);
+  const coefficients = Float32Array.from(file.pieces.flat()), wanted = perPiece * (file.ends.length - 1);
+  if (!wanted || coefficients.length !== wanted) refuse(`${coefficients.length} coefficients for ${file.ends.length} ends`);
+  return { epoch: file.epoch, ends: file.ends, coefficients };
+};
+
+/** A curve that plays the content of a .json, parsed, or the bytes of a .bin. It gives x, y, z, w. */
+export const player = (file: BakedFile | ArrayBuffer | ArrayBufferView): Playable => {
+  // Bytes are copied out of views: numbers of 8 bytes are read at multiples of 8.
+  const { epoch, ends, coefficients: c } =
+    file instanceof ArrayBuffer ? partsOfBytes(file)
+    : ArrayBuffer.isView(file) ? partsOfBytes(new Uint8Array(file.buffer, file.byteOffset, file.byteLength).slice().buffer)
+    : partsOfFile(file);
+  const last = ends.length - 1;
+  let piece = 0; // the one of the last time, near which the next one is
+  return {
+    start: epoch + ends[0],
+    end: epoch + ends[last],
+    at<Target extends Numbers = number[]>(time: number, target = [] as Numbers as Target): Target {
+      const t = Math.min(Math.max(time - epoch, ends[0]), ends[last]);
+      if (t < ends[piece] || t >= ends[piece + 1]) {
+        let low = 0, high = last;
+        while (high - low > 1) {
+          const middle = (low + high) >> 1;
+          if (ends[middle] <= t) low = middle;
+          else high = middle;
+        }
+        piece = low;
+      }
+      const start = ends[piece], s = (2 * (t - start)) / (ends[piece + 1] - start || 1) - 1;
+      for (let i = 0, k = perPiece * piece; i < 4; ++i, k += 6)
+        target[i] = ((((c[k + 5] * s + c[k + 4]) * s + c[k + 3]) * s + c[k + 2]) * s + c[k + 1]) * s + c[k];
+      return target;
+    },
+  };
+};

@@ -1,0 +1,123 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""`orispline bake`: the two files that it writes, how near they are to the curve, and what it refuses."""
+import json
+import math
+import pathlib
+import struct
+
+from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, SUCCESS, CommandTest, main, table_of
+
+FLIGHT = pathlib.Path(__file__).resolve().parents[2] / "examples/data/flight_keys.csv"
+NEAR = "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.6,0.8,0,0\n1.000000001,0.6,0,0.8,0\n2,0,0,0,1\n3,1,0,0,0\n"
+
+
+def unpacked(data):
+    """The document that a binary file stands for."""
+    magic, version, count, epoch, largest = struct.unpack_from("<8sIIdd", data)
+    ends = struct.unpack_from(f"<{count + 1}d", data, 32)
+    numbers = struct.unpack_from(f"<{24 * count}f", data, 32 + 8 * (count + 1))
+    assert len(data) == 32 + 8 * (count + 1) + 96 * count and magic == b"ORIBAKED"
+    return {"orispline": "baked", "version": version, "order": "xyzw", "epoch": epoch, "largest_difference": largest,
+            "ends": list(ends), "pieces": [list(numbers[24 * i:24 * i + 24]) for i in range(count)]}
+
+
+def single(number):
+    return struct.unpack("<f", struct.pack("<f", number))[0]
+
+
+def played(curve, t):
+    """qx, qy, qz, qw at t [s]."""
+    ends = curve["ends"]
+    t = min(max(t - curve["epoch"], ends[0]), ends[-1])
+    i = max(k for k in range(len(ends) - 1) if ends[k] <= t)
+    s = (2 * t - ends[i] - ends[i + 1]) / ((ends[i + 1] - ends[i]) or 1)
+    rows = [curve["pieces"][i][6 * c:6 * c + 6] for c in range(4)]
+    return [sum(a * s**k for k, a in enumerate(row)) for row in rows]
+
+
+class Bake(CommandTest):
+    def baked(self, arguments):
+        return json.loads(self.output_of(f"bake {arguments} --quiet"))
+
+    def assert_near(self, curve, arguments, tolerance):
+        lines = table_of(self.output_of(f"sample {arguments} --quiet"))
+        for line in lines[1:]:
+            t, w, x, y, z = map(float, line.split(",")[:5])
+            self.assertLessEqual(2 * math.dist(played(curve, t), (x, y, z, w)), tolerance, line)
+
+    def test_the_flight_is_seven_kilobytes_within_the_tolerance(self):
+        done = self.run_command(f"bake {FLIGHT} --tolerance 1e-4deg -o flight.bin --json")
+        self.assertEqual(done.returncode, SUCCESS, done.stderr)
+        found, tolerance = json.loads(done.stdout), math.radians(1e-4)
+        data = (self.folder / "flight.bin").read_bytes()
+        self.assertLess(len(data), 7500)
+        curve = unpacked(data)
+        self.assertEqual((found["method"], found["keys"], found["pieces"]), ("auto", 38, len(curve["pieces"])))
+        self.assertLessEqual(found["largest_difference_rad"], tolerance)
+        self.assertEqual([warning["code"] for warning in found["warnings"]], ["positions_left_out"])
+        self.assert_near(curve, f"{FLIGHT} --rate 97", tolerance)
+
+    def test_both_files_have_the_same_numbers(self):
+        text = self.baked("keys.csv --tolerance 1e-3deg")
+        self.output_of("bake keys.csv --tolerance 1e-3deg --quiet -o curve.json")
+        self.output_of("bake keys.csv --tolerance 1e-3deg --quiet -o curve.bin")
+        self.assertEqual(text, json.loads(self.read("curve.json")))
+        text["pieces"] = [[single(number) for number in piece] for piece in text["pieces"]]
+        self.assertEqual(text, unpacked((self.folder / "curve.bin").read_bytes()))
+
+    def test_takes_the_method_and_its_settings(self):
+        for method in ("slerp", "squad", "timed-c2:tension=0.4:ends=natural", "global-c2"):
+            curve = self.baked(f"keys.csv --method {method} --tolerance 2e-6rad")
+            self.assert_near(curve, f"keys.csv --method {method} --rate 50", 2e-6)
+
+    def test_counts_times_as_the_file_does(self):
+        self.write("late.csv", self.read("keys.csv").replace("\n0,", "\n1700000000.25,").replace("\n1,", "\n1700000001,")
+                   .replace("\n3,", "\n1700000002.5,"))
+        curve = self.baked("late.csv --tolerance 1e-4deg")
+        self.assertEqual((curve["epoch"], curve["ends"][0], curve["ends"][-1]), (1700000000.25, 0, 2.25))
+        self.assert_near(curve, "late.csv --rate 10", math.radians(1e-4))
+
+    def test_holds_the_end_orientations(self):
+        curve = self.baked("keys.csv --tolerance 1e-4deg")
+        for t, key in ((-5, [0, 0, 0, 1]), (0, [0, 0, 0, 1]), (3, [0, 0, math.sqrt(0.5), math.sqrt(0.5)]),
+                       (9, [0, 0, math.sqrt(0.5), math.sqrt(0.5)])):
+            self.assertLess(math.dist(played(curve, t), key), 1e-6, t)
+
+    def test_a_single_key_is_a_piece_without_length(self):
+        self.write("one.csv", "t,qw,qx,qy,qz\n2,0,0,1,0\n")
+        curve = self.baked("one.csv --tolerance 1e-4deg")
+        self.assertEqual((curve["epoch"], curve["ends"], len(curve["pieces"])), (2, [0, 0], 1))
+        self.assertEqual(played(curve, 7), [0, 1, 0, 0])
+
+    def test_refuses_tolerances_that_float_cannot_hold(self):
+        wanted = "wanted a number greater than 0 with its unit, deg, rad, mrad or arcsec, such as 1deg"
+        for typed, message in (("0deg", f"found '0deg', {wanted}"), ("1e-4", f"found '1e-4', {wanted}"),
+                               ("1e-7rad", "found 1e-07 rad, wanted 1e-06 rad or more")):
+            self.assert_fails(f"bake keys.csv --tolerance {typed} -o curve.json", BAD_USAGE, f"--tolerance: {message}")
+        self.assertFalse((self.folder / "curve.json").exists())
+
+    def test_says_what_is_reached_where_the_tolerance_is_not(self):
+        self.write("near.csv", NEAR)
+        done = self.run_command("bake near.csv --method timed-c2 --tolerance 1e-6rad -o curve.bin")
+        self.assertEqual((done.returncode, done.stdout), (BAD_USAGE, ""))
+        self.assertRegex(done.stderr, r"^orispline: near\.csv:\d: key \d: --tolerance: at \S+ s even the shortest piece "
+                                      r"reaches \S+ rad, wanted 1e-06: ask for a larger tolerance\n$")
+        self.assertEqual([path.name for path in self.folder.glob("curve*")], [])
+
+    def test_refuses_other_files(self):
+        self.assert_fails("bake keys.csv --tolerance 1deg -o curve.svg", BAD_USAGE,
+                          "-o: found 'curve.svg', wanted a name that ends in .json or .bin")
+        self.assert_fails("bake keys.csv --tolerance 1deg --json", BAD_USAGE,
+                          "--json: the summary goes to standard output, wanted -o FILE for the curve")
+        self.assert_fails("bake keys.csv --tolerance 1deg -o no/curve.bin", BAD_ACCESS,
+                          "no/curve.bin: cannot write: No such file or directory")
+        self.write("bad.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0,0,0,0\n")
+        done = self.run_command("bake bad.csv --tolerance 1deg -o curve.bin")
+        self.assertEqual((done.returncode, done.stdout), (BAD_DATA, ""))
+        self.assertTrue(done.stderr.startswith("orispline: bad.csv:3: "), done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1)
+
+
+if __name__ == "__main__":
+    main()

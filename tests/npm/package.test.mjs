@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the package holds: its entries, its types, its notices, and how large its parts are for who loads them.
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { brotliCompressSync } from 'node:zlib';
+
+const folder = process.env.ORISPLINE_NPM, here = import.meta.dirname;
+const manifest = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+const read = (...path) => readFileSync(join(...path), 'utf8');
+
+test('every entry has a module and its types', () => {
+  assert.ok(Object.keys(manifest.exports).length > 0);
+  for (const [name, entry] of Object.entries(manifest.exports))
+    for (const file of Object.values(entry)) assert.ok(existsSync(join(folder, file)), `${name}: ${file}`);
+});
+
+test('it asks for nothing else', () => {
+  for (const part of ['dependencies', 'devDependencies', 'scripts', 'peerDependencies']) assert.equal(manifest[part], undefined, part);
+  assert.deepEqual([manifest.type, manifest.sideEffects, manifest.license], ['module', false, 'Apache-2.0']);
+});
+
+test('its version is that of the project', () => {
+  assert.equal(read(here, '../../CMakeLists.txt').match(/^\s+VERSION (\d+\.\d+\.\d+)/m)[1], manifest.version);
+});
+
+test('it holds the licence and the notices', () => {
+  for (const file of ['LICENSE', 'NOTICE', 'THIRD_PARTY', 'README.md']) assert.ok(read(folder, file).length > 100, file);
+});
+
+test('its types are those of tests/npm/expected', () => {
+  const names = (place) => readdirSync(place).filter((name) => name.endsWith('.d.ts')).sort();
+  assert.deepEqual(names(folder), names(join(here, 'expected')));
+  for (const name of names(folder))
+    assert.equal(read(folder, name), read(here, 'expected', name), `${name} differs, wanted: cp build/npm/*.d.ts tests/npm/expected`);
+});
+
+test('its parts keep to tests/npm/sizes.json', async () => {
+  const { build } = createRequire(join(process.env.ORISPLINE_NPM_TOOLS, 'x'))('esbuild');
+  for (const [part, budget] of Object.entries(JSON.parse(read(here, 'sizes.json')))) {
+    const { outputFiles } = await build({
+      entryPoints: [join(folder, budget.entry)], bundle: true, minify: true, format: 'esm', write: false, logLevel: 'silent',
+      external: ['three', 'node:*'],
+    });
+    const size = brotliCompressSync(outputFiles[0].contents).length;
+    console.log(`${part}: ${size} bytes of script`);
+    assert.ok(size <= budget.script_brotli, `${part}: found ${size} bytes of script, wanted at most ${budget.script_brotli}`);
+  }
+});

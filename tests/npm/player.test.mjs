@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// The player beside `orispline sample` of the same keys: within the tolerance at every time, also at the ends of pieces and outside.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+
+const { player } = await import(join(process.env.ORISPLINE_NPM, 'player.js'));
+const keys = join(import.meta.dirname, '../../examples/data/flight_keys.csv');
+const folder = mkdtempSync(join(tmpdir(), 'orispline-player-'));
+after(() => rmSync(folder, { recursive: true }));
+
+const command = (...words) => execFileSync(process.env.ORISPLINE_COMMAND, words, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+const bake = (input, name, ...options) => {
+  command('bake', input, '-o', join(folder, name), '--quiet', ...options);
+  return readFileSync(join(folder, name));
+};
+
+/** The orientations of the curve itself, x, y, z, w. */
+const sampled = (input, method, times) => {
+  writeFileSync(join(folder, 'times.txt'), times.join('\n') + '\n');
+  const rows = command('sample', input, '--method', method, '--times', join(folder, 'times.txt'), '--quiet').split('\n');
+  const numbers = rows.filter((row) => /^[-\d]/.test(row)).map((row) => row.split(',').map(Number));
+  return numbers.map(([, w, x, y, z]) => [x, y, z, w]);
+};
+
+/** What the tolerance bounds: twice the distance in R⁴ [rad]. */
+const apart = (one, other) => 2 * Math.hypot(...[0, 1, 2, 3].map((i) => one[i] - other[i]));
+
+/** Even times from before the first key to behind the last one, the keys, and the ends of all pieces with what is just beside them. */
+const timesOf = ({ ends, epoch }) => {
+  const first = ends[0] + epoch, last = ends.at(-1) + epoch, length = last - first;
+  const even = Array.from({ length: 2001 }, (_, k) => first - 0.1 * length + (1.2 * length * k) / 2000);
+  const beside = ends.flatMap((end) => [end + epoch - 1e-6, end + epoch, end + epoch + 1e-6]);
+  return [...even, ...beside, first - 1e9, last + 1e9];
+};
+
+for (const [method, tolerance] of [['auto', 1e-4], ['slerp', 1e-4], ['squad', 1e-3], ['timed-c2:tension=0.4', 1e-2], ['global-c2', 1e-4], ['auto', 1]])
+  test(`${method} within ${tolerance}° from both files`, () => {
+    const options = ['--method', method, '--tolerance', `${tolerance}deg`];
+    const file = JSON.parse(bake(keys, 'curve.json', ...options)), bytes = bake(keys, 'curve.bin', ...options);
+    const times = timesOf(file), wanted = sampled(keys, method, times), target = new Float64Array(4);
+    for (const motion of [player(file), player(bytes), player(new Uint8Array(bytes).buffer)]) {
+      assert.deepEqual([motion.start, motion.end], [0, 48]);
+      let largest = 0;
+      times.forEach((time, k) => (largest = Math.max(largest, apart(motion.at(time, target), wanted[k]))));
+      assert.ok(largest <= (tolerance * Math.PI) / 180, `${largest} rad`);
+    }
+    const [one, other] = [player(file), player(bytes)];
+    for (const time of times) assert.deepEqual(one.at(time), other.at(time));
+  });
+
+test('it finds the piece whatever time came before', () => {
+  const bytes = bake(keys, 'curve.bin', '--tolerance', '1e-3deg'), motion = player(bytes);
+  let seed = 1;
+  for (let k = 0; k < 2000; ++k) {
+    seed = (seed * 48271) % 2147483647;
+    const time = (60 * seed) / 2147483647 - 6;
+    assert.deepEqual(motion.at(time), player(bytes).at(time));
+  }
+});
+
+test('times are those of the file, as exact as they are there', () => {
+  const late = join(folder, 'late.csv');
+  writeFileSync(late, 't,qw,qx,qy,qz\n1700000000.25,1,0,0,0\n1700000001,0.8,0.6,0,0\n1700000002.5,0.6,0,0.8,0\n');
+  const file = JSON.parse(bake(late, 'curve.json', '--tolerance', '1e-4deg')), motion = player(file);
+  assert.deepEqual([motion.start, motion.end], [1700000000.25, 1700000002.5]);
+  const times = [1700000000, 1700000000.5, 1700000001, 1700000002.4375, 1700000003];
+  sampled(late, 'auto', times).forEach((wanted, k) => assert.ok(apart(motion.at(times[k]), wanted) < 1.8e-6));
+});
+
+test('a single key is held', () => {
+  const one = join(folder, 'one.csv');
+  writeFileSync(one, 't,qw,qx,qy,qz\n2,0,0,1,0\n');
+  for (const time of [-1, 2, 5]) assert.deepEqual(player(bake(one, 'curve.bin', '--tolerance', '1deg')).at(time), [0, 1, 0, 0]);
+});
+
+test('the target is what was given, and NaN gives NaN', () => {
+  const motion = player(bake(keys, 'curve.bin', '--tolerance', '1deg')), target = new Float32Array(4);
+  assert.equal(motion.at(1, target), target);
+  assert.ok(Array.from(motion.at(NaN)).every(Number.isNaN));
+  assert.equal(motion.at(3).length, 4);
+});
+
+test('what is no baked curve is refused in one sentence', () => {
+  const bytes = bake(keys, 'curve.bin', '--tolerance', '1deg'), file = JSON.parse(bake(keys, 'curve.json', '--tolerance', '1deg'));
+  const newer = Uint8Array.from(bytes);
+  newer[8] = 2;
+  const wanted = "wanted version 1 of what 'orispline bake' writes";
+  for (const [given, found] of [
+    [new ArrayBuffer(0), 'other bytes'], [new TextEncoder().encode(JSON.stringify(file)), 'other bytes'], [newer, 'version 2'],
+    [bytes.subarray(0, bytes.length - 4), `${bytes.length - 4} bytes for 37 pieces`], [{}, 'another object'], [null, 'another object'],
+    [{ ...file, version: 7 }, 'version 7'], [{ ...file, ends: [0, 1] }, '888 coefficients for 2 ends'], [{ ...file, ends: [], pieces: [] }, '0 coefficients for 0 ends'],
+  ])
+    assert.throws(() => player(given), { message: `orispline/player: found ${found}, ${wanted}` });
+});
