@@ -15,7 +15,8 @@ export function plain(document) {
     return Object.fromEntries(Object.entries(value).map(([name, member]) => [name, walk(member)]));
   };
   const made = walk(document);
-  for (const { samples } of made.methods ?? []) if (samples.t?.like !== undefined) samples.t = made.methods[samples.t.like].samples.t;
+  for (const { samples } of made.methods ?? [])
+    for (const list of ['t', 'error_t']) if (samples[list]?.like !== undefined) samples[list] = made.methods[samples[list].like].samples[list];
   delete made.data;
   return made;
 }

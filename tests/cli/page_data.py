@@ -30,8 +30,8 @@ def decoded(data):
     """Times that several methods have stand once, in the first of them."""
     assert data["data"] == 2
     data = with_lists(data)
-    for method in data.get("methods", []):
-        times = method["samples"]["t"]
-        if isinstance(times, dict):
-            method["samples"]["t"] = data["methods"][times["like"]]["samples"]["t"]
+    for samples in [method["samples"] for method in data.get("methods", [])]:
+        for name in ("t", "error_t"):
+            if isinstance(samples[name], dict):
+                samples[name] = data["methods"][samples[name]["like"]]["samples"][name]
     return data

@@ -10,6 +10,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/output_file.hpp>
+#include <orispline/pages/curve_page.hpp>
 #include <orispline/report/page_samples.hpp>
 
 namespace orispline { namespace {
@@ -30,7 +31,9 @@ report::PageMethod method_on(const FamilyInfo& family, const Keyframes& keys, co
   const DistanceStatistics distance = distance_to_reference(curve->orientation, {truth.times, truth.orientations});
   method.continuity = "C" + std::to_string(continuity_at_keys(curve->orientation).order());
   method.samples = report::drawn_samples(*curve);
-  method.samples.errors = report::errors_to(truth, method.samples.path);
+  const report::PageErrors errors = report::largest(pages::errors_at(*curve, truth), 2000);
+  method.samples.error_times = errors.times;
+  method.samples.errors = errors.values;
   method.measures = {{"rms_deg", distance.rms / degree},
                      {"mean_deg", distance.mean / degree},
                      {"max_deg", distance.largest / degree},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pages made from plain results, as a program makes them: no command, no file, no clock.
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -230,6 +232,46 @@ report::Page compared(const std::vector<std::string>& labels, const std::vector<
                               .named = named,
                               .measures = measures_of({MeasureGroup::distance, MeasureGroup::shape})},
                              head);
+}
+
+/// With a gap of 5 s after the first half.
+Keyframes interrupted(const Keyframes& keys) {
+  std::vector<double> times(keys.times().begin(), keys.times().end());
+  for (std::size_t i = times.size() / 2; i < times.size(); ++i) times[i] += 5.0;
+  return Keyframes::make({.times = times, .orientations = {keys.orientations().begin(), keys.orientations().end()}})
+      .value();
+}
+
+TEST(ComparePage, DrawsTheLargestErrorOfEveryFewSamplesOfAllMethodsAtTheSameTimes) {
+  const Keyframes recording = interrupted(noisy(10'001).keys);
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < recording.size(); i += 10) kept.push_back(i);
+  const Keyframes keys = recording.at(kept);
+  const RecordedMotion recorded{recording.times(), recording.orientations()};
+  std::vector<ComparedMethod> methods;
+  for (const std::string label : {"auto", "slerp", "quintic"}) {
+    methods.push_back({.label = label, .candidate = {label, keys, stretches_between_gaps(keys.times(), 1.0).value()}});
+    methods.back().measures = measure(methods.back().candidate, recorded);
+  }
+  const report::Page page = pages::compare_page({.methods = methods,
+                                                 .recording = recorded,
+                                                 .key_sets = {""},
+                                                 .measures = measures_of({MeasureGroup::distance}),
+                                                 .gap = 1.0},
+                                                head);
+  EXPECT_EQ(page.notes.back(), "A drawn error is the largest of 5 samples. The table counts all samples.");
+  for (const report::PageMethod& method : page.methods) {
+    const auto& [t, errors] = std::pair(method.samples.error_times, method.samples.errors);
+    EXPECT_EQ(t, page.methods[0].samples.error_times);
+    EXPECT_LE(t.size(), 2000u + 3 + 3);  // and those of the largest errors, and about the gap
+    double largest = 0.0, largest_at = 0.0;
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      EXPECT_TRUE(t[i] <= 49.99 || t[i] >= 55.0 || std::isnan(errors[i])) << t[i];
+      if (errors[i] > largest) std::tie(largest, largest_at) = std::pair(errors[i], t[i]);
+    }
+    EXPECT_DOUBLE_EQ(largest, method.measures.at("max_deg")) << method.name;
+    EXPECT_DOUBLE_EQ(largest_at, method.measures.at("max_at_s")) << method.name;
+  }
 }
 
 TEST(ComparePage, ShowsTheDefaultBesideTheWorstOfTheWidelyUsedSplines) {

@@ -95,20 +95,6 @@ TEST(PageSamples, OfOneKeyAreOne) {
   EXPECT_EQ(sampled(*make_pose_curve("auto", key)).path.times, std::vector{2.0});
 }
 
-TEST(PageSamples, ErrorsAreAnglesToTheReferenceWhateverItsSigns) {
-  Eigen::Quaterniond negated = about_z(40.0);
-  negated.coeffs() = -negated.coeffs();
-  const PagePath reference{{0.0, 2.0}, {about_z(0.0), negated}};
-  const PagePath path{{-1.0, 0.0, 1.0, 2.0, 2.5}, std::vector(5, about_z(5.0))};
-  const std::vector<double> errors = errors_to(reference, path);
-  EXPECT_TRUE(std::isnan(errors[0]));
-  EXPECT_NEAR(errors[1], 5.0, 1e-12);
-  EXPECT_NEAR(errors[2], 15.0, 1e-12);
-  EXPECT_NEAR(errors[3], 35.0, 1e-12);
-  EXPECT_TRUE(std::isnan(errors[4]));
-  EXPECT_TRUE(std::isnan(errors_to({{0.0}, {about_z(0.0)}}, path)[1]));
-}
-
 TEST(PageSamples, ThinnedPathsKeepTheirEnds) {
   PagePath path;
   for (int k = 0; k < 1001; ++k) {
@@ -148,6 +134,19 @@ TEST(PageSamples, TheLargestOfManyErrorsAreKept) {
   EXPECT_EQ(largest(errors, 1000).times, errors.times);
   EXPECT_EQ(largest(errors, 300).times.size(), 300U);
   EXPECT_EQ(std::ranges::max(largest(errors, 7).values), 9.0);
+}
+
+TEST(PageSamples, ErrorsAtGivenPlacesAreTheLargestOfThoseThatAreNearest) {
+  const double missing = std::nan("");
+  const PageErrors errors{{0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0},
+                          {1.0, 2.0, 9.0, 4.0, 8.0, missing, missing, missing}};
+  const PageErrors few = largest_near(errors, std::vector<std::size_t>{0, 3, 7});
+  EXPECT_EQ(few.times, (std::vector{0.0, 3.0, 7.0}));
+  EXPECT_EQ(few.values[0], 2.0);
+  EXPECT_EQ(few.values[1], 9.0);
+  EXPECT_TRUE(std::isnan(few.values[2]));
+  EXPECT_EQ(largest_near(errors, std::vector<std::size_t>{4}).values, std::vector{9.0});
+  EXPECT_TRUE(largest_near({}, {}).values.empty());
 }
 
 TEST(PageSamples, AGapIsMarkedBetweenTheNeighbours) {

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include <orispline/analysis/band_in_stretches.hpp>
+#include <orispline/analysis/sampled.hpp>
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
@@ -21,6 +23,7 @@ namespace {
 constexpr std::size_t samples_of_all = 16'000;  ///< of all curves together, for smooth lines of rates
 constexpr std::size_t fewest_samples = 300, most_samples = 2000, samples_of_few_keys = 600, few_keys = 150;
 constexpr std::size_t samples_of_reference = 600;
+constexpr std::size_t errors_of_all = 30'000;  ///< of all curves together
 
 /// The smooth curves of most programs: what a first look compares the default with.
 constexpr std::array<std::string_view, 3> widely_used{"rotation-spline", "squad", "tcb"};
@@ -78,10 +81,39 @@ report::Fineness fineness_of(std::size_t keys, std::size_t methods) {
   return {.least = std::clamp(samples_of_all / methods, fewest, most_samples)};
 }
 
+std::size_t errors_of_each(std::size_t methods) {
+  return std::clamp(errors_of_all / methods, fewest_samples, samples_of_few);
+}
+
+/// Where the errors of all methods are drawn.
+struct PlacesOfErrors {
+  report::PagePath recording{};       ///< what of it lies between the first and the last key
+  std::vector<std::size_t> places{};  ///< of it: even ones, that of each method's largest error, and both sides of gaps
+};
+
+PlacesOfErrors places_of_errors(const ComparedCurves& compared, std::span<const ComparedMethod> in_page) {
+  const RecordedMotion& all = compared.recording;
+  const Keyframes& keys = in_page.front().candidate.keys;
+  if (keys.size() == 0) return {};
+  const auto [first, count] = times_within(all.times, {keys.times().front(), keys.times().back()});
+  PlacesOfErrors drawn{path_of(all.times.subspan(first, count), all.orientations.subspan(first, count)),
+                       evenly_picked(count, errors_of_each(in_page.size()))};
+  for (const ComparedMethod& method : in_page)
+    if (method.measures && method.measures->distance.count > 0)
+      drawn.places.push_back(method.measures->distance.largest_at - first);
+  for (std::size_t i = 1; i < count && compared.gap; ++i)
+    if (drawn.recording.times[i] - drawn.recording.times[i - 1] > *compared.gap)
+      drawn.places.insert(drawn.places.end(), {i - 1, i});
+  std::ranges::sort(drawn.places);
+  drawn.places.erase(std::unique(drawn.places.begin(), drawn.places.end()), drawn.places.end());
+  return drawn;
+}
+
 /// What all curves of the page have alike.
 struct ComparedCurve {
   const ComparedCurves& compared;
-  const report::PagePath& truth;
+  PlacesOfErrors errors;
+  report::Covers covers;
   report::Fineness fineness;
 };
 
@@ -95,7 +127,10 @@ report::PageMethod method_of(const ComparedMethod& method, const ComparedCurve& 
   const auto curve = curve_of(method.candidate);
   if (!curve) return result;  // it was made before
   result.samples = samples_of(*curve, of_all.compared.inertia, of_all.fineness);
-  result.samples.errors = report::errors_to(of_all.truth, result.samples.path);
+  auto errors = report::with_gaps(
+      report::largest_near(errors_at(*curve, of_all.errors.recording), of_all.errors.places), of_all.covers);
+  result.samples.error_times = std::move(errors.times);
+  result.samples.errors = std::move(errors.values);
   result.bands = bands_of(method.candidate, result.samples.path);
   return result;
 }
@@ -148,15 +183,17 @@ report::Page compare_page(const ComparedCurves& compared, const PageHead& head, 
       std::ranges::count(compared.methods, std::size_t{0}, &ComparedMethod::key_set));  // they stand first
   report::Page page = begun_page(formatted("{} on {}", counted(in_page, "method"), counted(keys.size(), "key")), head,
                                  compared.epoch, keys);
-  page.reference = report::with_gaps(report::thinned(truth, samples_of_reference),
-                                     covers_of(compared.recording.times, compared.gap));
+  const ComparedCurve of_all{compared, places_of_errors(compared, compared.methods.first(in_page)),
+                             covers_of(compared.recording.times, compared.gap), fineness_of(keys.size(), in_page)};
+  page.reference = report::with_gaps(report::thinned(truth, samples_of_reference), of_all.covers);
+  std::ranges::move(notes_on_samples(of_all.errors.recording.times.size(), errors_of_each(in_page)),
+                    std::back_inserter(page.notes));
   page.columns = columns_of(compared);
   page.sorted_by = id_of_word(compared.measures, compared.sorted_by);
   auto [first, second] = pair_that_teaches(compared, in_page);
   page.first = std::move(first);
   page.second = std::move(second);
   page.methods.resize(in_page);
-  const ComparedCurve of_all{compared, truth, fineness_of(keys.size(), in_page)};
   parallel_for(in_page, threads, [&](std::size_t i) {
     page.methods[i] = method_of(compared.methods[i], of_all);
     add_measures(page.methods[i], compared);

@@ -73,8 +73,8 @@ void extend(report::PageBand& band, double t, double low, double high);
 /// Whether a recording of these times has a motion at a time: it has none in intervals longer than the gap [s].
 [[nodiscard]] report::Covers covers_of(std::span<const double> times, std::optional<double> gap);
 
-/// What the head says where errors or curves of so many samples are not shown in full.
-[[nodiscard]] std::vector<std::string> notes_on_samples(std::size_t samples);
+/// What the head says where errors at so many samples are not all drawn.
+[[nodiscard]] std::vector<std::string> notes_on_samples(std::size_t samples, std::size_t drawn = samples_of_few);
 
 /// The method with the largest of these errors, and none over the gaps.
 [[nodiscard]] report::PageMethod with_errors(report::PageMethod method, const report::PageErrors& errors,

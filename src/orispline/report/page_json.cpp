@@ -77,19 +77,23 @@ std::string json_of(const PageKeys& keys) {
                     {"p", floats_json(keys.positions)}});
 }
 
-/// `times`: the JSON of those of the path.
-std::string json_of(const PageSamples& samples, std::string times) {
-  return object_of(
-      {{"t", std::move(times)},
-       {"q", floats_json(samples.path.orientations)},
-       {"w", halves_json(samples.angular_velocities)},
-       {"a", halves_json(samples.angular_accelerations)},
-       {"j", halves_json(samples.angular_jerks)},
-       {"torque", halves_json(samples.torques)},
-       {"p", floats_json(samples.positions)},
-       {"error_t", doubles_json(samples.error_times)},
-       {"error_deg", samples.error_times.empty() ? halves_json(samples.errors) : floats_json(samples.errors)},
-       {"exactness_deg", number_or_null(samples.exactness)}});
+/// The lists of a method that others may have too.
+struct SharedLists {
+  std::string times, error_times;  ///< JSON
+  bool errors_are_shared = false;  ///< many errors are written short
+};
+
+std::string json_of(const PageSamples& samples, SharedLists shared) {
+  return object_of({{"t", std::move(shared.times)},
+                    {"q", floats_json(samples.path.orientations)},
+                    {"w", halves_json(samples.angular_velocities)},
+                    {"a", halves_json(samples.angular_accelerations)},
+                    {"j", halves_json(samples.angular_jerks)},
+                    {"torque", halves_json(samples.torques)},
+                    {"p", floats_json(samples.positions)},
+                    {"error_t", std::move(shared.error_times)},
+                    {"error_deg", shared.errors_are_shared ? halves_json(samples.errors) : floats_json(samples.errors)},
+                    {"exactness_deg", number_or_null(samples.exactness)}});
 }
 
 std::string_view name_of(Better better) {
@@ -149,28 +153,35 @@ std::string json_of(const std::map<std::string, Value, std::less<>>& values) {
   return json + '}';
 }
 
-std::string json_of(const PageMethod& method, std::string times) {
+std::string json_of(const PageMethod& method, SharedLists shared) {
   return object_of({{"name", text_of(method.name)},
                     {"continuity", text_of(method.continuity)},
                     {"failure", text_of(method.failure)},
                     {"measures", json_of(method.measures)},
-                    {"samples", json_of(method.samples, std::move(times))},
+                    {"samples", json_of(method.samples, std::move(shared))},
                     {"keys", json_or_null(method.keys)},
                     {"clock", json_or_null(method.clock)},
                     {"bands", json_of(method.bands)}});
 }
 
-/// Times that several methods have are written once.
+const std::vector<double>& times_of(const PageMethod& method) { return method.samples.path.times; }
+const std::vector<double>& error_times_of(const PageMethod& method) { return method.samples.error_times; }
+
+/// A list that several methods have is written once, in the first of them.
+template <class ListOf, class Json>
+std::string written_once(const std::vector<PageMethod>& methods, const PageMethod& method, ListOf list_of, Json json) {
+  const auto like = std::ranges::find(methods, list_of(method), list_of);
+  const bool is_first = &*like == &method || list_of(method).empty();
+  return is_first ? json(list_of(method)) : fmt::format(R"({{"like":{}}})", like - methods.begin());
+}
+
 std::string json_of(const std::vector<PageMethod>& methods) {
-  std::vector<std::string> texts;
-  for (const PageMethod& method : methods) {
-    const auto like = std::ranges::find_if(
-        methods, [&](const PageMethod& other) { return other.samples.path.times == method.samples.path.times; });
-    const bool is_first = &*like == &method || method.samples.path.times.empty();
-    texts.push_back(json_of(method, is_first ? steps_json(method.samples.path.times)
-                                             : fmt::format(R"({{"like":{}}})", like - methods.begin())));
-  }
-  return array_of(texts, [](const std::string& text) { return text; });
+  return array_of(methods, [&](const PageMethod& method) {
+    return json_of(method,
+                   {.times = written_once(methods, method, times_of, steps_json),
+                    .error_times = written_once(methods, method, error_times_of, doubles_json),
+                    .errors_are_shared = std::ranges::count(methods, error_times_of(method), error_times_of) > 1});
+  });
 }
 
 constexpr double steps_of_extent = 8000.0;  ///< how finely positions are rounded: a step is less than a pixel

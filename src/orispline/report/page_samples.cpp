@@ -11,8 +11,6 @@
 #include <utility>
 
 #include <orispline/math/chord.hpp>
-#include <orispline/math/degrees.hpp>
-#include <orispline/math/geodesic.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
@@ -125,15 +123,6 @@ SegmentLook one_by_one(const AnyCurve& curve) {
   };
 }
 
-/// The time in the reference's interval that ends at `after`, by the shortest way.
-Eigen::Quaterniond on_reference(const PagePath& reference, std::size_t after, double t) {
-  const double start = reference.times[after - 1], step = reference.times[after] - start;
-  const Eigen::Quaterniond& from = reference.orientations[after - 1];
-  Eigen::Quaterniond to = reference.orientations[after];
-  if (from.dot(to) < 0.0) to.coeffs() = -to.coeffs();
-  return step > 0.0 ? slerp<double>(from, to, (t - start) / step) : to;
-}
-
 /// Times and values, with `none` in the middle of neighbouring times where there is a gap.
 template <class Value>
 std::pair<std::vector<double>, std::vector<Value>> interrupted(const std::vector<double>& times,
@@ -186,19 +175,6 @@ PageSamples sampled(const PoseCurve& curve, std::size_t count, const SegmentLook
   return samples;
 }
 
-std::vector<double> errors_to(const PagePath& reference, const PagePath& path) {
-  std::vector<double> errors(path.times.size(), nan);
-  if (reference.times.size() < 2) return errors;
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    const double t = path.times[i];
-    if (t < reference.times.front() || t > reference.times.back()) continue;
-    const auto after = std::upper_bound(reference.times.begin() + 1, reference.times.end() - 1, t);
-    const auto index = static_cast<std::size_t>(after - reference.times.begin());
-    errors[i] = angular_distance(path.orientations[i], on_reference(reference, index, t)) / radians_per_degree;
-  }
-  return errors;
-}
-
 PageErrors largest(const PageErrors& errors, std::size_t count) {
   const std::size_t size = errors.times.size();
   if (size <= count) return errors;
@@ -209,6 +185,20 @@ PageErrors largest(const PageErrors& errors, std::size_t count) {
     const auto worst = std::max_element(at(k), at(k + 1));
     few.times.push_back(errors.times[static_cast<std::size_t>(worst - first)]);
     few.values.push_back(*worst);
+  }
+  return few;
+}
+
+PageErrors largest_near(const PageErrors& errors, std::span<const std::size_t> places) {
+  PageErrors few;
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const std::size_t end = k + 1 < places.size() ? std::midpoint(places[k], places[k + 1]) + 1 : errors.times.size();
+    double worst = nan;
+    for (; next < end; ++next)
+      if (std::isnan(worst) || errors.values[next] > worst) worst = errors.values[next];
+    few.times.push_back(errors.times[places[k]]);
+    few.values.push_back(worst);
   }
   return few;
 }

@@ -45,9 +45,6 @@ struct Fineness {
 /// peak is missed.
 [[nodiscard]] ORISPLINE_EXPORT PageSamples drawn_samples(const PoseCurve& curve, const Fineness& fineness = {});
 
-/// Angles [deg] to the reference, which goes the shortest way between its orientations; NaN beyond its ends.
-[[nodiscard]] ORISPLINE_EXPORT std::vector<double> errors_to(const PagePath& reference, const PagePath& path);
-
 /// Angles [deg] at rising times.
 struct PageErrors {
   std::vector<double> times{};  ///< [s]
@@ -56,6 +53,10 @@ struct PageErrors {
 
 /// At most `count` of the errors: the largest of every so many neighbours, so that none is missed. None of them is NaN.
 [[nodiscard]] ORISPLINE_EXPORT PageErrors largest(const PageErrors& errors, std::size_t count);
+
+/// The errors at these places, which rise, each the largest of those that are nearest to it, so that none is missed. A
+/// NaN stands only where all of these are.
+[[nodiscard]] ORISPLINE_EXPORT PageErrors largest_near(const PageErrors& errors, std::span<const std::size_t> places);
 
 /// The orientations with one of NaN between neighbours that a gap is between.
 [[nodiscard]] ORISPLINE_EXPORT PagePath with_gaps(const PagePath& path, const Covers& covers);

@@ -65,7 +65,17 @@ function farthest({ t, values }, wanted) {
   return most;
 }
 
+const halfFloat = 2 ** -11; // how far one is from what it stands for, relative to it
+
 const stated = ({ samples }) => Math.max(chord, samples.exactness_deg) + chord + rounding;
+
+/** The errors that are drawn have the largest one of the table, at its time. */
+function expectLargestError(name, { error_t, error_deg }, { max_deg, max_at_s }) {
+  const drawn = error_deg.reduce((largest, value) => (value > largest ? value : largest), 0);
+  assert.ok(Math.abs(drawn - max_deg) <= halfFloat * max_deg + 1e-6, `${name}: ${drawn} is drawn, ${max_deg} is in the table`);
+  const there = error_deg[error_t.findIndex((t) => Math.abs(t - max_at_s) < 1e-6 * Math.max(1, Math.abs(t)))];
+  assert.equal(there, drawn, `${name}: ${there} at ${max_at_s} s`);
+}
 
 const recordings = {
   'of a flight': [join(examples, 'flight_truth.csv'), 8],
@@ -85,6 +95,7 @@ for (const [name, [file, every, most]] of Object.entries(recordings)) {
     const { methods } = readDocument(documentOf(page));
     const working = methods.filter(({ failure }) => !failure);
     assert.ok(working.length > 10);
+    for (const { name, samples, measures } of working) expectLargestError(name, samples, measures);
     let beside;
     for (const method of working) {
       run('sample', kept, '--drop-duplicates', '--method', method.name, '--rate', '1000', '--derivatives', '0', '-o', samples);

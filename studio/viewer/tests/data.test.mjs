@@ -46,6 +46,8 @@ test('equal times are one list', () => {
   assert.equal(b, a);
   assert.equal(c, a);
   assert.notEqual(d, a);
+  const errors = [method('a', [0, 1], { error_t: [2, 3] }), method('b', [0, 2], { error_t: { like: 0 }, error_deg: [1, 4] })];
+  assert.deepEqual(Array.from(readDocument({ methods: errors }).methods[1].samples.error_t), [2, 3]);
   assert.throws(() => readDocument({ methods: [method('a', { like: 1 }), method('b', [0])] }), /those of a later method/);
 });
 

@@ -9,8 +9,11 @@ export const newestData = 2;
 /** What the document has instead of a list of numbers, all through it. */
 type Written<T> = T extends Numbers ? Encoded : T extends object ? { [Name in keyof T]: Written<T[Name]> } : T;
 
+/** A list that the method of that number has too. */
+type Shared = Encoded | { like: number };
+
 /** Optional members came with later versions, or are left out where there is nothing to say. */
-type WrittenSamples = Omit<Written<Samples>, 't' | 'exactness_deg'> & { t: Encoded | { like: number }; exactness_deg?: number | null };
+type WrittenSamples = Omit<Written<Samples>, 't' | 'error_t' | 'exactness_deg'> & { t: Shared; error_t: Shared; exactness_deg?: number | null };
 type WrittenMethod = Omit<Written<Method>, 'samples' | 'keys' | 'bands' | 'clock'> & {
   samples: WrittenSamples;
   keys: Written<Keys> | null;
@@ -24,7 +27,7 @@ const keysOf = (keys: Written<Keys>): Keys => ({ ...pathOf(keys), p: numbersOf(k
 const marksOf = (marks: Written<Marks>): Marks => ({ ...pathOf(marks), label: marks.label, error_deg: numbersOf(marks.error_deg) });
 const bandOf = ({ label, t, low, high }: Written<Band>): Band => ({ label, t: numbersOf(t), low: numbersOf(low), high: numbersOf(high) });
 
-const samplesOf = (samples: WrittenSamples, t: Numbers): Samples => ({
+const samplesOf = (samples: WrittenSamples, t: Numbers, error_t: Numbers): Samples => ({
   t,
   q: numbersOf(samples.q),
   w: numbersOf(samples.w),
@@ -32,7 +35,7 @@ const samplesOf = (samples: WrittenSamples, t: Numbers): Samples => ({
   j: numbersOf(samples.j),
   torque: numbersOf(samples.torque),
   p: numbersOf(samples.p),
-  error_t: numbersOf(samples.error_t),
+  error_t,
   error_deg: numbersOf(samples.error_deg),
   exactness_deg: samples.exactness_deg ?? null,
 });
@@ -40,10 +43,10 @@ const samplesOf = (samples: WrittenSamples, t: Numbers): Samples => ({
 const areEqual = (some: Numbers, others: Numbers) => some.length === others.length && some.every((value, i) => value === others[i]);
 
 /** The times of each method: those that are equal are one list, so that their lines need not be joined. */
-function timesOf(methods: WrittenMethod[]): Numbers[] {
+function timesOf(written: Shared[]): Numbers[] {
   const times: Numbers[] = [];
-  for (const { samples } of methods) {
-    const list = 'like' in samples.t ? times[samples.t.like] : numbersOf(samples.t);
+  for (const shared of written) {
+    const list = 'like' in shared ? times[shared.like] : numbersOf(shared);
     if (!list) throw new Error('found times that are like those of a later method');
     times.push(times.find((other) => areEqual(other, list)) ?? list);
   }
@@ -51,10 +54,11 @@ function timesOf(methods: WrittenMethod[]): Numbers[] {
 }
 
 function methodsOf(methods: WrittenMethod[], ofAll: Keys): Method[] {
-  const times = timesOf(methods);
+  const times = timesOf(methods.map(({ samples }) => samples.t));
+  const errorTimes = timesOf(methods.map(({ samples }) => samples.error_t));
   return methods.map(({ samples, keys, bands = {}, clock = null, ...method }, i) => ({
     ...method,
-    samples: samplesOf(samples, times[i]),
+    samples: samplesOf(samples, times[i], errorTimes[i]),
     keys: keys ? keysOf(keys) : ofAll,
     bands: Object.fromEntries(Object.entries(bands).map(([id, band]) => [id, bandOf(band)])),
     clock: clock && { t: numbersOf(clock.t), own: numbersOf(clock.own) },
