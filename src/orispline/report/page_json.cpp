@@ -80,7 +80,7 @@ std::string json_of(const PageKeys& keys) {
 /// The lists of a method that others may have too.
 struct SharedLists {
   std::string times, error_times;  ///< JSON
-  bool errors_are_shared = false;  ///< many errors are written short
+  bool errors_are_many = false;    ///< and written short
 };
 
 std::string json_of(const PageSamples& samples, SharedLists shared) {
@@ -92,7 +92,7 @@ std::string json_of(const PageSamples& samples, SharedLists shared) {
                     {"torque", halves_json(samples.torques)},
                     {"p", floats_json(samples.positions)},
                     {"error_t", std::move(shared.error_times)},
-                    {"error_deg", shared.errors_are_shared ? halves_json(samples.errors) : floats_json(samples.errors)},
+                    {"error_deg", shared.errors_are_many ? halves_json(samples.errors) : floats_json(samples.errors)},
                     {"exactness_deg", number_or_null(samples.exactness)}});
 }
 
@@ -176,11 +176,14 @@ std::string written_once(const std::vector<PageMethod>& methods, const PageMetho
 }
 
 std::string json_of(const std::vector<PageMethod>& methods) {
+  constexpr std::size_t many_errors = 5000;
+  std::size_t errors = 0;
+  for (const PageMethod& method : methods) errors += method.samples.errors.size();
   return array_of(methods, [&](const PageMethod& method) {
     return json_of(method,
                    {.times = written_once(methods, method, times_of, steps_json),
                     .error_times = written_once(methods, method, error_times_of, doubles_json),
-                    .errors_are_shared = std::ranges::count(methods, error_times_of(method), error_times_of) > 1});
+                    .errors_are_many = errors > many_errors});
   });
 }
 
