@@ -28,6 +28,7 @@ BELOW_JOBS = {  # header or folder below -> why a face needs it still; the exper
     "curve/": "what keys, methods and curves are",
     "families/blending/blending_family.hpp": "methods as the user states them",
     "families/handles.hpp": "samples of streams, which are no job: keys come in and rows go out",
+    "families/method_json.hpp": "methods as data",
     "families/method_text.hpp": "methods as the user types them",
     "families/method_warnings.hpp": "streams are no job",
     "families/recipe.hpp": "what a file says its keys are for",

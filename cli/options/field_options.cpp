@@ -7,6 +7,7 @@
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/fields/field_info.hpp>
+#include <orispline/fields/typed_options.hpp>
 
 #include "options/option_text.hpp"
 
@@ -101,13 +102,10 @@ void add_word_flag(Command& command, TypedFields& typed, const FieldInfo& field,
 }
 
 Expected<void> take_fields(const TypedFields& typed, std::span<const FieldInfo> fields, void* options) {
-  for (const FieldInfo& field : fields) {
-    if (!is_given(typed, field.name) || field.type == FieldType::recording) continue;
-    const auto value = typed_value(field, *typed.find(field.name)->second);
-    if (!value) return tl::unexpected(value.error());
-    field.set(options, *value);
-  }
-  return {};
+  const auto stated = [&](std::string_view name) {
+    return is_given(typed, name) ? &*typed.find(name)->second : nullptr;
+  };
+  return take_typed(fields, stated, options);
 }
 
 }  // namespace orispline::cli

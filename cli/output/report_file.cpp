@@ -4,7 +4,6 @@
 #include <ctime>
 
 #include <fmt/chrono.h>
-#include <fmt/format.h>
 
 #include <orispline/base/formatted.hpp>
 
@@ -21,7 +20,10 @@ Expected<ReportFile> ReportFile::open(const ReportOptions& options) {
 }
 
 pages::PageHead ReportFile::head() const {
-  return {.command = command_line_, .date = fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(std::time(nullptr)))};
+  const std::tm now = fmt::localtime(std::time(nullptr));
+  return {.command = command_line_,
+          .date = formatted("{}-{:02}-{:02} {:02}:{:02}", 1900 + now.tm_year, 1 + now.tm_mon, now.tm_mday, now.tm_hour,
+                            now.tm_min)};
 }
 
 Expected<void> ReportFile::finish() { return output_ ? output_->file.finish() : Expected<void>(); }

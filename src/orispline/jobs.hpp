@@ -19,4 +19,5 @@
 #include <orispline/jobs/retime.hpp>
 #include <orispline/jobs/sample.hpp>
 #include <orispline/jobs/smooth.hpp>
+#include <orispline/jobs/task_list.hpp>
 #include <orispline/jobs/tune.hpp>

@@ -8,4 +8,5 @@
 #include <orispline/batch/compiled_curve.hpp>
 #include <orispline/batch/curve_bundle.hpp>
 #include <orispline/batch/kernel/dispatch.hpp>
+#include <orispline/batch/pose_sampler.hpp>
 #include <orispline/batch/sample.hpp>

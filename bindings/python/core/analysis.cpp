@@ -23,7 +23,7 @@ using namespace nanobind::literals;
 namespace orispline::python {
 
 const AngleTravelled& PythonCurve::travelled() const {
-  std::call_once(travelled_once_, [this] { travelled_.emplace(pose_->orientation); });
+  std::call_once(travelled_once_, [this] { travelled_.emplace(pose().orientation); });
   return *travelled_;
 }
 

@@ -27,18 +27,15 @@ PythonCurve::PythonCurve(Keys keys, const MethodText& stated)
         const FamilyInfo& family = *value_of(family_of_method(method));
         return completed(std::move(method), family, *keys_.track);
       }()),
-      pose_([this] {
+      sampler_([this] {
         const nb::gil_scoped_release release;
-        return jobs::curve_through(method_, *keys_.track);
+        return jobs::curve_through(method_, *keys_.track).map([](PoseCurve curve) {
+          return PoseSampler(std::move(curve));
+        });
       }()) {
-  if (pose_) return;
+  if (sampler_) return;
   const bool has_columns = method_.options.parameters.size() > stated.method().options.parameters.size();
-  raise(placed(*keys_.track, has_columns, pose_.error()));
-}
-
-const CompiledCurve<double>& PythonCurve::compiled() const {
-  std::call_once(once_, [this] { compiled_.emplace(pose_->orientation, Compiling::as_wanted); });
-  return *compiled_;
+  raise(placed(*keys_.track, has_columns, sampler_.error()));
 }
 
 namespace {

@@ -19,15 +19,18 @@ namespace {
 
 /// What is asked beside the samples themselves.
 struct Asked {
-  bool world;
+  RateFrame frame;
   Extrapolation beyond;
-  unsigned threads;
+  Work work;
+
+  Asked(bool world, int how, unsigned threads)
+      : frame(world ? RateFrame::world : RateFrame::body), beyond{how}, work{threads} {}
 };
 
 /// Calls `make(begin, count)` for samples that are made together.
 template <class Make>
-Expected<void> together(std::size_t size, unsigned threads, Make make) {
-  const std::size_t most = samples_at_a_time(threads);
+Expected<void> together(std::size_t size, Work work, Make make) {
+  const std::size_t most = samples_at_a_time(work);
   for (std::size_t begin = 0; begin < size; begin += most)
     if (auto made = make(begin, std::min(most, size - begin)); !made) return made;
   return {};
@@ -36,10 +39,7 @@ Expected<void> together(std::size_t size, unsigned threads, Make make) {
 template <class T>
 Expected<void> make_part(const PythonCurve& curve, std::span<const double> times, const Samples<T>& out,
                          std::size_t begin, const Asked& asked) {
-  const Samples<T> part = part_of(out, begin, times.size());
-  auto done = sample_into<T>(curve, times, part, asked.beyond, asked.threads);
-  if (done && asked.world) turn_to_world(part, times.size());
-  return done;
+  return curve.sampler().sample_at<T>(times, part_of(out, begin, times.size()), asked.beyond, asked.frame, asked.work);
 }
 
 /// Samples at times that are given, in any order.
@@ -48,7 +48,7 @@ Expected<void> fill(const PythonCurve& curve, std::span<const double> times, con
                     const Asked& asked) {
   if (asked.beyond == Extrapolation::error)  // the first time outside by its place among all
     if (auto inside = check_inside(curve.pose().orientation, times); !inside) return inside;
-  return together(times.size(), asked.threads, [&](std::size_t begin, std::size_t count) {
+  return together(times.size(), asked.work, [&](std::size_t begin, std::size_t count) {
     return make_part<T>(curve, times.subspan(begin, count), out, begin, asked);
   });
 }
@@ -61,7 +61,7 @@ Expected<void> fill_even(const PythonCurve& curve, const SampleGrid& grid, std::
     grid.fill(0, times);
     return fill<T>(curve, times, out, asked);
   }
-  return together(times.size(), asked.threads, [&](std::size_t begin, std::size_t count) {
+  return together(times.size(), asked.work, [&](std::size_t begin, std::size_t count) {
     grid.fill(begin, times.subspan(begin, count));
     return make_part<T>(curve, times.subspan(begin, count), out, begin, asked);
   });
@@ -84,7 +84,7 @@ void add_fills(nb::class_<PythonCurve>& curve_class) {
       "fill",
       [without_gil](const PythonCurve& curve, const Numbers& times, const Memory<T>& q, Rows w, Rows a, Rows j, Rows p,
                     Rows v, Rows l, bool world, int beyond, unsigned threads) {
-        const Asked asked{world, Extrapolation{beyond}, threads};
+        const Asked asked(world, beyond, threads);
         const Samples<T> out = samples_in<T>(q, w, a, j, p, v, l);
         value_of(without_gil([&] { return fill<T>(curve, span_of(times), out, asked); }));
       },
@@ -93,7 +93,7 @@ void add_fills(nb::class_<PythonCurve>& curve_class) {
       "fill_even",
       [without_gil](const PythonCurve& curve, const SampleGrid& grid, const WritableNumbers& times, const Memory<T>& q, Rows w,
                     Rows a, Rows j, Rows p, Rows v, Rows l, bool world, int beyond, unsigned threads) {
-        const Asked asked{world, Extrapolation{beyond}, threads};
+        const Asked asked(world, beyond, threads);
         const Samples<T> out = samples_in<T>(q, w, a, j, p, v, l);
         value_of(without_gil([&] { return fill_even<T>(curve, grid, {times.data(), times.size()}, out, asked); }));
       },

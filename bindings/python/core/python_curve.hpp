@@ -8,7 +8,7 @@
 #include <nanobind/nanobind.h>
 
 #include <orispline/analysis.hpp>
-#include <orispline/batch/compiled_curve.hpp>
+#include <orispline/batch/pose_sampler.hpp>
 #include <orispline/curve/method.hpp>
 #include <orispline/curve/path.hpp>
 
@@ -25,20 +25,17 @@ class PythonCurve {
 
   [[nodiscard]] const Keys& keys() const noexcept { return keys_; }
   [[nodiscard]] const Method& method() const noexcept { return method_; }
-  [[nodiscard]] const PoseCurve& pose() const noexcept { return *pose_; }
-  [[nodiscard]] Domain domain() const noexcept { return pose_->orientation.domain(); }
+  [[nodiscard]] const PoseSampler& sampler() const noexcept { return *sampler_; }
+  [[nodiscard]] const PoseCurve& pose() const noexcept { return sampler_->curve(); }
+  [[nodiscard]] Domain domain() const noexcept { return pose().orientation.domain(); }
 
-  /// With the segments on which so few samples were asked that compiling them took as long.
-  [[nodiscard]] const CompiledCurve<double>& compiled() const;
   /// The arc length, made when it is first asked for. Not to be asked with the GIL.
   [[nodiscard]] const AngleTravelled& travelled() const;
 
  private:
   Keys keys_;
   Method method_;
-  Expected<PoseCurve> pose_;
-  mutable std::once_flag once_;
-  mutable std::optional<CompiledCurve<double>> compiled_;
+  Expected<PoseSampler> sampler_;
   mutable std::once_flag travelled_once_;
   mutable std::optional<AngleTravelled> travelled_;
 };

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <orispline/batch/sample.hpp>
+#include <orispline/batch/pose_sampler.hpp>
 
 #include "python_curve.hpp"
 
@@ -12,19 +12,6 @@ namespace orispline::python {
 
 /// What is asked of a curve at a time, in the order that the face numbers it.
 enum class What { orientation, angular_velocity, angular_acceleration, angular_jerk, position, velocity, acceleration };
-
-/// Samples that are made together: so many as are still in the cache of a thread when they are looked at again, or as
-/// keep all threads busy. 0 threads: one per core.
-[[nodiscard]] std::size_t samples_at_a_time(unsigned threads);
-
-/// Samples at times in any order; outside the curve as asked for.
-template <class T>
-[[nodiscard]] Expected<void> sample_into(const PythonCurve& curve, std::span<const double> times, const Samples<T>& out,
-                                         Extrapolation beyond, unsigned threads);
-
-/// Turns rates of the body into those of the world, as math/frames has it.
-template <class T>
-void turn_to_world(const Samples<T>& samples, std::size_t count);
 
 /// One quantity of a curve, with what must be made beside it.
 template <class T>
@@ -44,9 +31,9 @@ class Quantity {
 
   const PythonCurve& curve_;
   What what_;
-  bool turns_;
+  RateFrame frame_;
   Extrapolation beyond_;
-  unsigned threads_;
+  Work work_;
   std::vector<T> orientations_, angular_velocities_, angular_accelerations_;
 };
 

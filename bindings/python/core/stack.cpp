@@ -47,8 +47,8 @@ class Part {
                              .angular_accelerations = rows[2],
                              .angular_jerks = rows[3]};
     for (std::size_t joint = 0; joint < curves_.size(); ++joint) {
-      if (auto done = sample_into<T>(*curves_[joint], times, samples, beyond_, 1); !done) return done;
-      if (world_) turn_to_world(samples, times.size());
+      const RateFrame frame = world_ ? RateFrame::world : RateFrame::body;
+      if (auto done = curves_[joint]->sampler().sample_at<T>(times, samples, beyond_, frame); !done) return done;
       for (std::size_t i = 0; i < quantities; ++i)
         for (std::size_t k = 0; out_[i] && k < times.size(); ++k)
           std::copy_n(rows[i].data() + widths[i] * k, widths[i],

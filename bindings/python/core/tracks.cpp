@@ -111,7 +111,7 @@ void turn_columns(const TrackSampleColumns& columns) {
                                   .angular_velocities = rows_of(w, columns.angular_velocities, first, count),
                                   .angular_accelerations = rows_of(a, columns.angular_accelerations, first, count),
                                   .angular_jerks = rows_of(j, columns.angular_jerks, first, count)};
-    turn_to_world<double>(samples, count);
+    turn_to_world(samples);
     scatter(w, columns.angular_velocities, first);
     scatter(a, columns.angular_accelerations, first);
     scatter(j, columns.angular_jerks, first);

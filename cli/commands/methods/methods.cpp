@@ -6,12 +6,13 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/curve/own_family.hpp>
+#include <orispline/families/method_json.hpp>
 #include <orispline/families/registry.hpp>
 
-#include "commands/methods/methods_json.hpp"
 #include "commands/methods/page_lines.hpp"
 #include "options/method_options.hpp"
 #include "options/option_text.hpp"
+#include "output/json_document.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
@@ -95,7 +96,7 @@ Expected<void> methods_of_files(const MethodsArguments& options) {
     if (families.empty())
       return usage_failure(
           formatted("found no method '{}' in the files of --blending, wanted one of theirs", printable(*options.name)));
-    if (options.json) return print_document(json_of(families));
+    if (options.json) return print_document(document(methods_json(families)));
     std::vector<std::string> pages;
     for (const FamilyInfo& family : families) pages.push_back(page_of(family));
     return print_document(joined(pages, "\n"));
@@ -106,9 +107,9 @@ Expected<void> methods_of_files(const MethodsArguments& options) {
 
 Expected<void> methods(const MethodsArguments& options) {
   if (!options.blending.empty()) return methods_of_files(options);
-  if (!options.name) return print_document(options.json ? json_of(families_info()) : page());
+  if (!options.name) return print_document(options.json ? document(methods_json(families_info())) : page());
   return find_family(*options.name).and_then([&](const FamilyInfo* family) {
-    return print_document(options.json ? json_of({family, 1}) : page_of(*family));
+    return print_document(options.json ? document(methods_json({family, 1})) : page_of(*family));
   });
 }
 

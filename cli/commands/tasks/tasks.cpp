@@ -4,8 +4,9 @@
 #include <algorithm>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/jobs/task_list.hpp>
 
-#include "commands/tasks/tasks_json.hpp"
+#include "output/json_document.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
@@ -34,7 +35,7 @@ std::string lines_of_option(const FieldInfo& field) {
   return lines_of(field, formatted("{}{}", field.name, unit), standing(field));
 }
 
-std::string text_of(const TaskInfo& task) {
+std::string text_of(const jobs::TaskInfo& task) {
   std::string text = formatted("{}: {}\n", task.name, task.sentence);
   for (const FieldInfo& field : task.options) text += lines_of_option(field);
   if (!task.results.empty()) text += "  results\n";
@@ -46,10 +47,10 @@ std::string text_of(const TaskInfo& task) {
 }  // namespace
 
 Expected<void> tasks(const TasksArguments& options) {
-  const auto tasks = tasks_info();
-  if (options.json) return print_document(json_of(tasks));
+  const auto tasks = jobs::tasks_info();
+  if (options.json) return print_document(document(jobs::tasks_json()));
   std::string text;
-  for (const TaskInfo& task : tasks) text += text_of(task);
+  for (const jobs::TaskInfo& task : tasks) text += text_of(task);
   return print_document(text);
 }
 

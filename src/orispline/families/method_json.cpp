@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "commands/methods/methods_json.hpp"
+#include <orispline/families/method_json.hpp>
+
+#include <utility>
 
 #include <orispline/families/blending/blending_family.hpp>
 
-#include "output/json_document.hpp"
-
-namespace orispline::cli {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
@@ -52,7 +52,7 @@ Json inner_json(const FamilyInfo& family) {
   return order ? Json(*order) : Json(nullptr);
 }
 
-Json method(const FamilyInfo& family) {
+Json method_json(const FamilyInfo& family) {
   Json json = {{"name", family.name},
                {"title", family.title},
                {"source", family.source},
@@ -76,10 +76,10 @@ Json method(const FamilyInfo& family) {
 
 }  // namespace
 
-std::string json_of(std::span<const FamilyInfo> families) {
+Json methods_json(std::span<const FamilyInfo> families) {
   Json list = Json::array();
-  for (const FamilyInfo& family : families) list.push_back(method(family));
-  return document(list);
+  for (const FamilyInfo& family : families) list.push_back(method_json(family));
+  return list;
 }
 
-}  // namespace orispline::cli
+}}  // namespace orispline

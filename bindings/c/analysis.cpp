@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <limits>
+
+#include <orispline/analysis.hpp>
+#include <orispline/families/method_warnings.hpp>
+#include <orispline/fields/warning_json.hpp>
+
+#include "curve.hpp"
+#include "errors.hpp"
+#include "json_text.hpp"
+
+namespace orispline::c {
+
+namespace {
+
+orispline_jump jump_of(const RateJump& jump) {
+  return {jump.largest, jump.relative, static_cast<std::int64_t>(jump.key)};
+}
+
+orispline_peak peak_of(const Peak& peak) { return {peak.value, peak.time}; }
+
+Expected<Eigen::Matrix3d> inertia_in(const double* inertia) {
+  if (!inertia) return Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  return checked_inertia(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(inertia));
+}
+
+}  // namespace
+
+}  // namespace orispline::c
+
+using namespace orispline;
+using namespace orispline::c;
+
+orispline_code orispline_curve_continuity(const orispline_curve* curve, orispline_continuity* found,
+                                          orispline_error** error) {
+  return guarded(error, [&] {
+    return check_pointer(found, "found").and_then([&] { return checked(curve); }).map([&](const HeldCurve* body) {
+      const Seam seam = body->method.options.loop ? Seam::closed : Seam::open;
+      const Continuity continuity = continuity_at_keys(body->pose.orientation, seam);
+      *found = {.order = continuity.order(),
+                .angular_velocity = jump_of(continuity.angular_velocity),
+                .angular_acceleration = jump_of(continuity.angular_acceleration),
+                .angular_jerk = jump_of(continuity.angular_jerk),
+                .orientation_jump = continuity.orientation.angle,
+                .orientation_jump_time = continuity.orientation.time};
+    });
+  });
+}
+
+orispline_code orispline_curve_peaks(const orispline_curve* curve, const double* inertia, orispline_peaks* found,
+                                     orispline_error** error) {
+  return guarded(error, [&]() -> Expected<void> {
+    const auto body = checked(curve);
+    if (!body) return tl::unexpected(body.error());
+    return check_pointer(found, "found")
+        .and_then([&] { return inertia_in(inertia); })
+        .map([&](const Eigen::Matrix3d& matrix) {
+          constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+          const Peaks largest = peaks((*body)->pose.orientation, matrix);
+          *found = {.angular_velocity = peak_of(largest.angular_velocity),
+                    .angular_acceleration = peak_of(largest.angular_acceleration),
+                    .torque = inertia ? peak_of(largest.torque) : orispline_peak{nan, nan}};
+        });
+  });
+}
+
+orispline_code orispline_curve_warnings(const orispline_curve* curve, char** json, orispline_error** error) {
+  return guarded(error, [&] {
+    return cleared(json, "json").and_then([&] { return checked(curve); }).map([&](const HeldCurve* body) {
+      *json = text_of_c(json_text(warnings_json(warnings_of(body->method, *body->track))));
+    });
+  });
+}
