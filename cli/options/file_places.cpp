@@ -8,6 +8,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/file_format.hpp>
+#include <orispline/io/file_system.hpp>
 #include <orispline/io/output_file.hpp>
 
 #include "options/option_text.hpp"

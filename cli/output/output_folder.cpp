@@ -14,7 +14,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/file_format.hpp>
-#include <orispline/io/output_file.hpp>
+#include <orispline/io/file_system.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
 #include "options/file_places.hpp"

@@ -54,7 +54,7 @@ template <int N, std::size_t Pieces, class F>
   }
   (std::make_index_sequence<Pieces>());
   std::array<double, Pieces * quadrature_nodes> times;
-  for (std::size_t k = 0; k < Pieces; ++k) std::ranges::copy(rules[k].times, times.begin() + k * quadrature_nodes);
+  for (std::size_t k = 0; k < Pieces; ++k) std::ranges::copy(rules[k].times, &times[k * quadrature_nodes]);
   std::array<Figures<N>, Pieces * quadrature_nodes> values;
   f(std::span<const double>(times), std::span<Figures<N>>(values));
   std::array<Integral<N>, Pieces> sums;

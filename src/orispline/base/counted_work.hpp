@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <mutex>
 
+#include <orispline/base/mutex.hpp>
 #include <orispline/base/progress.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -21,7 +21,7 @@ class CountedWork {
  private:
   const Progress& progress_;
   std::size_t parts_, done_ = 0;
-  std::mutex showing_;
+  Mutex showing_;
 };
 
 }}  // namespace orispline

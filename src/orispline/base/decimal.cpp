@@ -6,14 +6,14 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <locale>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include <orispline/base/decimal_digits.hpp>
+#include <orispline/base/decimal_text.hpp>
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/nearest_double.hpp>
 #include <orispline/base/number_text.hpp>
 #include <orispline/base/quoted.hpp>
 
@@ -60,40 +60,6 @@ Integer cut(Integer value, int digits) {
   return digits > Decimal::max_digits ? Integer{0} : value / integer_power_of_ten(digits);
 }
 
-bool is_digit(char c) { return '0' <= c && c <= '9'; }
-
-/// Reads the parts of a decimal number from the front of a text.
-class Scanner {
- public:
-  explicit Scanner(std::string_view text) : rest_(text) {}
-
-  [[nodiscard]] bool done() const { return rest_.empty(); }
-  bool take(char c) {
-    if (!rest_.starts_with(c)) return false;
-    rest_.remove_prefix(1);
-    return true;
-  }
-  /// -1 after a minus sign, else 1.
-  int sign() {
-    if (take('-')) return -1;
-    take('+');
-    return 1;
-  }
-  /// Calls `use` with each digit; gives their number.
-  template <class Use>
-  int digits(Use use) {
-    std::size_t count = 0;
-    for (; count < rest_.size() && is_digit(rest_[count]); ++count) use(rest_[count] - '0');
-    rest_.remove_prefix(count);
-    return static_cast<int>(count);
-  }
-
- private:
-  std::string_view rest_;
-};
-
-constexpr std::int64_t exponent_cap = 1'000'000'000;  // farther is as far out of range
-
 /// Significant digits gathered one by one; zeros count once a digit follows them.
 struct Significand {
   static constexpr int short_digits = 18;  // that 64 bits hold: most numbers have no more, and those are fast
@@ -121,35 +87,18 @@ struct Significand {
   }
 };
 
-/// A number as written: significand · 10^exponent.
-struct Written {
+/// A number as written: ± significand · 10^exponent.
+struct Written : WrittenDecimal {
   Significand significand;
-  int sign = 1;
-  std::int64_t exponent = 0;
 };
 
 /// Nothing for a text that is no decimal number.
 std::optional<Written> scan(std::string_view text) {
-  Written written;
-  Scanner scanner(text);
-  const auto append = [&written](int digit) { written.significand.append(digit); };
-  written.sign = scanner.sign();
-  int digits = scanner.digits(append);
-  if (scanner.take('.')) {
-    const int decimals = scanner.digits(append);
-    digits += decimals;
-    written.exponent = -decimals;
-  }
-  if (digits == 0) return std::nullopt;
-  if (scanner.take('e') || scanner.take('E')) {
-    const int sign = scanner.sign();
-    std::int64_t exponent = 0;
-    const auto grow = [&exponent](int digit) { exponent = std::min(exponent * 10 + digit, exponent_cap); };
-    if (scanner.digits(grow) == 0) return std::nullopt;
-    written.exponent += sign * exponent;
-  }
-  if (!scanner.done()) return std::nullopt;
-  written.exponent += written.significand.pending_zeros;
+  Significand significand;
+  const auto around = DecimalScanner(text).scan([&significand](int digit) { significand.append(digit); });
+  if (!around) return std::nullopt;
+  Written written{*around, significand};
+  written.exponent += significand.pending_zeros;
   return written;
 }
 
@@ -210,13 +159,8 @@ double Decimal::to_double() const {
     const double size = nearest_quotient(magnitude(coefficient_), -exponent_);
     return coefficient_ < 0 ? -size : size;
   }
-  Digits digits(magnitude(coefficient_));
-  const std::string_view text = digits.with_exponent(exponent_);
-  std::istringstream stream{std::string(text)};  // correctly rounded, and rare
-  stream.imbue(std::locale::classic());
-  double value = 0.0;
-  stream >> value;
-  return coefficient_ < 0 ? -value : value;
+  const double size = nearest_double(Digits(magnitude(coefficient_)).text(), exponent_);
+  return coefficient_ < 0 ? -size : size;
 }
 
 int Decimal::decade() const noexcept { return exponent_ + digits_of(magnitude(coefficient_)) - 1; }

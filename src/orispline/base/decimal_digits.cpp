@@ -2,7 +2,6 @@
 #include <orispline/base/decimal_digits.hpp>
 
 #include <algorithm>
-#include <charconv>
 
 #include <fmt/format.h>
 
@@ -23,12 +22,6 @@ void Digits::put(std::uint64_t value) {
   const fmt::format_int digits(value);
   begin_ -= digits.size();
   std::copy_n(digits.data(), digits.size(), text_.data() + begin_);
-}
-
-std::string_view Digits::with_exponent(int exponent) {
-  text_[end_of_digits] = 'e';
-  const auto written = std::to_chars(text_.data() + end_of_digits + 1, text_.data() + text_.size(), exponent);
-  return {text_.data() + begin_, written.ptr};
 }
 
 }}  // namespace orispline

@@ -38,15 +38,13 @@ class Digits {
   explicit Digits(Integer value);
 
   [[nodiscard]] std::string_view text() const noexcept { return {text_.data() + begin_, end_of_digits - begin_}; }
-  /// `12e-3`; valid as long as the digits are.
-  [[nodiscard]] std::string_view with_exponent(int exponent);
 
  private:
   static constexpr std::size_t end_of_digits = 40;
 
   void put(std::uint64_t value);
 
-  std::array<char, end_of_digits + 16> text_;
+  std::array<char, end_of_digits> text_;
   std::size_t begin_ = end_of_digits;
 };
 

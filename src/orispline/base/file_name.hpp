@@ -14,6 +14,13 @@ namespace orispline { inline namespace ORISPLINE_ABI {
   return slash == std::string_view::npos || slash + 1 == path.size() ? path : path.substr(slash + 1);
 }
 
+/// From the last point of the name on, with it; empty where there is none but at the front of the name.
+[[nodiscard]] constexpr std::string_view extension_of(std::string_view path) noexcept {
+  const std::string_view name = path.substr(path.rfind('/') + 1);
+  const std::size_t point = name.rfind('.');
+  return point == std::string_view::npos || point == 0 || name == ".." ? std::string_view() : name.substr(point);
+}
+
 /// Whether a path ends in that extension, which is in small letters with its dot, in any case of letters; an extension
 /// alone is the name of a file.
 [[nodiscard]] constexpr bool has_extension(std::string_view path, std::string_view extension) noexcept {

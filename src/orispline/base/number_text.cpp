@@ -7,14 +7,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <locale>
-#include <sstream>
 #include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include <orispline/base/decimal_digits.hpp>
+#include <orispline/base/decimal_text.hpp>
+#include <orispline/base/nearest_double.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -133,12 +133,11 @@ char* write_shortest_text(char* to, double value) {
 }
 
 std::optional<double> number_in(std::string_view text) {
-  std::istringstream stream{std::string(text)};
-  stream.imbue(std::locale::classic());
-  double number = 0.0;
-  stream >> std::noskipws >> number;
-  const bool is_whole = stream && stream.peek() == std::istringstream::traits_type::eof();
-  return is_whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
+  std::string digits;
+  const auto written = DecimalScanner(text).scan([&digits](int digit) { digits += static_cast<char>('0' + digit); });
+  if (!written) return std::nullopt;
+  const double number = written->sign * nearest_double(digits, written->exponent);
+  return std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
 }}  // namespace orispline

@@ -40,14 +40,27 @@ class Parts {
   std::exception_ptr failure_;
 };
 
-/// As many threads beside this one as the system has.
-void start(std::vector<std::jthread>& others, std::size_t count, Parts& parts) {
-  try {
-    while (others.size() < count) others.emplace_back([&parts] { parts.run(); });
-  } catch (const std::system_error&) {  // those that there are do the rest
-  } catch (const std::bad_alloc&) {
+/// Threads that do parts beside this one, until there are none left. Not of `std::jthread`, which Apple's library
+/// lacks.
+class Others {
+ public:
+  /// As many as the system has, up to `count`.
+  Others(std::size_t count, Parts& parts) {
+    try {
+      while (threads_.size() < count) threads_.emplace_back([&parts] { parts.run(); });
+    } catch (const std::system_error&) {  // those that there are do the rest
+    } catch (const std::bad_alloc&) {
+    }
   }
-}
+  Others(const Others&) = delete;
+  Others& operator=(const Others&) = delete;
+  ~Others() {
+    for (std::thread& thread : threads_) thread.join();
+  }
+
+ private:
+  std::vector<std::thread> threads_;
+};
 
 }  // namespace
 
@@ -55,8 +68,7 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
   if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
   Parts parts(count, work);
   {
-    std::vector<std::jthread> others;  // joined when they go out of scope
-    start(others, std::max<std::size_t>(1, std::min<std::size_t>(threads, count)) - 1, parts);
+    const Others others(std::max<std::size_t>(1, std::min<std::size_t>(threads, count)) - 1, parts);
     parts.run();
   }
   parts.rethrow();

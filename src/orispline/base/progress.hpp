@@ -2,10 +2,10 @@
 #pragma once
 
 #include <functional>
-#include <stop_token>
 #include <utility>
 
 #include <orispline/base/expected.hpp>
+#include <orispline/base/stop_token.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -15,7 +15,7 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// changed nothing. `show` is called with the share of the work that is done, from 0 to 1, which does not go back; from
 /// one thread at a time, not always the caller's. It must not throw.
 struct Progress {
-  std::stop_token stop{};
+  StopToken stop{};
   std::function<void(double share)> show{};
 
   [[nodiscard]] bool stopped() const noexcept { return stop.stop_requested(); }

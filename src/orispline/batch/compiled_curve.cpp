@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <deque>
 #include <limits>
-#include <mutex>
+#include <memory>
 #include <new>
 #include <utility>
 
@@ -18,6 +17,11 @@ template <class T>
 class KeptRecords {
  public:
   explicit KeptRecords(std::size_t segments) : places_(segments) {}
+  KeptRecords(const KeptRecords&) = delete;
+  KeptRecords& operator=(const KeptRecords&) = delete;
+  ~KeptRecords() {
+    for (const auto& place : places_) delete place.load(std::memory_order_relaxed);
+  }
 
   /// Null where there is no memory.
   [[nodiscard]] const SegmentRecord<T>* of(const AnyCurve& curve, std::size_t segment) noexcept {
@@ -26,21 +30,16 @@ class KeptRecords {
   }
 
  private:
+  /// Of two threads that make it, one keeps that of the other.
   [[nodiscard]] const SegmentRecord<T>* make(const AnyCurve& curve, std::size_t segment) noexcept {
-    const SegmentRecord<T> record = record_of<T>(curve, segment);
-    const std::lock_guard lock(mutex_);
-    std::atomic<const SegmentRecord<T>*>& place = places_[segment];
-    if (const auto* const other = place.load(std::memory_order_relaxed)) return other;
-    try {
-      place.store(&records_.emplace_back(record), std::memory_order_release);
-    } catch (const std::bad_alloc&) {
-    }
-    return place.load(std::memory_order_relaxed);
+    std::unique_ptr<const SegmentRecord<T>> record(new (std::nothrow) SegmentRecord<T>(record_of<T>(curve, segment)));
+    const SegmentRecord<T>* kept = nullptr;
+    const bool is_first =
+        record && places_[segment].compare_exchange_strong(kept, record.get(), std::memory_order_acq_rel);
+    return is_first ? record.release() : kept;
   }
 
   std::vector<std::atomic<const SegmentRecord<T>*>> places_;
-  std::mutex mutex_;
-  std::deque<SegmentRecord<T>> records_;
 };
 
 }  // namespace batch

@@ -2,6 +2,7 @@
 #include <orispline/clip/clip_difference.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -13,12 +14,14 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-std::size_t mixed(std::size_t hash, std::size_t more) noexcept {
+using Hash = std::uint64_t;
+
+Hash mixed(Hash hash, Hash more) noexcept {
   return (hash ^ (more + 0x9e3779b97f4a7c15U + (hash << 6) + (hash >> 2))) * 0xbf58476d1ce4e5b9U;
 }
 
-std::size_t hash_of(const Joint& joint) {
-  std::size_t hash = std::hash<std::string_view>()(joint.name);
+Hash hash_of(const Joint& joint) {
+  Hash hash = std::hash<std::string_view>()(joint.name);
   const auto add = [&](double number) { hash = mixed(hash, std::hash<double>()(number)); };
   for (const double number : joint.rest.translation) add(number);
   for (const double number : joint.rest.rotation.coeffs()) add(number);
@@ -31,13 +34,13 @@ struct Tree {
   const Skeleton& skeleton;
   std::vector<std::size_t> roots{};
   std::vector<std::vector<std::size_t>> children{};
-  std::vector<std::size_t> looks{};  ///< of each joint and all that is below it, whatever their order
-  std::vector<bool> taken{};         ///< has its counterpart
+  std::vector<Hash> looks{};  ///< of each joint and all that is below it, whatever their order
+  std::vector<bool> taken{};  ///< has its counterpart
 
   explicit Tree(const Skeleton& of) : skeleton(of), children(of.size()), looks(of.size()), taken(of.size()) {
     for (std::size_t i = 0; i < of.size(); ++i)
       (of[i].parent == no_parent ? roots : children[of[i].parent]).push_back(i);
-    std::vector<std::size_t> below(of.size());
+    std::vector<Hash> below(of.size());
     for (std::size_t i = of.size(); i-- > 0;) {
       looks[i] = mixed(hash_of(of[i]), below[i]);
       if (of[i].parent != no_parent) below[of[i].parent] += looks[i];
@@ -99,7 +102,7 @@ class Matcher {
   /// Of one name: those that look alike, then by their order.
   void match(const Candidates& candidates, Found how) {
     if (candidates.is_one_of_each()) return pair(candidates.first[0], candidates.second[0], how);
-    std::map<std::size_t, Candidates> alike;
+    std::map<Hash, Candidates> alike;
     for (const std::size_t i : candidates.first) alike[first_.looks[i]].first.push_back(i);
     for (const std::size_t i : candidates.second) alike[second_.looks[i]].second.push_back(i);
     for (const auto& [looks, group] : alike) {

@@ -47,8 +47,8 @@ void put_fields(Json& json, std::span<const FieldInfo> fields, const void* resul
     const FieldValue value = field.get(result);
     const std::uint64_t* sample = field.type == FieldType::sample ? std::get_if<std::uint64_t>(&value) : nullptr;
     if (absent == Absent::left_out && is_absent(value)) continue;
-    json[name_with_unit(field)] =
-        sample ? Json(places.time(*sample).to_string()) : std::visit(ValueJson{field, places}, value);
+    json[name_with_unit(field)] = sample ? Json(places.time(static_cast<std::size_t>(*sample)).to_string())
+                                         : std::visit(ValueJson{field, places}, value);
   }
 }
 

@@ -142,11 +142,11 @@ Expected<std::optional<int>> first_in(const Nlohmann& json) {
 
 Expected<BlendingBasis> basis_in(const Nlohmann& json) {
   return text_in(json, "basis").and_then([](const std::string& word) -> Expected<BlendingBasis> {
-    const auto* const found = std::ranges::find(bases, word);
+    const auto found = static_cast<std::size_t>(std::ranges::find(bases, word) - bases.begin());
     if (word.empty()) return BlendingBasis::bernstein;
-    if (found == bases.end())
+    if (found == bases.size())
       return refused(formatted("basis: found {}, wanted one of {}", in_quotes(word), joined(bases, ", ")));
-    return static_cast<BlendingBasis>(found - bases.begin());
+    return static_cast<BlendingBasis>(found);
   });
 }
 
@@ -177,8 +177,8 @@ Expected<BlendingData> blending_from_json(std::string_view text) {
   return data;
 }
 
-Expected<BlendingData> read_blending(const std::string& path) {
-  auto lines = LineReader::open(path);
+Expected<BlendingData> read_blending(const Input& input) {
+  auto lines = LineReader::open(input);
   if (!lines) return tl::unexpected(std::move(lines.error()));
   std::string text;
   for (;;) {
@@ -188,10 +188,10 @@ Expected<BlendingData> read_blending(const std::string& path) {
     text.append(**line).push_back('\n');
     if (text.size() > longest_file)
       return failure(ErrorCode::bad_data, formatted("found more than {} bytes, wanted fewer", longest_file),
-                     {.file = path});
+                     {.file = input.name()});
   }
   return blending_from_json(text).map_error([&](Error error) {
-    error.where.file = path;
+    error.where.file = input.name();
     return error;
   });
 }

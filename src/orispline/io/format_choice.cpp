@@ -115,11 +115,11 @@ Expected<void> check_frames(const ReadOptions& options) {
 
 const FormatInfo* likest(std::span<const FormatInfo* const> formats, const TextTable& table, const ReadOptions& options,
                          Likeness least) {
-  const auto likeness = [&](const FormatInfo* format) {
+  const auto likeness_of = [&](const FormatInfo* format) {
     return format->reading.likeness ? format->reading.likeness(table, options) : Likeness::none;
   };
-  const auto best = std::ranges::max_element(formats, {}, likeness);
-  return best == formats.end() || likeness(*best) < least ? nullptr : *best;
+  const auto best = std::ranges::max_element(formats, {}, likeness_of);
+  return best == formats.end() || likeness_of(*best) < least ? nullptr : *best;
 }
 
 Expected<Source> open_keys(KeyInput input, const ReadOptions& options) {

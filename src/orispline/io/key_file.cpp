@@ -22,13 +22,13 @@ Expected<std::vector<KeyFile>> keys_in(KeyRowsSource source, const ReadOptions& 
 }
 
 /// Each of the recordings in a file, which is read once for each.
-Expected<std::vector<KeyFile>> each_session(const std::string& path, ReadOptions options) {
-  const auto count = sessions_in(path, options);
+Expected<std::vector<KeyFile>> each_session(const Input& input, ReadOptions options) {
+  const auto count = sessions_in(input, options);
   if (!count) return tl::unexpected(count.error());
   std::vector<KeyFile> files;
   for (std::size_t session = 1; session <= *count; ++session) {
     options.session = session;
-    auto file = read_keys(path, options);
+    auto file = read_keys(input, options);
     if (!file) return tl::unexpected(std::move(file.error()));
     files.push_back(std::move(*file));
   }
@@ -52,17 +52,17 @@ Expected<std::vector<KeyFile>> keys_in(TracksSource source, const ReadOptions& o
 
 }  // namespace
 
-Expected<std::vector<KeyFile>> read_all_keys(const std::string& path, const ReadOptions& options) {
-  return KeyInput::open(path, options).and_then([&](KeyInput input) {
-    return read_all_keys(std::move(input), options);
+Expected<std::vector<KeyFile>> read_all_keys(const Input& input, const ReadOptions& options) {
+  return KeyInput::open(input, options).and_then([&](KeyInput opened) {
+    return read_all_keys(std::move(opened), options);
   });
 }
 
-Expected<std::size_t> sessions_in(const std::string& path, const ReadOptions& options) {
-  if (path == standard_stream)
+Expected<std::size_t> sessions_in(const Input& input, const ReadOptions& options) {
+  if (input.is_standard_input())
     return bad_option("session", "found all with standard input, which can be read once only; wanted a file");
-  return KeyInput::open(path, options)
-      .and_then([&](KeyInput input) { return open_keys(std::move(input), options); })
+  return KeyInput::open(input, options)
+      .and_then([&](KeyInput opened) { return open_keys(std::move(opened), options); })
       .and_then([&](auto source) -> Expected<std::size_t> {
         auto* const rows = std::get_if<KeyRowsSource>(&source);
         return rows ? sessions_in(std::move(*rows), options) : Expected<std::size_t>(1);
@@ -70,7 +70,7 @@ Expected<std::size_t> sessions_in(const std::string& path, const ReadOptions& op
 }
 
 Expected<std::vector<KeyFile>> read_all_keys(KeyInput input, const ReadOptions& options) {
-  if (options.session == all_sessions) return each_session(input.path(), options);
+  if (options.session == all_sessions) return each_session(Input(input.input()), options);
   const Recipe recipe = recipe_of(input, options);
   auto files = open_keys(std::move(input), options).and_then([&](auto source) {
     return std::visit([&](auto&& open) { return keys_in(std::move(open), options); }, std::move(source));
@@ -80,8 +80,8 @@ Expected<std::vector<KeyFile>> read_all_keys(KeyInput input, const ReadOptions& 
   return files;
 }
 
-Expected<KeyFile> read_keys(const std::string& path, const ReadOptions& options) {
-  return KeyReader::open(path, options).and_then([](KeyReader reader) { return reader.next(); });
+Expected<KeyFile> read_keys(const Input& input, const ReadOptions& options) {
+  return KeyReader::open(input, options).and_then([](KeyReader reader) { return reader.next(); });
 }
 
 Expected<KeyFile> read_keys(KeyInput input, const ReadOptions& options) {

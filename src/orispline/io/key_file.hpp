@@ -14,6 +14,7 @@
 #include <orispline/io/clock.hpp>
 #include <orispline/io/euler_turns.hpp>
 #include <orispline/io/file_format.hpp>
+#include <orispline/io/input.hpp>
 #include <orispline/io/orientation_form.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
@@ -181,20 +182,20 @@ struct KeyFile {
 [[nodiscard]] ORISPLINE_EXPORT Expected<void> check_frames(const ReadOptions& options);
 
 /// How many recordings stand one behind the other in a file that can be read again. Errors: those of read_keys().
-[[nodiscard]] ORISPLINE_EXPORT Expected<std::size_t> sessions_in(const std::string& path, const ReadOptions& options);
+[[nodiscard]] ORISPLINE_EXPORT Expected<std::size_t> sessions_in(const Input& input, const ReadOptions& options);
 
-/// Reads the keyframes of a file of one track, or of standard input for `-`.
+/// Reads the keyframes of a file of one track.
 ///
 /// Times are strictly increasing and all numbers finite, norms near 1 unless they are left as they are; signs are left
 /// to `Keyframes::make`.
 /// Errors name the file, the line and the column or the key: bad_access, bad_data, and bad_argument for options that
 /// contradict the file.
-[[nodiscard]] ORISPLINE_EXPORT Expected<KeyFile> read_keys(const std::string& path, const ReadOptions& options = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<KeyFile> read_keys(const Input& input, const ReadOptions& options = {});
 
 [[nodiscard]] ORISPLINE_EXPORT Expected<KeyFile> read_keys(KeyInput input, const ReadOptions& options);
 
 /// Reads the keyframes of every track in a file, one at least.
-[[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<KeyFile>> read_all_keys(const std::string& path,
+[[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<KeyFile>> read_all_keys(const Input& input,
                                                                             const ReadOptions& options = {});
 
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<KeyFile>> read_all_keys(KeyInput input, const ReadOptions& options);

@@ -38,9 +38,9 @@ Expected<Recipe> recipe_above_rows(LineReader& lines) {
 
 }  // namespace
 
-Expected<KeyInput> KeyInput::open(const std::string& path, const ReadOptions& options) {
+Expected<KeyInput> KeyInput::open(Input input, const ReadOptions& options) {
   if (auto checked = check(options.frames); !checked) return tl::unexpected(std::move(checked.error()));
-  return LineReader::open(path).and_then([&](LineReader lines) -> Expected<KeyInput> {
+  return LineReader::open(std::move(input)).and_then([&](LineReader lines) -> Expected<KeyInput> {
     if (options.recipe == RecipeUse::ignored) return KeyInput(std::move(lines), {});
     lines.keep();
     auto recipe = recipe_above_rows(lines);
@@ -55,6 +55,8 @@ KeyInput::KeyInput(LineReader lines, Recipe recipe)
 KeyInput::KeyInput(KeyInput&&) noexcept = default;
 KeyInput& KeyInput::operator=(KeyInput&&) noexcept = default;
 KeyInput::~KeyInput() = default;
+
+const Input& KeyInput::input() const noexcept { return lines_->input(); }
 
 const std::string& KeyInput::path() const noexcept { return lines_->path(); }
 

@@ -15,15 +15,15 @@ class LineReader;
 /// before it decides how they are read.
 class ORISPLINE_EXPORT KeyInput {
  public:
-  /// Opens a file; `-` is standard input. Comments are looked at in its first MiB, and what they say is stated in the
-  /// frames of the options. Errors: bad_access; bad_data for a recipe that cannot be understood; bad_argument for
-  /// frames that contradict each other.
-  [[nodiscard]] static Expected<KeyInput> open(const std::string& path, const ReadOptions& options = {});
+  /// Comments are looked at in the first MiB, and what they say is stated in the frames of the options. Errors:
+  /// bad_access; bad_data for a recipe that cannot be understood; bad_argument for frames that contradict each other.
+  [[nodiscard]] static Expected<KeyInput> open(Input input, const ReadOptions& options = {});
 
   KeyInput(KeyInput&&) noexcept;
   KeyInput& operator=(KeyInput&&) noexcept;
   ~KeyInput();
 
+  [[nodiscard]] const Input& input() const noexcept;
   [[nodiscard]] const std::string& path() const noexcept;
   /// Empty where the file has none, or where it is ignored.
   [[nodiscard]] const Recipe& recipe() const noexcept { return recipe_; }

@@ -25,8 +25,10 @@ Expected<KeyFile> only_track(TracksSource source, const std::string& path, const
 
 }  // namespace
 
-Expected<KeyReader> KeyReader::open(const std::string& path, const ReadOptions& options) {
-  return KeyInput::open(path, options).and_then([&](KeyInput input) { return open(std::move(input), options); });
+Expected<KeyReader> KeyReader::open(Input input, const ReadOptions& options) {
+  return KeyInput::open(std::move(input), options).and_then([&](KeyInput opened) {
+    return open(std::move(opened), options);
+  });
 }
 
 Expected<KeyReader> KeyReader::open(KeyInput input, const ReadOptions& options) {

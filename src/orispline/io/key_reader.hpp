@@ -13,12 +13,12 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 struct KeyColumns;
 struct KeyRowsSource;
 
-/// Reads the keys of a file of one track, or of standard input for `-`, in pieces where they are rows of a table.
+/// Reads the keys of a file of one track in pieces where they are rows of a table.
 class ORISPLINE_EXPORT KeyReader {
  public:
   /// Reads as far as the first row, which decides how the others are read; keys of another kind all at once. Errors:
   /// those of read_keys().
-  [[nodiscard]] static Expected<KeyReader> open(const std::string& path, const ReadOptions& options = {});
+  [[nodiscard]] static Expected<KeyReader> open(Input input, const ReadOptions& options = {});
   /// Likewise of a file that was opened before.
   [[nodiscard]] static Expected<KeyReader> open(KeyInput input, const ReadOptions& options);
   KeyReader(KeyRowsSource source, const ReadOptions& options);

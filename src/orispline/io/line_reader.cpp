@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/io/line_reader.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 #include <utility>
 
-#include <orispline/io/file_format.hpp>
 #include <orispline/io/other_kinds.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
@@ -27,12 +27,13 @@ void LineReader::Close::operator()(std::FILE* file) const noexcept {
   if (file != stdin) std::fclose(file);
 }
 
-Expected<LineReader> LineReader::open(const std::string& path) {
-  if (path == standard_stream) return LineReader(path, stdin);
+Expected<LineReader> LineReader::open(Input input) {
+  if (input.is_in_memory()) return LineReader(std::move(input), nullptr);
+  if (input.is_standard_input()) return LineReader(std::move(input), stdin);
   errno = 0;
-  std::FILE* file = std::fopen(path.c_str(), "rb");
-  if (!file) return no_access(path, "cannot open", errno);
-  return LineReader(path, file);
+  std::FILE* const file = std::fopen(input.name().c_str(), "rb");
+  if (!file) return no_access(input.name(), "cannot open", errno);
+  return LineReader(std::move(input), file);
 }
 
 Expected<std::optional<std::string_view>> LineReader::next() {
@@ -58,17 +59,28 @@ void LineReader::rewind() noexcept {
 /// Appends the next chunk to the text that was not given out yet; false at the end of the file.
 Expected<bool> LineReader::fill() {
   if (buffer_.size() - begin_ > longest_line)
-    return failure(ErrorCode::bad_data, "the line is longer than 16 MiB, wanted a text file", {path_, line_ + 1});
+    return failure(ErrorCode::bad_data, "the line is longer than 16 MiB, wanted a text file", {path(), line_ + 1});
   if (!keeps_) buffer_.erase(0, std::exchange(begin_, 0));
   const std::size_t kept = buffer_.size();
   buffer_.resize(kept + chunk);
+  const auto count = read(std::span(buffer_).subspan(kept));
+  if (!count) return tl::unexpected(count.error());
+  buffer_.resize(kept + *count);
+  bytes_ += *count;
+  return *count > 0;
+}
+
+/// How many bytes there are for the room; none at the end of the file.
+Expected<std::size_t> LineReader::read(std::span<char> room) {
+  if (!file_) {
+    const std::string_view bytes = input_.bytes().substr(bytes_, room.size());
+    std::ranges::copy(bytes, room.begin());
+    return bytes.size();
+  }
   errno = 0;
-  const std::size_t count = std::fread(buffer_.data() + kept, 1, chunk, file_.get());
-  const int system_error = errno;
-  buffer_.resize(kept + count);
-  bytes_ += count;
-  if (count == 0 && std::ferror(file_.get())) return no_access(path_, "cannot read", system_error);
-  return count > 0;
+  const std::size_t count = std::fread(room.data(), 1, room.size(), file_.get());
+  if (count == 0 && std::ferror(file_.get())) return no_access(path(), "cannot read", errno);
+  return count;
 }
 
 /// Takes `used` bytes from the buffer; gives the line in them once it is found to be text.
@@ -76,17 +88,17 @@ Expected<std::optional<std::string_view>> LineReader::give(std::string_view line
   begin_ += used;
   ++line_;
   if (line_ == 1 && begins_as_utf16(line))
-    return failure(ErrorCode::bad_data, "the file is UTF-16 text, wanted UTF-8", {path_, line_});
+    return failure(ErrorCode::bad_data, "the file is UTF-16 text, wanted UTF-8", {path(), line_});
   if (line_ == 1 && line.starts_with(utf8_mark)) line.remove_prefix(utf8_mark.size());
   if (line.ends_with('\r')) line.remove_suffix(1);
   if (line.find('\0') != std::string_view::npos) {
     if (auto kind = line_ == 1 ? other_kind(line) : std::nullopt)
-      return failure(ErrorCode::bad_data, std::move(*kind), {.file = path_});
-    return failure(ErrorCode::bad_data, "found a NUL byte, wanted a text file", {path_, line_});
+      return failure(ErrorCode::bad_data, std::move(*kind), {.file = path()});
+    return failure(ErrorCode::bad_data, "found a NUL byte, wanted a text file", {path(), line_});
   }
   if (line.find('\r') != std::string_view::npos)
     return failure(ErrorCode::bad_data, "found a carriage return within the line, wanted lines that end in LF or CRLF",
-                   {path_, line_});
+                   {path(), line_});
   return line;
 }
 

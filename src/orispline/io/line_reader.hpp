@@ -4,14 +4,16 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include <orispline/base/expected.hpp>
+#include <orispline/io/input.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
-/// Streams a text file line by line in constant memory.
+/// Streams a text line by line in constant memory.
 ///
 /// Lines end in LF or CRLF, the last one also in nothing; a UTF-8 byte order mark is skipped.
 class ORISPLINE_EXPORT LineReader {
@@ -19,8 +21,8 @@ class ORISPLINE_EXPORT LineReader {
   /// No text of numbers has longer lines; what has is some other kind of file.
   static constexpr std::size_t longest_line = std::size_t{16} << 20;  // [bytes]
 
-  /// Opens a file; `-` is standard input. Error: bad_access.
-  [[nodiscard]] static Expected<LineReader> open(const std::string& path);
+  /// Error: bad_access.
+  [[nodiscard]] static Expected<LineReader> open(Input input);
 
   /// The next line without its ending, valid until the next call; nothing at the end of the file.
   ///
@@ -33,7 +35,8 @@ class ORISPLINE_EXPORT LineReader {
   void forget() noexcept { keeps_ = false; }
   void rewind() noexcept;
 
-  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+  [[nodiscard]] const Input& input() const noexcept { return input_; }
+  [[nodiscard]] const std::string& path() const noexcept { return input_.name(); }
   /// 1-based number of the line that `next` gave last.
   [[nodiscard]] std::size_t line() const noexcept { return line_; }
   /// Of the file, which is read ahead.
@@ -44,12 +47,13 @@ class ORISPLINE_EXPORT LineReader {
     void operator()(std::FILE* file) const noexcept;
   };
 
-  LineReader(std::string path, std::FILE* file) : path_(std::move(path)), file_(file) {}
+  LineReader(Input input, std::FILE* file) : input_(std::move(input)), file_(file) {}
   [[nodiscard]] Expected<bool> fill();
+  [[nodiscard]] Expected<std::size_t> read(std::span<char> room);
   [[nodiscard]] Expected<std::optional<std::string_view>> give(std::string_view line, std::size_t used);
 
-  std::string path_;
-  std::unique_ptr<std::FILE, Close> file_;
+  Input input_;
+  std::unique_ptr<std::FILE, Close> file_;  // null: in memory
   std::string buffer_;
   std::size_t begin_ = 0;  // of the text in the buffer that was not given out yet
   std::size_t line_ = 0, bytes_ = 0;

@@ -2,7 +2,7 @@
 #include <orispline/io/output_file.hpp>
 
 #include <cerrno>
-#include <filesystem>
+#include <cstdio>
 #include <system_error>
 #include <utility>
 
@@ -14,12 +14,11 @@
 
 #include <orispline/base/expect.hpp>
 #include <orispline/io/file_format.hpp>
+#include <orispline/io/file_system.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int part_names = 100;   // tried one after the other: a part may be another process's
 constexpr int cleared_names = 4;  // of them are looked at for parts that were left, and all those in use
@@ -63,19 +62,25 @@ Expected<OutputFile> OutputFile::open(const std::string& path) {
     return output;
   }
   output.target_ = behind_links(path);
-  std::error_code reason;
-  const fs::file_status status = fs::status(output.target_, reason);
-  if (!fs::status_known(status)) return no_access(path, reason);  // such as links in a circle
-  if (fs::is_directory(status)) return no_access(path, std::make_error_code(std::errc::is_a_directory));
+  const Place place = place_at(output.target_);
+  if (place.kind == PlaceKind::unknown) return no_access(path, place.fault);  // such as links in a circle
+  if (place.kind == PlaceKind::folder) return no_access(path, std::make_error_code(std::errc::is_a_directory));
   errno = 0;
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
+  if (place.kind == PlaceKind::other) {
     output.file_.reset(std::fopen(output.target_.c_str(), "wb"));
   } else {
-    if (fs::exists(status))
+    if (place.kind == PlaceKind::file)
       if (const std::error_code protection = write_protection(output.target_)) return no_access(path, protection);
     output.open_part();
   }
   if (!output.file_) return no_access(path, last_error());
+  return output;
+}
+
+OutputFile OutputFile::in_memory(std::string name) {
+  OutputFile output;
+  output.path_ = std::move(name);
+  output.is_in_memory_ = true;
   return output;
 }
 
@@ -106,19 +111,21 @@ OutputFile::~OutputFile() {
 #ifdef _WIN32
   file_.reset();  // open files cannot be removed there
 #endif
-  std::error_code ignored;
-  fs::remove(part_, ignored);  // while it is locked
+  std::remove(part_.c_str());  // while it is locked
 }
 
 void OutputFile::swap(OutputFile& other) noexcept {
   path_.swap(other.path_);
   target_.swap(other.target_);
   part_.swap(other.part_);
+  bytes_.swap(other.bytes_);
+  std::swap(is_in_memory_, other.is_in_memory_);
   file_.swap(other.file_);
   std::swap(lock_, other.lock_);
 }
 
 Expected<void> OutputFile::write(std::string_view text) {
+  if (is_in_memory_) return bytes_.append(text), Expected<void>();
   ORISPLINE_EXPECT(file_ != nullptr);
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) return no_access(path_, last_error());
@@ -126,6 +133,7 @@ Expected<void> OutputFile::write(std::string_view text) {
 }
 
 Expected<void> OutputFile::write_again(std::string_view beginning) {
+  if (is_in_memory_) return bytes_.replace(0, beginning.size(), beginning), Expected<void>();
   ORISPLINE_EXPECT(file_ != nullptr);
   errno = 0;
   if (std::fseek(file_.get(), 0, SEEK_SET) != 0) return no_access(path_, last_error());
@@ -135,6 +143,7 @@ Expected<void> OutputFile::write_again(std::string_view beginning) {
 }
 
 Expected<void> OutputFile::close() {
+  if (is_in_memory_) return {};
   ORISPLINE_EXPECT(file_ != nullptr);
   errno = 0;
   if (std::fflush(file_.get()) != 0) return no_access(path_, last_error());
@@ -149,32 +158,13 @@ Expected<void> OutputFile::finish() {
   if (file_)
     if (auto closed = close(); !closed) return closed;
   if (part_.empty()) return {};
-  std::error_code reason;
-  const fs::file_status old = fs::status(target_, reason);
-  if (fs::exists(old)) fs::permissions(part_, old.permissions(), reason);
-  fs::rename(part_, target_, reason);
-  if (reason) return no_access(path_, reason);
+  if (const std::error_code fault = put_in_place(part_, target_)) return no_access(path_, fault);
   part_.clear();
   lock_ = {};
   return {};
 }
 
-std::string behind_links(const std::string& path) {
-  constexpr int most_links = 40;  // as of Linux
-  fs::path place = path;
-  std::error_code unknown;
-  for (int i = 0; i < most_links && !fs::exists(place, unknown) && fs::is_symlink(fs::symlink_status(place, unknown));
-       ++i)
-    place = place.parent_path() / fs::read_symlink(place, unknown);
-  const fs::path target = fs::canonical(place, unknown);  // of links to pipes, which the system names, there is none
-  return unknown ? place.string() : target.string();
-}
-
-bool is_stream(const std::string& path) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  return path == standard_stream || (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
-}
+bool is_stream(const std::string& path) { return path == standard_stream || place_at(path).kind == PlaceKind::other; }
 
 Expected<void> check_output(const std::string& path) {
   if (is_stream(path)) return {};

@@ -49,6 +49,8 @@ class ORISPLINE_EXPORT OutputFile {
  public:
   /// Error: bad_access.
   [[nodiscard]] static Expected<OutputFile> open(const std::string& path);
+  /// A file in memory, of that name for messages.
+  [[nodiscard]] static OutputFile in_memory(std::string name);
   OutputFile(OutputFile&& other) noexcept;
   OutputFile& operator=(OutputFile&& other) noexcept;
   ~OutputFile();
@@ -62,6 +64,9 @@ class ORISPLINE_EXPORT OutputFile {
   [[nodiscard]] Expected<void> close();
   /// Closes the file, if it is still open, and puts it in its place. Error: bad_access.
   [[nodiscard]] Expected<void> finish();
+
+  /// What was written, of a file in memory.
+  [[nodiscard]] std::string bytes() && noexcept { return std::move(bytes_); }
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
   /// The part beside the target while it is being written; empty when there is none.
@@ -79,12 +84,11 @@ class ORISPLINE_EXPORT OutputFile {
   std::string path_;    // as the caller gave it, for messages
   std::string target_;  // behind symbolic links
   std::string part_;    // empty when written directly
+  std::string bytes_;   // of a file in memory
+  bool is_in_memory_ = false;
   std::unique_ptr<std::FILE, Close> file_;
   PartLock lock_;  // of the part once the file is closed
 };
-
-/// The path behind symbolic links, which may lead to what is not there yet; where that cannot be said the path itself.
-[[nodiscard]] ORISPLINE_EXPORT std::string behind_links(const std::string& path);
 
 /// Whether that is standard output (`-`), a device or a pipe.
 [[nodiscard]] ORISPLINE_EXPORT bool is_stream(const std::string& path);

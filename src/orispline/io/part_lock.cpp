@@ -4,23 +4,12 @@
 #include <atomic>
 #include <cerrno>
 
-#ifndef _WIN32
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#endif
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
-
-#ifdef _WIN32
-
-void remove_if_left(const std::string&) {}
-bool lock_part(std::FILE*, const std::string&) { return true; }
-PartLock::PartLock(std::FILE*) {}
-PartLock::~PartLock() = default;
-
-#else
 
 namespace {
 
@@ -62,7 +51,5 @@ PartLock::~PartLock() {
   ::close(descriptor_);
   --held;
 }
-
-#endif
 
 }}}  // namespace orispline::io

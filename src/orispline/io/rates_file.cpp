@@ -50,13 +50,13 @@ Expected<Eigen::Vector3d> rate_of(const TextTable& table, const VectorColumns& c
 
 }  // namespace
 
-Expected<RateRows> read_rates(const std::string& path, const ReadOptions& options) {
+Expected<RateRows> read_rates(const Input& input, const ReadOptions& options) {
   if (auto checked = check_frames(options); !checked) return tl::unexpected(std::move(checked.error()));
-  auto table = TextTable::open(path);
+  auto table = TextTable::open(input);
   if (!table) return tl::unexpected(std::move(table.error()));
   auto more = table->next();
   if (!more) return tl::unexpected(std::move(more.error()));
-  if (!*more) return failure(ErrorCode::bad_data, "empty: no rates", {.file = path});
+  if (!*more) return failure(ErrorCode::bad_data, "empty: no rates", {.file = input.name()});
   const auto columns = rate_columns_of(*table, options);
   if (!columns) return tl::unexpected(columns.error());
   auto time = time_column(*table, options);
@@ -79,7 +79,7 @@ Expected<RateRows> read_rates(const std::string& path, const ReadOptions& option
     rows.lines.push_back(static_cast<std::uint32_t>(table->line()));
   }
   if (!more) return tl::unexpected(std::move(more.error()));
-  if (rows.rates.empty()) return failure(ErrorCode::bad_data, "empty: no rates", {.file = path});
+  if (rows.rates.empty()) return failure(ErrorCode::bad_data, "empty: no rates", {.file = input.name()});
   return rows;
 }
 

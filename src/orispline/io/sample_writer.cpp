@@ -111,11 +111,13 @@ void SampleRows::continue_after(const SampleRows& others) noexcept {
 
 Expected<SampleWriter> SampleWriter::open(const std::string& path, const SampleColumns& columns, std::size_t rows) {
   if (auto checked = check_columns(columns); !checked) return tl::unexpected(std::move(checked.error()));
-  return OutputFile::open(path).and_then([&](OutputFile&& file) -> Expected<SampleWriter> {
-    if (auto written = file.write(header_of(columns, rows)); !written)
-      return tl::unexpected(std::move(written.error()));
-    return SampleWriter(std::move(file), columns, rows);
-  });
+  return OutputFile::open(path).and_then([&](OutputFile&& file) { return open(std::move(file), columns, rows); });
+}
+
+Expected<SampleWriter> SampleWriter::open(OutputFile file, const SampleColumns& columns, std::size_t rows) {
+  if (auto checked = check_columns(columns); !checked) return tl::unexpected(std::move(checked.error()));
+  if (auto written = file.write(header_of(columns, rows)); !written) return tl::unexpected(std::move(written.error()));
+  return SampleWriter(std::move(file), columns, rows);
 }
 
 Expected<void> SampleWriter::write(const Decimal& time, const Sample& sample) {

@@ -74,6 +74,8 @@ class ORISPLINE_EXPORT SampleWriter {
   /// Errors: bad_access; bad_argument for what the format cannot hold.
   [[nodiscard]] static Expected<SampleWriter> open(const std::string& path, const SampleColumns& columns,
                                                    std::size_t rows = 0);
+  /// Likewise into a file that is open, such as one in memory.
+  [[nodiscard]] static Expected<SampleWriter> open(OutputFile file, const SampleColumns& columns, std::size_t rows = 0);
 
   /// Writes the sample at a time [s]. Errors: bad_access; those of `SampleRows::append`.
   [[nodiscard]] Expected<void> write(const Decimal& time, const Sample& sample);
@@ -84,6 +86,8 @@ class ORISPLINE_EXPORT SampleWriter {
   [[nodiscard]] Expected<void> close();
   /// Completes the file, closed or not; nothing may be written afterwards. Error: bad_access.
   [[nodiscard]] Expected<void> finish();
+  /// What was written, of a file in memory that is finished.
+  [[nodiscard]] std::string bytes() && noexcept { return std::move(file_).bytes(); }
   /// The unfinished file beside the target; empty when there is none.
   [[nodiscard]] const std::string& part() const noexcept { return file_.part(); }
 

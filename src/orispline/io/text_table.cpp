@@ -92,8 +92,8 @@ Expected<std::optional<Decimal>> decimal_of(std::string_view cell) {
   return tl::unexpected(std::move(number.error()));
 }
 
-Expected<TextTable> TextTable::open(const std::string& path) {
-  return LineReader::open(path).map([](LineReader&& lines) { return TextTable(std::move(lines)); });
+Expected<TextTable> TextTable::open(Input input) {
+  return LineReader::open(std::move(input)).map([](LineReader&& lines) { return TextTable(std::move(lines)); });
 }
 
 Expected<bool> TextTable::next() {

@@ -31,7 +31,7 @@ enum class Delimiter { comma, semicolon, tab, blanks };
 /// Streams the rows of a text table: lines split into cells, without `#` comments and blank lines.
 class TextTable {
  public:
-  [[nodiscard]] static Expected<TextTable> open(const std::string& path);
+  [[nodiscard]] static Expected<TextTable> open(Input input);
   /// The table in the lines that were not read yet.
   explicit TextTable(LineReader lines) : lines_(std::move(lines)) {}
 

@@ -18,7 +18,7 @@ struct TimeSuffix {
   int exponent = 0;
 };
 
-constexpr std::array<std::string_view, 4> names{time_name, "time", "timestamp", "stamp"};
+constexpr std::array<std::string_view, 4> time_names{time_name, "time", "timestamp", "stamp"};
 constexpr std::array suffixes{TimeSuffix{""},           TimeSuffix{"_s"},           TimeSuffix{"_sec"},
                               TimeSuffix{"_secs"},      TimeSuffix{"_seconds"},     TimeSuffix{"_ms", -3},
                               TimeSuffix{"_msec", -3},  TimeSuffix{"_us", -6},      TimeSuffix{"_usec", -6},
@@ -51,7 +51,7 @@ TimeUnit time_unit_at_end_of(std::string_view name) {
 
 std::optional<TimeUnit> time_unit_of(std::string_view name) {
   if (std::ranges::find(bare_units, name, &TimeSuffix::suffix) != bare_units.end()) return time_unit_at_end_of(name);
-  for (const std::string_view base : names)
+  for (const std::string_view base : time_names)
     if (is_with_unit<TimeSuffix>(name, base, suffixes)) return time_unit_at_end_of(name);
   return std::nullopt;
 }

@@ -94,12 +94,12 @@ Expected<Decimal> time_of(const TextTable& table, TimeColumn& column, const Cloc
   return column.unit.time_of(**time + column.rest->unit.of(**rest));
 }
 
-Expected<TimesList> read_times(const std::string& path, const Decimal& epoch, const ReadOptions& options) {
-  auto table = TextTable::open(path);
+Expected<TimesList> read_times(const Input& input, const Decimal& epoch, const ReadOptions& options) {
+  auto table = TextTable::open(input);
   if (!table) return tl::unexpected(std::move(table.error()));
   auto more = table->next();
   if (!more) return tl::unexpected(more.error());
-  if (!*more) return failure(ErrorCode::bad_data, "empty: no times", {.file = path});
+  if (!*more) return failure(ErrorCode::bad_data, "empty: no times", {.file = input.name()});
   auto column = time_column(*table, options);
   if (!column) return tl::unexpected(column.error());
   if (is_header(table->cells())) more = table->next();
@@ -111,7 +111,7 @@ Expected<TimesList> read_times(const std::string& path, const Decimal& epoch, co
     list.lines.push_back(static_cast<std::uint32_t>(table->line()));
   }
   if (!more) return tl::unexpected(more.error());
-  if (list.times.empty()) return failure(ErrorCode::bad_data, "empty: no times", {.file = path});
+  if (list.times.empty()) return failure(ErrorCode::bad_data, "empty: no times", {.file = input.name()});
   return list;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/io/track_file.hpp>
 
-#include <filesystem>
 #include <utility>
 
+#include <orispline/base/file_name.hpp>
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/key_input.hpp>
 #include <orispline/io/key_reader.hpp>
@@ -23,10 +23,6 @@ Expected<TrackFile> checked(KeyFile file, const ReadOptions& options, std::optio
   return track_file(std::move(file), std::move(*keys));
 }
 
-bool have_the_same_extension(const std::string& one, const std::string& other) {
-  return std::filesystem::path(one).extension() == std::filesystem::path(other).extension();
-}
-
 /// Without what says how the file looks.
 ReadOptions as_it_looks(ReadOptions options) {
   options.format = nullptr;
@@ -38,21 +34,21 @@ ReadOptions as_it_looks(ReadOptions options) {
 }
 
 /// By the options where they fit, else as the file looks.
-Expected<KeyReader> open_beside(const TrackFile& other, const std::string& path, const ReadOptions& options) {
+Expected<KeyReader> open_beside(const TrackFile& other, const Input& input, const ReadOptions& options) {
   ReadOptions fitting = options;
   fitting.time_scale.reset();
-  if (!have_the_same_extension(path, other.track.name)) {
+  if (extension_of(input.name()) != extension_of(other.track.name)) {
     fitting.format = nullptr;
     fitting.order.reset();
   }
-  auto reader = KeyReader::open(path, fitting);
+  auto reader = KeyReader::open(input, fitting);
   if (!reader && reader.error().code != ErrorCode::bad_access)
-    if (auto plain = KeyReader::open(path, as_it_looks(options))) return plain;
+    if (auto plain = KeyReader::open(input, as_it_looks(options))) return plain;
   if (!reader || !options.time_scale || &reader->format() != other.format) return reader;
   const KeyColumns* const columns = reader->columns();
   if (columns && columns->states_time_unit) return reader;
   fitting.time_scale = options.time_scale;
-  return KeyReader::open(path, fitting);
+  return KeyReader::open(input, fitting);
 }
 
 }  // namespace
@@ -83,9 +79,9 @@ TrackFile track_file(KeyFile file, Keyframes keys) {
   return found;
 }
 
-Expected<std::vector<TrackFile>> read_tracks(const std::string& path, const ReadOptions& options,
+Expected<std::vector<TrackFile>> read_tracks(const Input& input, const ReadOptions& options,
                                              std::optional<Signs> signs) {
-  auto files = read_all_keys(path, options);
+  auto files = read_all_keys(input, options);
   if (!files) return tl::unexpected(std::move(files.error()));
   std::vector<TrackFile> tracks;
   for (KeyFile& file : *files) {
@@ -96,8 +92,8 @@ Expected<std::vector<TrackFile>> read_tracks(const std::string& path, const Read
   return tracks;
 }
 
-Expected<TrackFile> read_track(const std::string& path, const ReadOptions& options, std::optional<Signs> signs) {
-  return read_keys(path, options).and_then([&](KeyFile file) { return checked(std::move(file), options, signs); });
+Expected<TrackFile> read_track(const Input& input, const ReadOptions& options, std::optional<Signs> signs) {
+  return read_keys(input, options).and_then([&](KeyFile file) { return checked(std::move(file), options, signs); });
 }
 
 Expected<TrackFile> read_track(KeyInput input, const ReadOptions& options, std::optional<Signs> signs) {
@@ -106,11 +102,11 @@ Expected<TrackFile> read_track(KeyInput input, const ReadOptions& options, std::
   });
 }
 
-Expected<TrackFile> read_track_beside(const TrackFile& other, const std::string& path, ReadOptions options) {
+Expected<TrackFile> read_track_beside(const TrackFile& other, const Input& input, ReadOptions options) {
   options.recipe = RecipeUse::ignored;
   options.parameters.clear();
   options.keep_table = options.keep_as_read = options.keep_exact_times = false;
-  auto reader = path == standard_stream ? KeyReader::open(path, options) : open_beside(other, path, options);
+  auto reader = input.is_standard_input() ? KeyReader::open(input, options) : open_beside(other, input, options);
   return std::move(reader).and_then([](KeyReader keys) { return keys.next(); }).and_then([&](KeyFile file) {
     return checked(std::move(file), options, Signs::shortest);
   });

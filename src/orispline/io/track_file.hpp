@@ -25,15 +25,15 @@ struct TrackFile {
   std::vector<Warning> warnings{};             ///< of reading
 };
 
-/// Reads the tracks of a file, or of standard input for `-`, one at least, and checks their keys. Signs that are not
+/// Reads the tracks of a file, one at least, and checks their keys. Signs that are not
 /// given are those of the file's recipe, else for the shortest way.
 ///
 /// Errors name the file, the line and the column or the key: those of read_keys() and of Keyframes::make().
-[[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<TrackFile>> read_tracks(const std::string& path,
+[[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<TrackFile>> read_tracks(const Input& input,
                                                                             const ReadOptions& options = {},
                                                                             std::optional<Signs> signs = {});
 /// The track of a file of one.
-[[nodiscard]] ORISPLINE_EXPORT Expected<TrackFile> read_track(const std::string& path, const ReadOptions& options = {},
+[[nodiscard]] ORISPLINE_EXPORT Expected<TrackFile> read_track(const Input& input, const ReadOptions& options = {},
                                                               std::optional<Signs> signs = {});
 /// The track of a file of one that was opened before.
 [[nodiscard]] ORISPLINE_EXPORT Expected<TrackFile> read_track(KeyInput input, const ReadOptions& options,
@@ -45,7 +45,7 @@ struct TrackFile {
 /// this one states no unit. Its recipe, settings and signs do not count.
 ///
 /// Standard input can be read once only: the options hold for it as they are. Errors: those of read_track().
-[[nodiscard]] ORISPLINE_EXPORT Expected<TrackFile> read_track_beside(const TrackFile& other, const std::string& path,
+[[nodiscard]] ORISPLINE_EXPORT Expected<TrackFile> read_track_beside(const TrackFile& other, const Input& input,
                                                                      ReadOptions options);
 
 /// What was read of a file, with its keys when they have been checked; the file's recipe states their signs.

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
+#include <orispline/base/file_name.hpp>
 #include <orispline/io/file_option_words.hpp>
 #include <orispline/io/output_file.hpp>
 
@@ -69,8 +69,8 @@ bool is_stated(const StatedOptions& stated, std::string_view name) {
   return std::ranges::find(stated, name, &StatedOptions::value_type::first) != stated.end();
 }
 
-std::string extension_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
+std::string small_extension_of(const std::string& path) {
+  std::string extension(extension_of(path));
   std::ranges::transform(extension, extension.begin(),
                          [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   return extension;
@@ -83,7 +83,7 @@ Expected<void> check_name(const std::string& path) {
   for (const FormatInfo* const format : formats_written())
     if (std::ranges::find(extensions, format->extensions.front()) == extensions.end())
       extensions.push_back(format->extensions.front());
-  const std::string extension = extension_of(path);
+  const std::string extension = small_extension_of(path);
   if (is_stream(path) || extension.empty() || extension == any_text ||
       std::ranges::find(extensions, extension) != extensions.end())
     return {};

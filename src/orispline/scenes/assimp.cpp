@@ -140,7 +140,8 @@ Expected<Clip> clip_of(const aiAnimation& animation, std::size_t index, const Tr
   return clip;
 }
 
-Expected<Scene> read(std::string_view bytes, const std::string& path, const SceneReading& reading) {
+Expected<Scene> read(std::string_view bytes, const io::Input& from, const SceneReading& reading) {
+  const std::string& path = from.name();
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
   const std::string hint = path.substr(path.rfind('.') + 1);

@@ -58,19 +58,21 @@ Expected<std::string> bytes_of_file(const std::string& path) {
   return bytes;
 }
 
-Expected<Scene> read_scene(const std::string& path, const SceneReading& reading) {
+Expected<Scene> read_scene(const io::Input& input, const SceneReading& reading) {
+  const std::string& path = input.name();
   const auto format = reading.format ? Expected<const SceneFormat*>(reading.format) : format_for(path);
   if (!format) return tl::unexpected(format.error());
-  auto bytes = bytes_of_file(path);
-  if (!bytes) return tl::unexpected(std::move(bytes.error()));
-  if (bytes->empty()) return failure(ErrorCode::bad_data, "empty: no skeleton", {.file = path});
-  auto scene = (*format)->read(*bytes, path, reading).and_then(checked).map_error([&](Error error) {
+  const auto file = input.is_in_memory() ? Expected<std::string>() : bytes_of_file(path);
+  if (!file) return tl::unexpected(file.error());
+  const std::string_view bytes = input.is_in_memory() ? input.bytes() : *file;
+  if (bytes.empty()) return failure(ErrorCode::bad_data, "empty: no skeleton", {.file = path});
+  auto scene = (*format)->read(bytes, input, reading).and_then(checked).map_error([&](Error error) {
     if (error.where.file.empty()) error.where.file = path;
     return error;
   });
   if (!scene) return scene;
   scene->name = path;
-  scene->bytes += bytes->size();
+  scene->bytes += bytes.size();
   scene->format = *format;
   return scene;
 }

@@ -11,6 +11,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/base/warning.hpp>
 #include <orispline/clip/clip.hpp>
+#include <orispline/io/input.hpp>
 #include <orispline/math/euler.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
@@ -71,9 +72,9 @@ struct ORISPLINE_EXPORT SceneFormat {
   bool has_no_unit = false;   ///< its files do not say in what their lengths are; others: in metres
   bool holds_floats = false;  ///< times and values are in single precision
 
-  /// From the bytes of a file; the path is for messages and for files beside it. Errors name the file, and the line or
-  /// clip, joint and key: bad_data, bad_access.
-  Expected<Scene> (*read)(std::string_view bytes, const std::string& path, const SceneReading&) = nullptr;
+  /// From the bytes of a file; where they are from is for messages and for files beside it. Errors name the file, and
+  /// the line or clip, joint and key: bad_data, bad_access.
+  Expected<Scene> (*read)(std::string_view bytes, const io::Input& from, const SceneReading&) = nullptr;
   /// The path tells what the extension asks for. Errors: bad_data for what the format cannot hold, bad_argument.
   /// Null: files of the format are read only.
   Expected<SceneWritten> (*write)(const Scene&, const std::string& path, const SceneWriting&) = nullptr;
@@ -100,7 +101,7 @@ inline constexpr std::size_t largest_scene_file = std::size_t{2} << 30;
 /// Reads the skeleton and the clips of a file, in the format of its extension, and checks them by check_clip().
 ///
 /// Errors name the file: bad_access; bad_data; bad_argument for an extension of no format.
-[[nodiscard]] ORISPLINE_EXPORT Expected<Scene> read_scene(const std::string& path, const SceneReading& reading = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<Scene> read_scene(const io::Input& input, const SceneReading& reading = {});
 
 /// The bytes of a file in the format of the extension of `path`; what the scene's file held besides is passed on where
 /// that is the same format.

@@ -362,7 +362,8 @@ std::vector<Warning> warnings_of_names(const Hierarchy& hierarchy, const std::st
 }  // namespace
 
 /// A skeleton with one clip, named by the file, and a `Source`. Errors (bad_data) name the file and the line.
-Expected<Scene> read(std::string_view bytes, const std::string& path, const SceneReading&) {
+Expected<Scene> read(std::string_view bytes, const io::Input& from, const SceneReading&) {
+  const std::string& path = from.name();
   Text text(bytes, path);
   auto hierarchy = read_hierarchy(text);
   if (!hierarchy) return tl::unexpected(std::move(hierarchy.error()));

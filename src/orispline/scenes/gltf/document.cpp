@@ -5,12 +5,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -18,6 +16,7 @@
 #include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/io/file_system.hpp>
 #include <orispline/scenes/gltf/json.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
@@ -118,36 +117,34 @@ bool is_beside(std::string_view name) {
   return true;
 }
 
-namespace fs = std::filesystem;
-
-/// Whether all links of a path lead to where it says. One that cannot be followed is left to whoever opens the file.
-bool stays_within(const fs::path& folder, const fs::path& file) {
-  std::error_code none;
-  const fs::path outer = fs::canonical(folder.empty() ? fs::path(".") : folder, none);
-  const fs::path inner = none ? fs::path() : fs::canonical(file, none);
-  return none || std::ranges::mismatch(outer, inner).in1 == outer.end();
-}
-
 /// A file of strangers must not make us wait for a pipe, nor carry other files of yours into what is written.
-Expected<std::string> file_beside(const Object& buffer, std::string_view uri, const std::string& path) {
-  const std::string name = percent_decoded(uri);
-  if (!is_beside(uri) || !is_beside(name))
-    return buffer.fault(formatted("found uri {}, wanted a file beside the glTF file", in_quotes(uri)));
-  const std::string folder = path.substr(0, path.size() - file_name_of(path).size()), file = folder + name;
-  std::error_code none;
-  if (const fs::file_status status = fs::status(file, none); fs::exists(status) && !fs::is_regular_file(status))
+Expected<std::string> file_in_folder(const Object& buffer, std::string_view uri, const std::string& folder,
+                                     const std::string& name) {
+  const std::string file = folder + name;
+  if (const auto kind = io::place_at(file).kind; kind == io::PlaceKind::folder || kind == io::PlaceKind::other)
     return buffer.fault(
         formatted("found uri {}, which is a folder, a pipe or a device, wanted a file", in_quotes(uri)));
-  if (!stays_within(folder, file))
+  if (!io::stays_within(folder, file))
     return buffer.fault(formatted(
         "found uri {}, a link to another folder, wanted a file beside the glTF file; copy it there", in_quotes(uri)));
   return bytes_of_file(file);
 }
 
+Expected<std::string> file_beside(const Object& buffer, std::string_view uri, const io::Input& from) {
+  const std::string name = percent_decoded(uri);
+  if (!is_beside(uri) || !is_beside(name))
+    return buffer.fault(formatted("found uri {}, wanted a file beside the glTF file", in_quotes(uri)));
+  if (const io::Input* const beside = from.beside(name)) return std::string(beside->bytes());
+  if (from.is_in_memory())
+    return buffer.fault(formatted("found uri {}, and was given no file of that name", in_quotes(uri)));
+  const std::string& path = from.name();
+  return file_in_folder(buffer, uri, path.substr(0, path.size() - file_name_of(path).size()), name);
+}
+
 bool is_data(std::string_view uri) { return uri.starts_with("data:"); }
 
-Expected<std::string> data_of(const Object& buffer, std::string_view uri, const std::string& path) {
-  if (!is_data(uri)) return file_beside(buffer, uri, path);
+Expected<std::string> data_of(const Object& buffer, std::string_view uri, const io::Input& from) {
+  if (!is_data(uri)) return file_beside(buffer, uri, from);
   constexpr std::string_view mark = ";base64,";
   const std::size_t found = uri.find(mark);
   auto bytes = found == std::string_view::npos ? std::nullopt : bytes_from_base64(uri.substr(found + mark.size()));
@@ -157,17 +154,17 @@ Expected<std::string> data_of(const Object& buffer, std::string_view uri, const 
 
 /// The bytes of one buffer; nothing where it has none.
 Expected<std::optional<std::string>> bytes_of(const Object& buffer, std::optional<std::string_view> chunk,
-                                              const std::string& path) {
+                                              const io::Input& from) {
   if (!buffer.has("uri")) return chunk ? std::optional(std::string(*chunk)) : std::nullopt;
-  return buffer.text("uri").and_then([&](const std::string& uri) { return data_of(buffer, uri, path); });
+  return buffer.text("uri").and_then([&](const std::string& uri) { return data_of(buffer, uri, from); });
 }
 
 /// The buffers with one more.
 Expected<Buffers> with(Buffers all, const Object& buffer, std::optional<std::string_view> chunk,
-                       const std::string& path) {
+                       const io::Input& from) {
   const auto length = buffer.count("byteLength");
   if (!length) return tl::unexpected(length.error());
-  auto bytes = bytes_of(buffer, chunk, path);
+  auto bytes = bytes_of(buffer, chunk, from);
   if (!bytes) return tl::unexpected(std::move(bytes.error()));
   all.places.push_back({.offset = (all.bytes.size() + 7) / 8 * 8, .length = *length, .has_data = bytes->has_value()});
   const std::size_t offset = all.places.back().offset;
@@ -188,13 +185,14 @@ Expected<Buffers> with(Buffers all, const Object& buffer, std::optional<std::str
 
 /// The buffers of a document, one behind the other, each at a multiple of 8.
 ///
-/// `binary`: the chunk of a GLB. Errors: bad_data; bad_access for a file that is not beside `path` or cannot be read.
-Expected<Buffers> buffers_of(const Object& root, std::optional<std::string_view> binary, const std::string& path) {
+/// `binary`: the chunk of a GLB. Errors: bad_data; bad_access for a file that is not beside the document or cannot be
+/// read.
+Expected<Buffers> buffers_of(const Object& root, std::optional<std::string_view> binary, const io::Input& from) {
   Buffers buffers;
   const std::size_t count = root.list("buffers").value()->size();
   for (std::size_t i = 0; i < count; ++i) {
     auto more = root.entry("buffers", "buffer", i).and_then([&](const Object& buffer) {
-      return with(std::move(buffers), buffer, i == 0 ? binary : std::nullopt, path);
+      return with(std::move(buffers), buffer, i == 0 ? binary : std::nullopt, from);
     });
     if (!more) return more;
     buffers = std::move(*more);
@@ -303,7 +301,7 @@ Expected<std::string> glb_of(std::string_view json, std::string_view binary) {
   return bytes;
 }
 
-Expected<Document> document_of(std::string_view bytes, const std::string& path) {
+Expected<Document> document_of(std::string_view bytes, const io::Input& from) {
   const auto parts = container_of(bytes);
   if (!parts) return tl::unexpected(parts.error());
   auto json = parsed(parts->json);
@@ -312,7 +310,7 @@ Expected<Document> document_of(std::string_view bytes, const std::string& path) 
   Document document{.json = std::move(*json)};
   if (auto sound = check_version(document.root()); !sound) return tl::unexpected(std::move(sound.error()));
   if (auto sound = check_lists(document.root()); !sound) return tl::unexpected(std::move(sound.error()));
-  auto buffers = buffers_of(document.root(), parts->binary, path);
+  auto buffers = buffers_of(document.root(), parts->binary, from);
   if (!buffers) return tl::unexpected(std::move(buffers.error()));
   auto views = views_of(document.root(), buffers->places);
   if (!views) return tl::unexpected(std::move(views.error()));

@@ -48,7 +48,7 @@ struct Document {
 /// Reads the document of a file with its buffers, also those in files beside it.
 ///
 /// Errors: bad_data; bad_access for a file beside it.
-[[nodiscard]] Expected<Document> document_of(std::string_view bytes, const std::string& path);
+[[nodiscard]] Expected<Document> document_of(std::string_view bytes, const io::Input& from);
 
 /// Required extensions that are not known to leave nodes, animations and buffers alone. Errors (bad_data): one that is
 /// known not to.

@@ -4,13 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <filesystem>
 #include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -21,6 +19,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/clip/clip.hpp>
+#include <orispline/io/file_system.hpp>
 #include <orispline/scenes/gltf/document.hpp>
 #include <orispline/scenes/gltf/packing.hpp>
 
@@ -448,12 +447,9 @@ Expected<std::string> file_of(Json json, const std::string& binary, const std::s
 
 /// Images stay where they are: what is missing beside a file in another folder.
 std::vector<Warning> warnings_of_images(const Json& json, const std::string& from, const std::string& to) {
-  namespace fs = std::filesystem;
   const auto images = json.find("images");
   if (images == json.end() || !images->is_array() || from.empty()) return {};
-  std::error_code none;
-  const fs::path here = fs::absolute(from, none).parent_path(), there = fs::absolute(to, none).parent_path();
-  if (here.lexically_normal() == there.lexically_normal()) return {};
+  if (io::are_in_one_folder(from, to)) return {};
   const auto count = std::ranges::count_if(*images, [](const Json& image) {
     const auto uri = image.is_object() ? image.find("uri") : image.end();
     return image.is_object() && uri != image.end() && uri->is_string() &&
@@ -512,8 +508,8 @@ Expected<Scene> scene_of(Document document, const SceneReading& reading) {
 
 }  // namespace
 
-Expected<Scene> read_scene(std::string_view bytes, const std::string& path, const SceneReading& reading) {
-  return document_of(bytes, path).and_then([&](Document document) { return scene_of(std::move(document), reading); });
+Expected<Scene> read_scene(std::string_view bytes, const io::Input& from, const SceneReading& reading) {
+  return document_of(bytes, from).and_then([&](Document document) { return scene_of(std::move(document), reading); });
 }
 
 /// The scene as a GLB, or as text where the path ends in `.gltf`. Errors (bad_data): what glTF cannot hold.
