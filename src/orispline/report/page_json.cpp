@@ -180,10 +180,9 @@ std::string json_of(const std::vector<PageMethod>& methods) {
   std::size_t errors = 0;
   for (const PageMethod& method : methods) errors += method.samples.errors.size();
   return array_of(methods, [&](const PageMethod& method) {
-    return json_of(method,
-                   {.times = written_once(methods, method, times_of, steps_json),
-                    .error_times = written_once(methods, method, error_times_of, doubles_json),
-                    .errors_are_many = errors > many_errors});
+    return json_of(method, {.times = written_once(methods, method, times_of, steps_json),
+                            .error_times = written_once(methods, method, error_times_of, doubles_json),
+                            .errors_are_many = errors > many_errors});
   });
 }
 
