@@ -15,8 +15,10 @@ namespace orispline::testing_support {
 struct SegmentSize {
   double angle = 0.0;         ///< of any factor [rad]
   double velocity = 0.0;      ///< sum of the factors' own rates [rad/s]
-  double acceleration = 0.0;  ///< the same with the products of rates [rad/s²]
-  double jerk = 0.0;          ///< the same, and the angles over the third power of the segment's length [rad/s³]
+  // The same with the products of rates; and the angles over as many powers of the segment's length: coefficients are
+  // rounded as they are large, also where their differences are small.
+  double acceleration = 0.0;  ///< [rad/s²]
+  double jerk = 0.0;          ///< [rad/s³]
 };
 
 /// Largest coefficient of the derivative of that order in u, of a polynomial whose coefficients have a norm.
@@ -34,7 +36,7 @@ template <class Bound>
 void add_factor(SegmentSize& size, double h, Bound bound) {
   size.angle = std::max(size.angle, bound(0));
   size.velocity += bound(1) / h;
-  size.acceleration += bound(2) / (h * h);
+  size.acceleration += (bound(0) + bound(2)) / (h * h);
   size.jerk += (bound(0) + bound(3)) / (h * h * h);
 }
 
