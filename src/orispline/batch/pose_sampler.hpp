@@ -13,8 +13,8 @@ enum class RateFrame { body, world };
 
 /// A moving body that is sampled again and again, at any times.
 ///
-/// Where few times fall on each segment, its compiled form is kept for the next ones. The bits of a sample do not depend
-/// on the other times. Any number of threads may sample at once.
+/// Where few times fall on each segment, its compiled form is kept for the next ones. The bits of a sample do not
+/// depend on the other times. Any number of threads may sample at once.
 class ORISPLINE_EXPORT PoseSampler {
  public:
   explicit PoseSampler(PoseCurve curve);
@@ -26,8 +26,8 @@ class ORISPLINE_EXPORT PoseSampler {
   /// velocities, the jerks both. Errors: those of sample_at() and extrapolate().
   template <class T>
   [[nodiscard]] Expected<void> sample_at(std::span<const double> times, const Samples<T>& out,
-                                         Extrapolation beyond = Extrapolation::hold,
-                                         RateFrame frame = RateFrame::body, Work work = {}) const;
+                                         Extrapolation beyond = Extrapolation::hold, RateFrame frame = RateFrame::body,
+                                         Work work = {}) const;
 
  private:
   PoseCurve curve_;

@@ -3,8 +3,8 @@
 #include <optional>
 #include <utility>
 
-#include <orispline/base/formatted.hpp>
 #include <orispline/base/first_error.hpp>
+#include <orispline/base/formatted.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/fields/typed_numbers.hpp>
 #include <orispline/fields/typed_options.hpp>
@@ -48,9 +48,11 @@ Expected<bool> flag(const TaskRequest& request, std::string_view name) {
 Expected<unsigned> threads_in(const TaskRequest& request) {
   const std::string* const text = request.option("threads");
   if (!text) return 0u;
-  return typed::count(*text, 0).map([](std::uint64_t count) {
-    return static_cast<unsigned>(std::min<std::uint64_t>(count, std::numeric_limits<unsigned>::max()));
-  }).map_error(of_option("threads"));
+  return typed::count(*text, 0)
+      .map([](std::uint64_t count) {
+        return static_cast<unsigned>(std::min<std::uint64_t>(count, std::numeric_limits<unsigned>::max()));
+      })
+      .map_error(of_option("threads"));
 }
 
 Expected<ChosenMethod> method_in(const TaskRequest& request, const Track& keys, const UsualMethod& usual) {
