@@ -39,7 +39,12 @@ BELOW_JOBS = {  # header or folder below -> why a face needs it still; the exper
     "report/": "pages and pictures as files",
     "pages/": "the head of pages, and those of one curve in Python",
 }
-GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/options/command.cpp", "nlohmann/": ("cli/output/json_document.cpp", "src/orispline/io/blending_file.cpp", "src/orispline/scenes/gltf/"),
+C_LEAST = {"base/", "curve/", "families/method_text.hpp", "jobs/curve_of_keys.hpp"}  # what any source of bindings/c may include of the library
+C_PARTS = {  # and those beside, of which a package for the web takes as many as it needs: source -> likewise
+    "samples": {"batch/"}, "blocks": {"batch/"}, "bake": {"batch/"}, "json_text": {"fields/"}, "lists": {"families/", "fields/"},
+    "analysis": {"analysis.hpp", "families/", "fields/"}, "tasks": {"fields/", "jobs/"},
+    "files": {"families/", "fields/", "files.hpp", "scenes/"}}
+GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/options/command.cpp", "nlohmann/": ("cli/output/json_document.cpp", "src/orispline/io/blending_file.cpp", "src/orispline/scenes/gltf/", "tests/c/"),
           "assimp/": "src/orispline/scenes/assimp.cpp", "benchmark/": "benchmarks/", "glm/": "benchmarks/",
           "smooth/so3": "benchmarks/", "smooth/spline/": "benchmarks/", "sophus/": "benchmarks/", "basalt/": "benchmarks/"}  # third party -> its only room
 ROOMS = ("src", "cli", "papers", "tests", "examples", "tools", "bindings", "benchmarks")
@@ -71,6 +76,14 @@ def face_breaches(path, names):
     if path.startswith(FACES):
         yield from (f"{path}: a face must not include {name}, wanted jobs, io, scenes or a public header"
                     for name in names if name.startswith("orispline/") and not is_for_faces(name))
+
+
+def c_breaches(path, names):
+    """A package that leaves out a part of the interface to C needs nothing of the library for it."""
+    if path.startswith("bindings/c/"):
+        allowed = C_LEAST | C_PARTS.get(pathlib.PurePath(path).stem, set())
+        yield from (f"{path}: this part of the interface must not include {name}" for name in names
+                    if name.startswith("orispline/") and not any(name.removeprefix("orispline/").startswith(entry) for entry in allowed))
 
 
 def cli_floor_of(path):
@@ -109,6 +122,7 @@ def include_breaches(sources):
             graph[path] |= {name if name.startswith("papers/") else f"cli/{name}" for name in quoted}
             yield from cli_breaches(path, quoted)
         yield from face_breaches(path, names)
+        yield from c_breaches(path, names)
         if path.startswith("examples/"):
             yield from (f"{path}: wanted a public header, <orispline/NAME.hpp>, found {name}" for name in names
                         if re.match(r"orispline/.+/", name))
@@ -207,7 +221,7 @@ def file_breaches(path, text):
 
 
 root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
-files = [f for room in ROOMS for f in sorted((root / room).rglob("*")) if f.suffix in {".hpp", ".cpp", ".py"}]
+files = [f for room in ROOMS for f in sorted((root / room).rglob("*")) if f.suffix in {".hpp", ".cpp", ".py", ".h", ".c"}]
 sources = {f.relative_to(root).as_posix(): f.read_text("utf-8") for f in files}
 breaches = [*include_breaches(sources), *class_breaches(sources), *(b for path, text in sources.items() for b in (*file_breaches(path, text), *flag_breaches(path, text), *bits_breaches(path, text),
                                                                                              *dropped_result_breaches(path, text)))]

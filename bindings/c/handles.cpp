@@ -3,6 +3,8 @@
 
 #include <mutex>
 
+#include <orispline/base/mutex.hpp>
+
 namespace orispline::c {
 
 namespace {
@@ -30,7 +32,7 @@ class FreeShells {
   }
 
  private:
-  std::mutex mutex_;
+  Mutex mutex_;
   Shell* first_ = nullptr;
   Shell* last_ = nullptr;
   std::size_t count_ = 0;

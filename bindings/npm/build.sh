@@ -1,18 +1,25 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# build.sh WORK PACKAGE: the npm package in the folder PACKAGE, ready for `npm pack`, by the tools of the lock file in WORK. Skips as
+# build.sh COMMAND MODULES WORK PACKAGE: the npm package in the folder PACKAGE, ready for `npm pack`. COMMAND is the built orispline, which lists the
+# methods; MODULES the folder of the compiled modules, of which those are taken that are there; WORK a folder for the tools of the lock file. Skips as
 # tests/npm_ci.sh does (exit 77).
 set -eu
 source=$(cd "$(dirname "$0")" && pwd)
 root=$source/../..
-work=$1
-package=$2
+command=$1
+modules=$2
+work=$3
+package=$4
 
 "$root/tests/npm_ci.sh" "$source" "$work"
 rm -rf "$work/src" "$package"
 mkdir -p "$package"
 cp -R "$source/src" "$source/tsconfig.json" "$work"
+"$command" methods --json | node "$source/lite/methods.mjs" "$root/src/lite/orispline/families/families.hpp" >"$work/src/lite_methods.ts"
 "$work/node_modules/.bin/tsc" --project "$work" --outDir "$package"
+for module in "$modules"/*.wasm; do
+  [ ! -f "$module" ] || cp "$module" "$package"
+done
 cp "$source/README.md" "$root/LICENSE" "$root/NOTICE" "$root/THIRD_PARTY" "$package"
 node -e '
   const { readFileSync, writeFileSync } = require("node:fs");

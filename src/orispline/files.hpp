@@ -4,6 +4,7 @@
 // Files of keyframes and of samples (ORISPLINE_IO).
 
 #include <orispline/io/blending_file.hpp>
+#include <orispline/io/file_json.hpp>
 #include <orispline/io/file_option.hpp>
 #include <orispline/io/key_reader.hpp>
 #include <orispline/io/rates_file.hpp>
@@ -11,3 +12,4 @@
 #include <orispline/io/time_order.hpp>
 #include <orispline/io/times_file.hpp>
 #include <orispline/io/track_file.hpp>
+#include <orispline/io/whole_track.hpp>

@@ -86,97 +86,134 @@ TEST(ErrorsOfC, OfferTheMethodThatIsSpeltAlike) {
   EXPECT_EQ(curve, nullptr);
 }
 
-TEST(ErrorsOfC, AreNoCrashWherePointersAreNull) {
-  const KeysHandle keys = keys_of(walk());
-  const CurveHandle curve = curve_through(keys, "auto");
-  const orispline_keys* const k = keys.get();
-  const orispline_keys* const no_keys = nullptr;
-  const orispline_curve* const c = curve.get();
-  const orispline_curve* const no_curve = nullptr;
-  const auto no = []<class T>(T*) { return static_cast<T*>(nullptr); };
+/// A null pointer of the type of another one.
+template <class T>
+T* no(T*) {
+  return nullptr;
+}
+
+/// Functions that are given null pointers, or numbers of no meaning.
+struct NullPointersOfC : testing::Test {
+  const KeysHandle keys_handle = keys_of(walk());
+  const CurveHandle curve_handle = curve_through(keys_handle, "auto");
+  const orispline_keys* const keys = keys_handle.get();
+  const orispline_curve* const curve = curve_handle.get();
   double number = 0.0;
+  std::size_t size = 0;
+  char* text = nullptr;
   orispline_keys* made_keys = nullptr;
   orispline_curve* made_curve = nullptr;
   orispline_baked* made_baked = nullptr;
   orispline_outcome* made_outcome = nullptr;
-  orispline_motion motion;
-  orispline_output output{ORISPLINE_ORIENTATION, ORISPLINE_DOUBLE, nullptr, 0};
-  char* text = nullptr;
   const orispline_progress nobody = nullptr;
   void* const nothing = nullptr;
-  const auto refused = [](const Result& result) { EXPECT_EQ(result.code, ORISPLINE_BAD_ARGUMENT) << result.text(); };
-  const orispline_column* const no_columns = nullptr;
-  refused(call(orispline_keys_make, no(&number), &number, std::size_t{1}, ORISPLINE_WXYZ, 0, no_columns, std::size_t{0},
-               &made_keys));
-  refused(call(orispline_keys_make, &number, no(&number), std::size_t{1}, ORISPLINE_WXYZ, 0, no_columns, std::size_t{0},
-               &made_keys));
-  refused(call(orispline_keys_make, &number, &number, std::size_t{1}, ORISPLINE_WXYZ, 0, no_columns, std::size_t{1},
-               &made_keys));
-  refused(call(orispline_keys_make, &number, &number, std::size_t{1}, ORISPLINE_WXYZ, 0, no_columns, std::size_t{0},
-               no(&made_keys)));
-  refused(call(orispline_keys_make, &number, &number, std::numeric_limits<std::size_t>::max(), ORISPLINE_WXYZ, 0,
-               no_columns, std::size_t{0}, &made_keys));
-  refused(call(orispline_keys_column, no_keys, "times", 0, &number, std::size_t{1}));
-  refused(call(orispline_keys_column, k, no_text, 0, &number, std::size_t{1}));
-  refused(call(orispline_keys_column, k, "times", 0, no(&number), std::size_t{1}));
-  refused(call(orispline_keys_column, k, "times", 0, &number, std::size_t{1}));
-  refused(call(orispline_keys_column, k, "tension", 0, &number, std::size_t{1}));
-  refused(call(orispline_keys_json, no_keys, &text));
-  refused(call(orispline_keys_json, k, no(&text)));
-  refused(call(orispline_curve_make, no_keys, "auto", &made_curve));
-  refused(call(orispline_curve_make, k, "auto", no(&made_curve)));
-  refused(call(orispline_curve_domain, c, &number, no(&number)));
-  refused(call(orispline_curve_domain, no_curve, &number, &number));
-  refused(call(orispline_curve_method, no_curve, &text));
-  refused(call(orispline_curve_orientation, no_curve, 0.0, ORISPLINE_WXYZ, &number));
-  refused(call(orispline_curve_orientation, c, 0.0, ORISPLINE_WXYZ, no(&number)));
-  refused(call(orispline_curve_orientation, c, 0.0, 0, &number));
-  refused(call(orispline_curve_motion, no_curve, 0.0, 0, ORISPLINE_WXYZ, &motion));
-  refused(call(orispline_curve_motion, c, 0.0, 2, ORISPLINE_WXYZ, &motion));
-  refused(call(orispline_curve_motion, c, 0.0, 0, 0, &motion));
-  refused(call(orispline_curve_motion, c, 0.0, 0, ORISPLINE_WXYZ, no(&motion)));
-  refused(call(orispline_curve_continuity, c, static_cast<orispline_continuity*>(nullptr)));
-  refused(call(orispline_curve_peaks, c, no(&number), static_cast<orispline_peaks*>(nullptr)));
-  refused(call(orispline_curve_warnings, no_curve, &text));
-  refused(
-      call(orispline_sample_at, c, no(&number), std::size_t{1}, ORISPLINE_WXYZ, no_text, 1u, &output, std::size_t{1}));
-  refused(call(orispline_sample_at, c, &number, std::size_t{1}, ORISPLINE_WXYZ, no_text, 1u, &output, std::size_t{1}));
-  refused(
-      call(orispline_sample_at, c, &number, std::size_t{1}, ORISPLINE_WXYZ, no_text, 1u, no(&output), std::size_t{1}));
-  refused(call(orispline_bake, no_curve, 1e-6, ORISPLINE_DOUBLE, nobody, nothing, &made_baked));
-  refused(call(orispline_bake, c, 1e-6, ORISPLINE_DOUBLE, nobody, nothing, no(&made_baked)));
-  refused(call(orispline_bake, c, 1e-6, 2, nobody, nothing, &made_baked));
-  refused(call(orispline_baked_look, static_cast<const orispline_baked*>(nullptr),
-               static_cast<orispline_baked_parts*>(nullptr)));
-  refused(call(orispline_baked_make, static_cast<const orispline_baked_parts*>(nullptr), &made_baked));
-  const orispline_baked_parts no_parts{};
-  refused(call(orispline_baked_make, &no_parts, &made_baked));
-  refused(call(orispline_methods_json, no(&text)));
-  refused(call(orispline_method_text, no_text, &text));
-  refused(call(orispline_tasks_json, no(&text)));
-  const orispline_input unnamed{nullptr, k}, empty{"keys", nullptr};
   const char* const* const no_options = nullptr;
-  refused(call(orispline_task_run, no_text, &empty, std::size_t{1}, no_options, std::size_t{0}, nobody, nothing,
-               &made_outcome));
-  refused(call(orispline_task_run, "tune", &unnamed, std::size_t{1}, no_options, std::size_t{0}, nobody, nothing,
-               &made_outcome));
-  refused(call(orispline_task_run, "tune", &empty, std::size_t{1}, no_options, std::size_t{0}, nobody, nothing,
-               &made_outcome));
-  refused(call(orispline_task_run, "tune", static_cast<const orispline_input*>(nullptr), std::size_t{1}, no_options,
-               std::size_t{0}, nobody, nothing, &made_outcome));
-  refused(call(orispline_task_run, "tune", &empty, std::size_t{0}, no_options, std::size_t{1}, nobody, nothing,
-               &made_outcome));
-  refused(call(orispline_outcome_track, static_cast<const orispline_outcome*>(nullptr), std::size_t{0}, &made_keys));
+
+  /// The call fails with that code, says why, and makes nothing.
+  template <class Function, class... Arguments>
+  void expect_refused(Function function, Arguments... arguments) {
+    const Result result = call(function, arguments...);
+    EXPECT_EQ(result.code, ORISPLINE_BAD_ARGUMENT);
+    EXPECT_NE(result.option(), "") << result.text();
+    EXPECT_TRUE(!text && !made_keys && !made_curve && !made_baked && !made_outcome);
+  }
+};
+
+TEST_F(NullPointersOfC, AreNoKeys) {
+  const auto made = [&](const double* times, const double* numbers, std::size_t count, std::size_t columns,
+                        orispline_keys** to) {
+    const orispline_column* const no_columns = nullptr;
+    expect_refused(orispline_keys_make, times, numbers, count, ORISPLINE_WXYZ, ORISPLINE_SHORTEST, no_columns, columns,
+                   to);
+  };
+  made(nullptr, &number, 1, 0, &made_keys);
+  made(&number, nullptr, 1, 0, &made_keys);
+  made(&number, &number, 1, 1, &made_keys);
+  made(&number, &number, 1, 0, nullptr);
+  made(&number, &number, std::numeric_limits<std::size_t>::max(), 0, &made_keys);
+  expect_refused(orispline_keys_column, no(keys), "times", 0, &number, std::size_t{1});
+  expect_refused(orispline_keys_column, keys, no_text, 0, &number, std::size_t{1});
+  expect_refused(orispline_keys_column, keys, "times", 0, no(&number), std::size_t{1});
+  expect_refused(orispline_keys_column, keys, "times", 0, &number, std::size_t{1});
+  expect_refused(orispline_keys_column, keys, "tension", 0, &number, std::size_t{1});
+  expect_refused(orispline_keys_json, no(keys), &text);
+  expect_refused(orispline_keys_json, keys, no(&text));
+  EXPECT_EQ(orispline_keys_count(nullptr), 0u);
+  orispline_keys_free(nullptr);
+}
+
+TEST_F(NullPointersOfC, AreNoCurve) {
+  orispline_motion motion;
+  expect_refused(orispline_curve_make, no(keys), "auto", &made_curve);
+  expect_refused(orispline_curve_make, keys, "auto", no(&made_curve));
+  expect_refused(orispline_curve_domain, curve, &number, no(&number));
+  expect_refused(orispline_curve_domain, no(curve), &number, &number);
+  expect_refused(orispline_curve_method, no(curve), &text);
+  expect_refused(orispline_curve_orientation, no(curve), 0.0, ORISPLINE_WXYZ, &number);
+  expect_refused(orispline_curve_orientation, curve, 0.0, ORISPLINE_WXYZ, no(&number));
+  expect_refused(orispline_curve_orientation, curve, 0.0, 0, &number);
+  expect_refused(orispline_curve_motion, no(curve), 0.0, 0, ORISPLINE_WXYZ, &motion);
+  expect_refused(orispline_curve_motion, curve, 0.0, 2, ORISPLINE_WXYZ, &motion);
+  expect_refused(orispline_curve_motion, curve, 0.0, 0, 0, &motion);
+  expect_refused(orispline_curve_motion, curve, 0.0, 0, ORISPLINE_WXYZ, no(&motion));
+  expect_refused(orispline_curve_continuity, curve, static_cast<orispline_continuity*>(nullptr));
+  expect_refused(orispline_curve_peaks, curve, no(&number), static_cast<orispline_peaks*>(nullptr));
+  expect_refused(orispline_curve_warnings, no(curve), &text);
+  EXPECT_EQ(orispline_curve_make(nullptr, nullptr, nullptr, nullptr), ORISPLINE_BAD_ARGUMENT) << "nobody asks why";
+}
+
+TEST_F(NullPointersOfC, AreNoSamplesAndNothingBaked) {
+  const orispline_output output{ORISPLINE_ORIENTATION, ORISPLINE_DOUBLE, nullptr, 0};
+  const auto sampled = [&](const double* times, const orispline_output* outputs) {
+    expect_refused(orispline_sample_at, curve, times, std::size_t{1}, ORISPLINE_WXYZ, no_text, 1u, outputs,
+                   std::size_t{1});
+  };
+  sampled(nullptr, &output);
+  sampled(&number, &output);
+  sampled(&number, nullptr);
+  expect_refused(orispline_bake, no(curve), 1e-6, ORISPLINE_DOUBLE, nobody, nothing, &made_baked);
+  expect_refused(orispline_bake, curve, 1e-6, ORISPLINE_DOUBLE, nobody, nothing, no(&made_baked));
+  expect_refused(orispline_bake, curve, 1e-6, 2, nobody, nothing, &made_baked);
+  const orispline_baked_parts no_parts{};
+  expect_refused(orispline_baked_look, static_cast<const orispline_baked*>(nullptr),
+                 static_cast<orispline_baked_parts*>(nullptr));
+  expect_refused(orispline_baked_make, static_cast<const orispline_baked_parts*>(nullptr), &made_baked);
+  expect_refused(orispline_baked_make, &no_parts, &made_baked);
+}
+
+TEST_F(NullPointersOfC, AreNoTaskAndNoFile) {
+  const auto run = [&](const char* task, const orispline_input* inputs, std::size_t input_count,
+                       std::size_t option_count) {
+    expect_refused(orispline_task_run, task, inputs, input_count, no_options, option_count, nobody, nothing,
+                   &made_outcome);
+  };
+  const orispline_input unnamed{nullptr, keys}, empty{"keys", nullptr};
+  run(nullptr, &empty, 1, 0);
+  run("tune", &unnamed, 1, 0);
+  run("tune", &empty, 1, 0);
+  run("tune", nullptr, 1, 0);
+  run("tune", &empty, 0, 1);
+  expect_refused(orispline_outcome_track, static_cast<const orispline_outcome*>(nullptr), std::size_t{0}, &made_keys);
   EXPECT_EQ(orispline_outcome_document(nullptr), nullptr);
   EXPECT_EQ(orispline_outcome_track_count(nullptr), 0u);
-  EXPECT_EQ(orispline_keys_count(nullptr), 0u);
+  expect_refused(orispline_methods_json, no(&text));
+  expect_refused(orispline_method_text, no_text, &text);
+  expect_refused(orispline_tasks_json, no(&text));
+  expect_refused(orispline_files_json, no(&text));
+  const void* const no_bytes = nullptr;
+  expect_refused(orispline_keys_read, no_bytes, std::size_t{1}, "keys.csv", no_options, std::size_t{0}, &made_keys);
+  expect_refused(orispline_keys_read, no_bytes, std::size_t{0}, no_text, no_options, std::size_t{0}, &made_keys);
+  expect_refused(orispline_keys_write, no(keys), "keys.csv", no_options, std::size_t{0}, &text, &size);
+  expect_refused(orispline_keys_write, keys, no_text, no_options, std::size_t{0}, &text, &size);
+  expect_refused(orispline_keys_write, keys, "keys.csv", no_options, std::size_t{0}, &text, no(&size));
+}
+
+TEST_F(NullPointersOfC, AreNoError) {
   EXPECT_EQ(orispline_error_code(nullptr), ORISPLINE_OK);
   EXPECT_STREQ(orispline_error_message(nullptr), "");
   EXPECT_EQ(orispline_error_key(nullptr), -1);
-  orispline_keys_free(nullptr);
   orispline_error_free(nullptr);
   orispline_text_free(nullptr);
-  EXPECT_EQ(orispline_curve_make(nullptr, nullptr, nullptr, nullptr), ORISPLINE_BAD_ARGUMENT) << "nobody asks why";
 }
 
 TEST(ErrorsOfC, SayWhatSamplesAreAskedForWrongly) {

@@ -56,6 +56,13 @@ class CheckFloors(unittest.TestCase):
         self.assert_breach("src/orispline/math/so3.hpp", HEADER + "#include <orispline/curve/keyframe.hpp>\n",
                            "math/so3.hpp: floor math must not include orispline/curve/keyframe.hpp")
 
+    def test_finds_a_part_of_the_interface_to_c_that_needs_more_than_it_may(self):
+        text = SPDX + "#include <orispline/batch/sample.hpp>\n"
+        self.assert_breach("bindings/c/curve.cpp", text,
+                           "bindings/c/curve.cpp: this part of the interface must not include orispline/batch/sample.hpp")
+        self.assert_sound("bindings/c/samples.cpp", text)
+        self.assert_breach("bindings/c/orispline.h", "int f(void);\n", "bindings/c/orispline.h: the first line is not the SPDX line")
+
     def test_finds_an_example_that_includes_a_private_header(self):
         self.assert_breach("examples/story.cpp", SPDX + "#include <orispline/curve/knots.hpp>\n",
                            "examples/story.cpp: wanted a public header")

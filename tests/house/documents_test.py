@@ -165,9 +165,9 @@ class Documents(unittest.TestCase):
         def words(text):
             return " ".join(text.split())
         for page, example, count in (("optimise.md", "07_optimise.cpp", 5), ("files-in-cpp.md", "08_files.cpp", 2),
-                                     ("own-blending.md", "10_own_family.cpp", 1)):
+                                     ("own-blending.md", "10_own_family.cpp", 1), ("c.md", "11_in_c.c", 2)):
             code = words((ROOT / "examples" / example).read_text("utf-8"))
-            parts = re.findall(r"^```cpp\n(.*?)^```", text_of(page), re.M | re.S)
+            parts = re.findall(r"^```(?:cpp|c)\n(.*?)^```", text_of(page), re.M | re.S)
             self.assertEqual(len(parts), count, page)
             for part in parts:
                 self.assertIn(words(part), code, page)

@@ -1,9 +1,19 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# run.sh PACKAGE TEST: one test of the npm package that bindings/npm/build.sh has made in PACKAGE, or skips where it could not (exit 77).
+# run.sh PACKAGE TEST: one test of the npm package that bindings/npm/build.sh has made in PACKAGE. It is skipped (exit 77) where that could not be made, or
+# has no module that the test needs.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-[ -f "$1/package.json" ] || { echo "skipped: the npm package was not built, test npm.build says why"; exit 77; }
+skip() {
+  echo "skipped: $1"
+  exit 77
+}
+[ -f "$1/package.json" ] || skip "the npm package was not built, test npm.build says why"
+case $2 in
+  package | player) ;;
+  consume) [ -f "$1/lite.wasm" ] || skip "the modules were not compiled; make web compiles them" ;;
+  *) [ -f "$1/$2.wasm" ] || skip "the module $2.wasm was not compiled; make web compiles it" ;;
+esac
 [ "$2" = consume ] || exec node --test "$here/$2.test.mjs"
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -10,8 +10,8 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/vector.h>
 
-#include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/jobs/curve_of_keys.hpp>
 
 #include "arrays.hpp"
 #include "errors.hpp"
@@ -56,60 +56,9 @@ const io::FormatInfo* format_of(std::string_view word) {
 
 namespace {
 
-constexpr int all_rate_orders = 3;
-
-/// With the columns that the methods take.
-io::ReadOptions read_for(std::span<const FamilyInfo* const> families, io::ReadOptions options) {
-  std::set<std::string> parameters;
-  options.rate_orders = 0;
-  for (const FamilyInfo* const family : families) {
-    options.rate_orders = std::max(options.rate_orders, family->rate_orders);
-    options.inner_quaternions |= family->takes_inner_quaternions();
-    for (const Parameter& parameter : family->parameters) parameters.emplace(parameter.name);
-  }
-  options.parameters = {parameters.begin(), parameters.end()};
-  options.world_rates = true;
-  return options;
-}
-
-/// With the columns that any method takes, those too that are `named`: which one the keys are for is not known yet.
-io::ReadOptions read_for_all(std::vector<const FamilyInfo*> families, io::ReadOptions options) {
-  for (const FamilyInfo& family : families_info()) families.push_back(&family);
-  options = read_for(families, std::move(options));
-  options.rate_orders = all_rate_orders;
-  return options;
-}
-
-bool has_more_than_motion(const io::TrackFile& file) {
-  const Keyframes& keys = file.track.keys;
-  return !file.track.settings.empty() || !keys.angular_velocities().empty() || !keys.inner_leaving().empty() ||
-         !keys.inner_arriving().empty();
-}
-
-Warning left_out(const std::string& path, const std::string& reason) {
-  return {.code = "columns_left_out",
-          .message = "columns of rates, inner quaternions or settings are left out, since they are not those of keys: " + reason,
-          .where = {.file = path}};
-}
-
-/// Reads keys with all that any method takes of them. Where that cannot be had of all keys, with what the method takes
-/// that the file names, as the command does.
 Expected<io::TrackFile> read_keys(const std::string& path, io::Reading reading) {
-  reading.options.keep_exact_times = reading.options.keep_as_read = true;
-  auto input = io::KeyInput::open(path, reading.options);
-  if (!input) return tl::unexpected(std::move(input.error()));
-  const auto method = method_of(input->recipe(), path);
-  if (!method) return tl::unexpected(method.error());
-  std::vector<const FamilyInfo*> named;
-  if (*method) named.push_back(*family_of_method(**method));
-  auto file = io::read_track(std::move(*input), read_for_all(named, reading.options), reading.signs);
-  const bool is_whole = file && (!has_more_than_motion(*file) || file->repairs.invalid_dropped == 0);
-  if (is_whole || path == io::standard_stream) return file;
-  auto plain = io::read_track(path, read_for(named, std::move(reading.options)), reading.signs);
-  if (!plain || (file && file->track.keys.size() == plain->track.keys.size())) return file ? file : plain;
-  plain->warnings.push_back(
-      left_out(path, file ? "some have no numbers" : describe(in_words(std::move(file.error())))));
-  return plain;
+  const auto words = [](const Error& error) { return describe(in_words(error)); };
+  return io::read_whole_track(path, std::move(reading), {families_info(), jobs::family_named, words});
 }
 
 nb::dict repairs_of(const io::RepairReport& repairs) {

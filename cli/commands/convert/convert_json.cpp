@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/convert/convert_report.hpp"
 
+#include <orispline/io/file_json.hpp>
+
 #include "options/output_options.hpp"
 #include "output/json_document.hpp"
-#include "output/repairs_json.hpp"
 
 namespace orispline::cli {
 

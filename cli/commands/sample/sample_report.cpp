@@ -3,9 +3,9 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/io/file_json.hpp>
 
 #include "commands/sample/sample.hpp"
-#include "output/repairs_json.hpp"
 #include "output/repairs_text.hpp"
 #include "output/summary.hpp"
 

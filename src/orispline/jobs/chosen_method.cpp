@@ -48,6 +48,12 @@ Expected<ChosenMethod> chosen_method(const std::optional<Method>& named, const T
   });
 }
 
+Expected<const FamilyInfo*> family_named(const Recipe& recipe, std::string_view file) {
+  return method_of(recipe, file).and_then([](const std::optional<Method>& method) {
+    return method ? family_of_method(*method) : Expected<const FamilyInfo*>(nullptr);
+  });
+}
+
 const FamilyInfo& family_of(const Method& method) { return **family_of_method(method); }
 
 Error placed(const Track& keys, Error error) {

@@ -64,6 +64,10 @@ using Shaping = std::function<Expected<Method>(Method method, NamedBy by)>;
 /// Error (bad_argument): the keys state gaps, and the task is about one curve through all of them.
 [[nodiscard]] ORISPLINE_EXPORT Expected<void> check_without_gaps(const Track& keys);
 
+/// The family of the method that the keys of a file are for; null where they name none. Error (bad_data): a recipe that
+/// cannot be read.
+[[nodiscard]] ORISPLINE_EXPORT Expected<const FamilyInfo*> family_named(const Recipe& recipe, std::string_view file);
+
 /// The family of a method that was understood.
 [[nodiscard]] ORISPLINE_EXPORT const FamilyInfo& family_of(const Method& method);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <orispline/align/align.hpp>
 #include <orispline/analysis/comparison.hpp>
@@ -30,7 +31,96 @@ std::vector<FieldInfo> fields() {
 
 constexpr TaskSetting one_method{"method", "The text of the method whose curve it is about"};
 constexpr TaskSetting several_methods{"methods", "The texts of methods, with commas between them"};
-constexpr TaskSetting threads{"threads", "At most so many at work; 0: one per core"};
+constexpr TaskSetting thread_count{"threads", "At most so many at work; 0: one per core"};
+
+constexpr TaskInput keys_input{"keys", "The keys"}, recording_input{"recording", "The recording"};
+
+constexpr TaskInput not_required(std::string_view name, std::string_view sentence) { return {name, sentence, false}; }
+constexpr TaskInput several(std::string_view name, std::string_view sentence) { return {name, sentence, true, true}; }
+
+TaskInfo smooth_info() {
+  return {"smooth",
+          "A noisy recording as a smooth motion with rates",
+          fields<SmoothOptions>(),
+          fields<Smoothing>(),
+          {recording_input},
+          {},
+          run_smooth};
+}
+
+TaskInfo tune_info() {
+  return {
+      "tune",           "The tensions that make a curve smoothest, or nearest to a recording",    fields<TuneOptions>(),
+      fields<Tuning>(), {keys_input, not_required("reference", "The recording to come near to")}, {one_method},
+      run_tune};
+}
+
+TaskInfo reduce_info() {
+  std::vector<TaskSetting> settings{several_methods, thread_count, {"smooth", "Smooth the recordings first"}};
+  for (const FieldInfo& field : fields_of<SmoothOptions>()) settings.push_back({field.name, field.sentence});
+  return {"reduce",
+          "The fewest keys that reproduce a recording within a tolerance",
+          fields<ReduceOptions>(),
+          fields<Reduction>(),
+          {several("recording", "The recording, or several")},
+          std::move(settings),
+          run_reduce};
+}
+
+TaskInfo retime_info() {
+  return {"retime",
+          "The least slowing that keeps a motion within limits",
+          fields<RetimeOptions>(),
+          fields<Retiming>(),
+          {keys_input},
+          {one_method},
+          run_retime};
+}
+
+TaskInfo bake_info() {
+  return {"bake",
+          "A curve as polynomials that players evaluate",
+          fields<BakeSettings>(),
+          fields<BakeOutcome>(),
+          {keys_input},
+          {one_method},
+          run_bake};
+}
+
+TaskInfo mean_info() {
+  return {"mean",
+          "The mean or the median of many orientations",
+          fields<MeanOptions>(),
+          fields<Mean>(),
+          {several("rows", "The orientations, with weights where they have the setting weight; several are one set")},
+          {},
+          run_mean};
+}
+
+TaskInfo align_info() {
+  return {"align",
+          "What brings one recording onto another one of the same motion",
+          fields<AlignOptions>(),
+          fields<Alignment>(),
+          {{"moved", "The recording that is brought"}, {"fixed", "The one that it is brought onto"}},
+          {},
+          run_align};
+}
+
+TaskInfo compare_info() {
+  return {"compare",
+          "How near the curves of methods come to a recording",
+          fields<Decimation, MeasureOptions>(),
+          {},
+          {{"keys", "A recording, of which some samples become keys; with a reference the keys themselves"},
+           not_required("reference", "The recording to compare with")},
+          {several_methods,
+           thread_count,
+           {"tune", "Methods with tensions once more, tuned"},
+           {"align", "Bring the keys onto the reference first"},
+           {"sort", "The word of the measure to sort by"}},
+          run_compare};
+}
 
 Json words_of(const FieldInfo& field) {
   Json words = Json::array();
@@ -85,10 +175,10 @@ Json task_json(const TaskInfo& task) {
 
 /// What is named must be there, and stand as often as it may.
 Expected<void> check_names(std::string_view kind, const std::vector<std::string_view>& stated,
-                           const std::vector<std::string_view>& known, const std::vector<std::string_view>& several) {
+                           const std::vector<std::string_view>& known, const std::vector<std::string_view>& repeated) {
   for (const std::string_view name : stated) {
     if (std::ranges::find(known, name) == known.end()) return bad_option(name, unknown_word(kind, name, known));
-    if (std::ranges::count(stated, name) > 1 && std::ranges::find(several, name) == several.end())
+    if (std::ranges::count(stated, name) > 1 && std::ranges::find(repeated, name) == repeated.end())
       return bad_option(name, "found it twice, wanted it once");
   }
   return {};
@@ -102,12 +192,12 @@ std::vector<std::string_view> names_in(const List& stated) {
 }
 
 Expected<void> check_inputs(const TaskInfo& task, const TaskRequest& request) {
-  std::vector<std::string_view> known, several;
+  std::vector<std::string_view> known, repeated;
   for (const TaskInput& input : task.inputs) {
     known.push_back(input.name);
-    if (input.takes_several) several.push_back(input.name);
+    if (input.takes_several) repeated.push_back(input.name);
   }
-  if (auto fits = check_names("input", names_in(request.inputs), known, several); !fits) return fits;
+  if (auto fits = check_names("input", names_in(request.inputs), known, repeated); !fits) return fits;
   for (const TaskInput& input : task.inputs)
     if (input.is_required && !request.input(input.name))
       return bad_option(input.name, "found none, wanted orientations at times");
@@ -129,74 +219,8 @@ Expected<void> check_options(const TaskInfo& task, const TaskRequest& request) {
 }  // namespace
 
 std::vector<TaskInfo> tasks_info() {
-  const TaskInput keys{"keys", "The keys"}, recording{"recording", "The recording"};
-  const auto not_required = [](std::string_view name, std::string_view sentence) {
-    return TaskInput{name, sentence, false};
-  };
-  std::vector<TaskSetting> smoothed_first{several_methods, threads, {"smooth", "Smooth the recordings first"}};
-  for (const FieldInfo& field : fields_of<SmoothOptions>()) smoothed_first.push_back({field.name, field.sentence});
-  return {
-      {"smooth",
-       "A noisy recording as a smooth motion with rates",
-       fields<SmoothOptions>(),
-       fields<Smoothing>(),
-       {recording},
-       {},
-       run_smooth},
-      {"tune",
-       "The tensions that make a curve smoothest, or nearest to a recording",
-       fields<TuneOptions>(),
-       fields<Tuning>(),
-       {keys, not_required("reference", "The recording to come near to")},
-       {one_method},
-       run_tune},
-      {"reduce",
-       "The fewest keys that reproduce a recording within a tolerance",
-       fields<ReduceOptions>(),
-       fields<Reduction>(),
-       {{"recording", "The recording, or several", true, true}},
-       std::move(smoothed_first),
-       run_reduce},
-      {"retime",
-       "The least slowing that keeps a motion within limits",
-       fields<RetimeOptions>(),
-       fields<Retiming>(),
-       {keys},
-       {one_method},
-       run_retime},
-      {"bake",
-       "A curve as polynomials that players evaluate",
-       fields<BakeSettings>(),
-       fields<BakeOutcome>(),
-       {keys},
-       {one_method},
-       run_bake},
-      {"mean",
-       "The mean or the median of many orientations",
-       fields<MeanOptions>(),
-       fields<Mean>(),
-       {{"rows", "The orientations, with weights where they have the setting weight; several are one set", true, true}},
-       {},
-       run_mean},
-      {"align",
-       "What brings one recording onto another one of the same motion",
-       fields<AlignOptions>(),
-       fields<Alignment>(),
-       {{"moved", "The recording that is brought"}, {"fixed", "The one that it is brought onto"}},
-       {},
-       run_align},
-      {"compare",
-       "How near the curves of methods come to a recording",
-       fields<Decimation, MeasureOptions>(),
-       {},
-       {{"keys", "A recording, of which some samples become keys; with a reference the keys themselves"},
-        not_required("reference", "The recording to compare with")},
-       {several_methods,
-        threads,
-        {"tune", "Methods with tensions once more, tuned"},
-        {"align", "Bring the keys onto the reference first"},
-        {"sort", "The word of the measure to sort by"}},
-       run_compare}};
+  return {smooth_info(), tune_info(), reduce_info(), retime_info(),
+          bake_info(),   mean_info(), align_info(),  compare_info()};
 }
 
 Json tasks_json() {

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// The library as compiled code: its memory, its calls, its errors. The functions are those of bindings/c/orispline.h.
+import { type ErrorCode, type ErrorPlace, OrisplineError } from './errors.js';
+
+type Call = (...values: number[]) => number;
+
+/** A handle or an address in the memory of the library; 0 is none. */
+export type Address = number;
+
+/** How text that the library says becomes a sentence. */
+export type Sentence = (message: string) => string;
+
+const codes: ErrorCode[] = ['fault', 'bad_data', 'bad_argument', 'not_converged', 'bad_access', 'cancelled', 'no_memory', 'fault'];
+const abi = 1;
+
+/** Room for an error, a handle and the numbers of one motion. */
+const room = 16 + 8 * 32;
+
+export class Engine {
+  /** Where a new error and a new handle go, and from where on numbers come back. */
+  readonly errorAt: Address;
+  readonly handleAt: Address;
+  readonly numbersAt: Address;
+  private readonly calls: Record<string, Call>;
+  private readonly memory: WebAssembly.Memory;
+  private readonly sentence: Sentence;
+  private readonly orientationCall: Call;
+  private view = new Float64Array();
+  private fault?: OrisplineError;
+
+  constructor(module: WebAssembly.Module, sentence: Sentence) {
+    const imports: Record<string, Record<string, Call>> = {};
+    // It asks its system for nothing but to write what it says before it ends, which the trap then says.
+    for (const { module: from, name } of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] = () => 0;
+    const instance = new WebAssembly.Instance(module, imports);
+    this.calls = instance.exports as Record<string, Call>;
+    this.memory = instance.exports['memory'] as WebAssembly.Memory;
+    this.sentence = sentence;
+    if (this.calls['orispline_abi']?.() !== abi)
+      throw new OrisplineError('bad_data', 'found WebAssembly of something else, wanted the .wasm of this version of the package', { option: 'wasm' });
+    this.calls['_initialize']?.();
+    this.orientationCall = this.calls['orispline_curve_orientation'];
+    this.errorAt = this.memoryFor(room);
+    this.handleAt = this.errorAt + 8;
+    this.numbersAt = this.errorAt + 16;
+  }
+
+  has(name: string): boolean {
+    return name in this.calls;
+  }
+
+  /** All numbers of its memory. It is another array once the memory has grown, so nobody keeps it. */
+  get numbers(): Float64Array {
+    if (this.view.buffer !== this.memory.buffer) this.view = new Float64Array(this.memory.buffer);
+    return this.view;
+  }
+
+  /** What a function returns. A trap is a fault of the library, after which its memory is not to be trusted. */
+  call(name: string, ...values: number[]): number {
+    if (this.fault) throw this.fault;
+    try {
+      return this.calls[name](...values);
+    } catch (trap) {
+      throw this.failed(trap);
+    }
+  }
+
+  /** An orientation of a curve, to where numbers come back: without the list of values that `check` makes. */
+  orientation(curve: Address, time: number, order: number): void {
+    if (this.fault) throw this.fault;
+    let code: number;
+    try {
+      code = this.orientationCall(curve, time, order, this.numbersAt, this.errorAt);
+    } catch (trap) {
+      throw this.failed(trap);
+    }
+    if (code) throw this.error();
+  }
+
+  /** What a function does that gives a code, whose error is thrown. It takes the place of the error as its last value. */
+  check(name: string, ...values: number[]): void {
+    if (this.call(name, ...values, this.errorAt)) throw this.error();
+  }
+
+  /** A new handle, of a function whose last value but the error is where that goes. */
+  made(name: string, ...values: number[]): Address {
+    this.check(name, ...values, this.handleAt);
+    return this.address(this.handleAt);
+  }
+
+  /** Bytes for numbers or a text, which whoever asks for them gives back. */
+  memoryFor(bytes: number): Address {
+    const address = this.call('malloc', Math.max(bytes, 8)) >>> 0;
+    if (!address) throw new OrisplineError('no_memory', `found no ${bytes} bytes more of memory, wanted fewer keys or samples`);
+    return address;
+  }
+
+  /** Gives back memory or a handle. Nothing is done after a fault. */
+  free(name: string, address: Address): void {
+    if (!this.fault && address) this.call(name, address);
+  }
+
+  address(at: Address): Address {
+    return new Uint32Array(this.memory.buffer, at, 1)[0];
+  }
+
+  bytes(at: Address, length: number): Uint8Array<ArrayBuffer> {
+    return new Uint8Array(this.memory.buffer as ArrayBuffer, at, length);
+  }
+
+  words(at: Address, length: number): Uint32Array<ArrayBuffer> {
+    return new Uint32Array(this.memory.buffer as ArrayBuffer, at, length);
+  }
+
+  /** A text of the library, which ends in a zero. */
+  text(at: Address): string {
+    const bytes = new Uint8Array(this.memory.buffer, at);
+    return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
+  }
+
+  /** A text in its memory, for the time of some work. */
+  withText<Result>(text: string, work: (at: Address) => Result): Result {
+    const bytes = new TextEncoder().encode(text), at = this.memoryFor(bytes.length + 1);
+    try {
+      this.bytes(at, bytes.length + 1).set([...bytes, 0]);
+      return work(at);
+    } finally {
+      this.free('free', at);
+    }
+  }
+
+  /** Numbers in its memory, for the time of some work. */
+  withNumbers<Result>(numbers: ArrayLike<number>, work: (at: Address) => Result): Result {
+    const at = this.memoryFor(8 * numbers.length);
+    try {
+      this.numbers.set(numbers, at / 8);
+      return work(at);
+    } finally {
+      this.free('free', at);
+    }
+  }
+
+  private error(): OrisplineError {
+    const error = this.address(this.errorAt);
+    const about = (part: string): string => this.text(this.call(`orispline_error_${part}`, error));
+    const index = (part: string): number => (this.has(`orispline_error_${part}`) ? Number(this.call(`orispline_error_${part}`, error)) : -1);
+    const place: ErrorPlace = {}, key = index('key'), line = index('line'), option = about('option'), remedy = about('remedy');
+    if (key >= 0) place.key = key;
+    if (line >= 0) place.line = line;
+    if (option) place.option = option;
+    if (remedy) place.remedy = remedy;
+    const message = this.sentence(about('message')), code = codes[this.call('orispline_error_code', error)];
+    this.free('orispline_error_free', error);
+    return new OrisplineError(code, `${key < 0 ? '' : `key ${key}: `}${option ? `${option}: ` : ''}${message}`, place);
+  }
+
+  private failed(trap: unknown): OrisplineError {
+    this.fault = new OrisplineError('fault', `found a fault of orispline (${(trap as Error).message}), wanted none: please report it; load() gives a sound one anew`);
+    return this.fault;
+  }
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the compiled code comes from: a file beside the script, or what the user gives.
+import { OrisplineError } from './errors.js';
+
+export interface LoadOptions {
+  /** The compiled code itself, its bytes or a compiled module: for places that cannot fetch. */
+  wasm?: WebAssembly.Module | BufferSource | PromiseLike<WebAssembly.Module | BufferSource>;
+  /** Where its bytes are, if not beside the script: for bundlers that copy no file. */
+  wasmUrl?: string | URL;
+}
+
+/** A function with one instruction of SIMD. */
+const withSimd = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11);
+
+const noAccess = (url: URL | string, reason: unknown): OrisplineError =>
+  new OrisplineError('bad_access', `${url}: found no WebAssembly there (${reason}), wanted the .wasm of this package: give its place as wasmUrl`, { option: 'wasmUrl' });
+
+const fetched = async (url: URL | string): Promise<BufferSource> => {
+  try {
+    if (String(url).startsWith('file:')) {
+      // Node, whose fetch reads no files. By this way bundlers for browsers see no module of Node.
+      const node = (globalThis as { process?: { getBuiltinModule?(name: string): { readFileSync(url: URL): Uint8Array<ArrayBuffer> } } }).process;
+      if (node?.getBuiltinModule) return node.getBuiltinModule('node:fs').readFileSync(new URL(url));
+    }
+    const response = await fetch(url);
+    if (response.ok) return await response.arrayBuffer();
+    throw response.status;
+  } catch (reason) {
+    throw noAccess(url, reason instanceof Error ? reason.message : reason);
+  }
+};
+
+const bytesOf = (source: BufferSource): Uint8Array<ArrayBuffer> =>
+  ArrayBuffer.isView(source) ? new Uint8Array(source.buffer as ArrayBuffer, source.byteOffset, source.byteLength) : new Uint8Array(source);
+
+const compiled = async (source: BufferSource): Promise<WebAssembly.Module> => {
+  const bytes = bytesOf(source);
+  if (bytes[0] !== 0 || bytes[1] !== 97 || bytes[2] !== 115 || bytes[3] !== 109)
+    throw new OrisplineError('bad_data', `found ${bytes.length} bytes that are no WebAssembly, wanted the .wasm of this package`, { option: 'wasm' });
+  try {
+    return await WebAssembly.compile(bytes);
+  } catch (reason) {
+    throw new OrisplineError('bad_data', `found WebAssembly that does not compile (${(reason as Error).message}), wanted the .wasm of this package`, { option: 'wasm' });
+  }
+};
+
+/** The module that the user gives, else that of the file beside the script. */
+export const moduleOf = async ({ wasm, wasmUrl }: LoadOptions, besideScript: URL): Promise<WebAssembly.Module> => {
+  if (typeof WebAssembly !== 'object' || !WebAssembly.validate(withSimd))
+    throw new OrisplineError('not_supported', 'found no WebAssembly with SIMD here, wanted Chrome 91, Firefox 89, Safari 16.4, Node 16.4 or newer');
+  const source = (await wasm) ?? (await fetched(wasmUrl ?? besideScript));
+  return source instanceof WebAssembly.Module ? source : compiled(source);
+};

@@ -1,0 +1,25 @@
+import type { Address, Engine } from './engine.js';
+/** The order of the four numbers of a quaternion. It is never guessed. */
+export type Order = 'wxyz' | 'xyzw';
+/** Orientations at times, body to world, and what may stand beside them. All numbers lie row after row. */
+export interface KeyData {
+    /** [s], increasing. */
+    times: ArrayLike<number>;
+    /** Four numbers a key, norms within 1e-3 of 1. */
+    orientations: ArrayLike<number>;
+    /** Of the orientations, and of all that is made of these keys. */
+    order: Order;
+    /** Three numbers a key [m], world. */
+    positions?: ArrayLike<number>;
+    /** [rad/s], body; a row of NaN is left to the method. */
+    angularVelocities?: ArrayLike<number>;
+    /** [rad/s²], body, likewise. */
+    angularAccelerations?: ArrayLike<number>;
+    /** [rad/s³], body, likewise. */
+    angularJerks?: ArrayLike<number>;
+    /** Whether to go from key to key the short way round, or as the signs of the quaternions say. */
+    signs?: 'shortest' | 'as-given';
+}
+export declare const orderOf: (order: Order) => number;
+/** Keys in the memory of the library, for the time of some work. */
+export declare const withKeys: <Result>(engine: Engine, data: KeyData, work: (keys: Address) => Result) => Result;

@@ -1,0 +1,12 @@
+import { Curve } from './curve.js';
+import { type MethodInfo, Orispline } from './orispline.js';
+import { type LoadOptions } from './wasm.js';
+export type { Motion, SampleOptions, Samples } from './curve.js';
+export { type ErrorCode, type ErrorPlace, OrisplineError } from './errors.js';
+export type { KeyData, Order } from './keys.js';
+export type { Setting, Settings } from './method.js';
+export type { ParameterInfo } from './orispline.js';
+export type { Numbers, Playable } from './playable.js';
+export type { Curve, LoadOptions, MethodInfo, Orispline };
+/** Loads the compiled code: of the file beside this script, or what the options say. */
+export declare const load: (options?: LoadOptions) => Promise<Orispline>;

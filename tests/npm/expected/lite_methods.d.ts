@@ -1,0 +1,2 @@
+import type { MethodInfo } from './orispline.js';
+export declare const methods: MethodInfo[];

@@ -1,0 +1,8 @@
+export interface LoadOptions {
+    /** The compiled code itself, its bytes or a compiled module: for places that cannot fetch. */
+    wasm?: WebAssembly.Module | BufferSource | PromiseLike<WebAssembly.Module | BufferSource>;
+    /** Where its bytes are, if not beside the script: for bundlers that copy no file. */
+    wasmUrl?: string | URL;
+}
+/** The module that the user gives, else that of the file beside the script. */
+export declare const moduleOf: ({ wasm, wasmUrl }: LoadOptions, besideScript: URL) => Promise<WebAssembly.Module>;
