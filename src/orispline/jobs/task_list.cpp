@@ -30,38 +30,40 @@ std::vector<FieldInfo> fields() {
 
 constexpr TaskSetting one_method{"method", "The text of the method whose curve it is about"};
 constexpr TaskSetting several_methods{"methods", "The texts of methods, with commas between them"};
-constexpr TaskSetting threads{"threads", "At most so many at work; 0: one per core"};
+constexpr TaskSetting threads_setting{"threads", "At most so many at work; 0: one per core"};
 
-constexpr TaskInput keys{"keys", "The keys"}, recording{"recording", "The recording"};
+constexpr TaskInput keys_input{"keys", "The keys"}, recording_input{"recording", "The recording"};
 
 constexpr TaskInput not_required(std::string_view name, std::string_view sentence) { return {name, sentence, false}; }
-constexpr TaskInput several(std::string_view name, std::string_view sentence) { return {name, sentence, true, true}; }
+constexpr TaskInput several_of(std::string_view name, std::string_view sentence) {
+  return {name, sentence, true, true};
+}
 
 TaskInfo smooth_info() {
   return {"smooth",
           "A noisy recording as a smooth motion with rates",
           fields<SmoothOptions>(),
           fields<Smoothing>(),
-          {recording},
+          {recording_input},
           {},
           run_smooth};
 }
 
 TaskInfo tune_info() {
   return {
-      "tune",           "The tensions that make a curve smoothest, or nearest to a recording", fields<TuneOptions>(),
-      fields<Tuning>(), {keys, not_required("reference", "The recording to come near to")},    {one_method},
+      "tune",           "The tensions that make a curve smoothest, or nearest to a recording",    fields<TuneOptions>(),
+      fields<Tuning>(), {keys_input, not_required("reference", "The recording to come near to")}, {one_method},
       run_tune};
 }
 
 TaskInfo reduce_info() {
-  std::vector<TaskSetting> settings{several_methods, threads, {"smooth", "Smooth the recordings first"}};
+  std::vector<TaskSetting> settings{several_methods, threads_setting, {"smooth", "Smooth the recordings first"}};
   for (const FieldInfo& field : fields_of<SmoothOptions>()) settings.push_back({field.name, field.sentence});
   return {"reduce",
           "The fewest keys that reproduce a recording within a tolerance",
           fields<ReduceOptions>(),
           fields<Reduction>(),
-          {several("recording", "The recording, or several")},
+          {several_of("recording", "The recording, or several")},
           std::move(settings),
           run_reduce};
 }
@@ -71,19 +73,20 @@ TaskInfo retime_info() {
           "The least slowing that keeps a motion within limits",
           fields<RetimeOptions>(),
           fields<Retiming>(),
-          {keys},
+          {keys_input},
           {one_method},
           run_retime};
 }
 
 TaskInfo mean_info() {
-  return {"mean",
-          "The mean or the median of many orientations",
-          fields<MeanOptions>(),
-          fields<Mean>(),
-          {several("rows", "The orientations, with weights where they have the setting weight; several are one set")},
-          {},
-          run_mean};
+  return {
+      "mean",
+      "The mean or the median of many orientations",
+      fields<MeanOptions>(),
+      fields<Mean>(),
+      {several_of("rows", "The orientations, with weights where they have the setting weight; several are one set")},
+      {},
+      run_mean};
 }
 
 TaskInfo align_info() {
@@ -104,7 +107,7 @@ TaskInfo compare_info() {
           {{"keys", "A recording, of which some samples become keys; with a reference the keys themselves"},
            not_required("reference", "The recording to compare with")},
           {several_methods,
-           threads,
+           threads_setting,
            {"tune", "Methods with tensions once more, tuned"},
            {"align", "Bring the keys onto the reference first"},
            {"sort", "The word of the measure to sort by"}},
