@@ -13,8 +13,8 @@ namespace orispline::testing_support {
 /// How large the terms get of which a segment is made: bounds from its Bernstein coefficients. All zero for a segment
 /// that is left to the scalar evaluator, whose samples must be that evaluator's own.
 struct SegmentSize {
-  double angle = 0.0;         ///< of any factor [rad]
-  double velocity = 0.0;      ///< sum of the factors' own rates [rad/s]
+  double angle = 0.0;     ///< of any factor [rad]
+  double velocity = 0.0;  ///< sum of the factors' own rates [rad/s]
   // The same with the products of rates; and the angles over as many powers of the segment's length: coefficients are
   // rounded as they are large, also where their differences are small.
   double acceleration = 0.0;  ///< [rad/s²]
