@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The command under test, run in a folder of its own with the input files that the tests name."""
 import fcntl
-import json
 import math
 import os
 import pathlib
 import pty
-import re
 import signal
 import struct
 import subprocess
@@ -15,7 +13,7 @@ import tempfile
 import termios
 import unittest
 
-from page_data import decoded
+from page_data import data_of
 
 COMMAND = pathlib.Path(os.environ["ORISPLINE_COMMAND"]).resolve()
 EXPECTED = pathlib.Path(__file__).resolve().parent / "expected"
@@ -87,7 +85,7 @@ class CommandTest(unittest.TestCase):
         text = self.read(name)
         self.assertNotRegex(text, r'(src|href)="https?://')
         self.assertFalse((self.folder / f"{name}.part").exists())
-        return decoded(json.loads(re.search(r'id="report-data">(.*?)</script>', text, re.S)[1]))
+        return data_of(text)
 
     def assert_writes_reports_as_compare(self, arguments, bad_arguments):
         """Of a command with --report: what is refused, and that a failure leaves the old report."""

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The data of a page with its lists of numbers as lists, whichever of the forms of studio/report/README.md they have."""
 import base64
+import json
+import re
 import struct
 
 HALF_FLOAT = 2 ** -10  # the relative distance of two neighbours
@@ -35,3 +37,8 @@ def decoded(data):
             if isinstance(samples[name], dict):
                 samples[name] = data["methods"][samples[name]["like"]]["samples"][name]
     return data
+
+
+def data_of(page):
+    """Those in the text of a page."""
+    return decoded(json.loads(re.search(r'id="report-data">(.*?)</script>', page, re.S)[1]))

@@ -3,12 +3,14 @@
 import csv
 import os
 import pathlib
+import sys
 
 import numpy as np
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DATA = ROOT / "tests/data"
+sys.path.append(str(ROOT / "tests/cli"))  # for page_data
 # The jobs of Spark take seconds here: less than it takes to make Java's own code fast.
 os.environ.setdefault("JDK_JAVA_OPTIONS", "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC")
 

@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Recordings as they come: epochs that are kept, several in a file, gaps, turns that are counted."""
-import base64
 import decimal
 import importlib.resources
-import json
 import pickle
-import re
 import subprocess
 
 import numpy as np
 import pytest
+from page_data import data_of
 
 import orispline as ori
 
@@ -156,10 +154,8 @@ def test_the_page_of_a_curve_has_nothing_in_gaps(tmp_path):
     t = np.array([0, 0.5, 1, 4, 4.5, 5])
     curve = ori.Curve(t, np.column_stack([np.zeros((6, 2)), np.sin(t / 2), np.cos(t / 2)]), "slerp", gap=1)
     curve.report(tmp_path / "page.html")
-    page = json.loads(re.search(r'id="report-data">(.*?)</script>', (tmp_path / "page.html").read_text(), re.S)[1])
-    samples = page["methods"][0]["samples"]
-    times = np.frombuffer(base64.b64decode(samples["t"]["u4"]), "<u4") * samples["t"]["step"] + samples["t"]["start"]
-    q = np.frombuffer(base64.b64decode(samples["q"]["f4"]), "<f4").reshape(-1, 4)
+    samples = data_of((tmp_path / "page.html").read_text("utf-8"))["methods"][0]["samples"]
+    times, q = np.array(samples["t"]), np.array(samples["q"], float).reshape(-1, 4)
     inside = (1 + 1e-6 < times) & (times < 4 - 1e-6)
     assert inside.any() and np.isnan(q[inside]).all() and not np.isnan(q[~inside]).any()
 

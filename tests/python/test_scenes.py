@@ -3,11 +3,11 @@
 import base64
 import json
 import math
-import re
 
 import numpy as np
 import orispline as ori
 import pytest
+from page_data import data_of
 from task_files import json_of, run
 
 HALF = math.radians(10)
@@ -253,7 +253,7 @@ def test_smoothing_of_a_scene_takes_the_options_of_smoothing(noisy):
 
 
 def shown(path):
-    return json.loads(re.search(r'id="report-data">(.*?)</script>', path.read_text("utf-8"), re.S)[1])
+    return data_of(path.read_text("utf-8"))
 
 
 def test_the_page_of_a_scene_is_that_of_inspect(arm, tmp_path):

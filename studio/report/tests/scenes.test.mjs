@@ -43,9 +43,11 @@ function counting() {
     };
   };
   for (const name of ['linkProgram', 'createBuffer']) watch(name, () => ++graphics[name]);
-  for (const name of ['drawArrays', 'drawElements']) watch(name, () => graphics.draws.push(1));
-  watch('drawArraysInstanced', (values) => graphics.draws.push(values[3]));
-  watch('drawElementsInstanced', (values) => graphics.draws.push(values[4]));
+  const draw = (corners, instances = 1) => graphics.draws.push({ corners, instances });
+  watch('drawArrays', ([, , corners]) => draw(corners));
+  watch('drawElements', ([, corners]) => draw(corners));
+  watch('drawArraysInstanced', ([, , corners, instances]) => draw(corners, instances));
+  watch('drawElementsInstanced', ([, corners, , , instances]) => draw(corners, instances));
 }
 
 let browser;
@@ -76,7 +78,9 @@ scenesWith('have one context, and draw all keys and all ghosts at once', many, a
   const { contexts, draws } = await counts(page);
   assert.equal(contexts, 1);
   assert.ok(draws.length < 60, `${draws.length} draws of three scenes`);
-  assert.ok(draws.filter((instances) => instances > 10).length >= 3, `${draws}`);
+  const many = (least, size) => draws.filter((draw) => size(draw) > least).length;
+  assert.equal(many(10, ({ instances }) => instances), 2, JSON.stringify(draws)); // ghosts of both bodies, few enough for instances
+  assert.ok(many(100 * 16 * 3, ({ corners }) => corners) >= 4, JSON.stringify(draws)); // dots and ways, in front and behind
 });
 
 scenesWith('keep all but the ways when another method is chosen', many, async (page) => {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is on the unit sphere. Its front half hides the other one, so that what lies behind is drawn again, thin and faint.
-import { BufferGeometry, CircleGeometry, Color, GreaterDepth, Group, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, ShaderMaterial, SphereGeometry, Vector3 } from 'three';
+import { BufferGeometry, CircleGeometry, Color, GreaterDepth, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, ShaderMaterial, SphereGeometry, Vector3 } from 'three';
 import { isGap, type Path } from '../data/report';
 import type { Colours } from '../look/theme';
 import { quaternionAt } from '../motion/orientation';
 import { bodyAxis, type Axis } from '../motion/quaternion';
 import { axisNames, zUp } from './overlay';
+import { repeat } from './repeated';
 import { Trail } from './trail';
 
 export const lift = 1.004; // paths lie on the sphere, not in it
@@ -79,30 +80,34 @@ export class Globe {
   }
 }
 
+const disc = new CircleGeometry(1, 16);
+const rim = disc.getAttribute('position');
+
 /** Keys, on the sphere. */
 export class Dots {
   readonly object = new Group();
-  private readonly meshes: InstancedMesh[];
+  private readonly meshes: Mesh<BufferGeometry, MeshBasicMaterial>[];
+  private readonly geometry = new BufferGeometry();
 
   constructor(
     private readonly radius: number,
     order: number,
   ) {
-    const geometry = new CircleGeometry(1, 16);
+    repeat(disc, mostDots, ['position'], this.geometry);
     this.meshes = [{ opacity: faint, ...behind }, {}].map((look, i) => {
-      const mesh = new InstancedMesh(geometry, new MeshBasicMaterial({ transparent: true, depthWrite: false, ...look }), mostDots);
+      const mesh = new Mesh(this.geometry, new MeshBasicMaterial({ transparent: true, depthWrite: false, ...look }));
       mesh.frustumCulled = false;
       mesh.renderOrder = order + i * inFront;
       return mesh;
     });
-    this.meshes[0].instanceMatrix = this.meshes[1].instanceMatrix;
     this.object.add(...this.meshes);
   }
 
   set(path: Path, axis: Axis): void {
     const every = Math.ceil(path.t.length / mostDots);
     const [turned, up] = [new Matrix4(), new Vector3(0, 0, 1)];
-    const last = new Vector3();
+    const [last, corner] = [new Vector3(), new Vector3()];
+    const places = this.geometry.getAttribute('position');
     let count = 0;
     for (let i = 0; i < path.t.length; i += every) {
       if (isGap(path, i)) continue;
@@ -110,14 +115,16 @@ export class Dots {
       if (direction.distanceTo(last) < apart * this.radius) continue;
       last.copy(direction);
       turned.lookAt(direction, new Vector3(), Math.abs(direction.z) < 0.9 ? up : new Vector3(1, 0, 0));
-      this.meshes[1].setMatrixAt(count++, turned.scale(new Vector3(this.radius, this.radius, 1)).setPosition(direction.multiplyScalar(lift)));
+      turned.scale(new Vector3(this.radius, this.radius, 1)).setPosition(direction.multiplyScalar(lift));
+      for (let k = 0; k < rim.count; ++k) corner.fromBufferAttribute(rim, k).applyMatrix4(turned).toArray(places.array, 3 * (count * rim.count + k));
+      ++count;
     }
-    for (const mesh of this.meshes) mesh.count = count;
-    this.meshes[1].instanceMatrix.needsUpdate = true;
+    this.geometry.setDrawRange(0, count * disc.index!.count);
+    places.needsUpdate = true;
   }
 
   paint(colour: string): void {
-    for (const { material } of this.meshes) (material as MeshBasicMaterial).color.set(colour);
+    for (const { material } of this.meshes) material.color.set(colour);
   }
 }
 

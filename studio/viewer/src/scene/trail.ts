@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines as wide in pixels as they are to be, broken where there are gaps.
-import { Color, Group, LinearSRGBColorSpace, type GreaterDepth, type InterleavedBufferAttribute } from 'three';
+import { BufferGeometry, Color, Group, InterleavedBuffer, InterleavedBufferAttribute, LinearSRGBColorSpace, Mesh, Vector4, type GreaterDepth, type WebGLProgramParametersWithUniforms, type WebGLRenderer } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import type { Colours } from '../look/theme';
+import { repeat } from './repeated';
 
 export interface TrailLook {
   width: number; // pixels of the page
   strength?: number; // of its colour on the ground's: where segments meet one sees nothing, as one does through what is transparent
   order?: number; // what has more is drawn later, and over it
   depthFunc?: typeof GreaterDepth;
-  fog?: boolean;
+  fog?: boolean; // that the line thins out in
 }
 
 /** As eyes mix it, not light. */
 const asShown = (colour: string) => new Color().setStyle(colour, LinearSRGBColorSpace);
+
+const segment = new LineSegmentsGeometry(); // the corners of one, which its material moves to where they are to be
+const corners = segment.getAttribute('position').count;
 
 /** Ends of segments: NaN in a point is a gap. */
 function segmentsOf(points: Float32Array): Float32Array {
@@ -30,21 +33,38 @@ function segmentsOf(points: Float32Array): Float32Array {
   return segments.subarray(0, length);
 }
 
+/** In the fog's colour alone, a line would veil what is behind it. */
+function thinOut(shader: WebGLProgramParametersWithUniforms): void {
+  shader.vertexShader = shader.vertexShader
+    .replace('void main', '#ifdef USE_FOG\nuniform float fogNear, fogFar;\n#endif\nvoid main')
+    .replace('offset *= linewidth;', '$&\n#ifdef USE_FOG\noffset *= 1.0 - smoothstep(fogNear, fogFar, -(position.y < 0.5 ? start : end).z);\n#endif');
+}
+
+const viewport = new Vector4();
+
+function lineOf({ width, strength, order = 0, ...more }: TrailLook): Mesh<BufferGeometry, LineMaterial> {
+  const material = new LineMaterial({ linewidth: width, transparent: true, depthWrite: false, ...more });
+  if (more.fog) material.onBeforeCompile = thinOut;
+  const line = new Mesh<BufferGeometry, LineMaterial>(undefined, material);
+  line.onBeforeRender = (renderer) => {
+    const { z, w } = (renderer as WebGLRenderer).getViewport(viewport);
+    material.resolution.set(z, w);
+  };
+  line.renderOrder = order;
+  line.frustumCulled = false;
+  return line;
+}
+
 /** One line, drawn once in each of its looks. */
 export class Trail {
   readonly object = new Group();
-  private readonly lines: LineSegments2[];
-  private readonly strengths: number[] = [];
+  private readonly lines: Mesh<BufferGeometry, LineMaterial>[];
+  private readonly strengths: number[];
   private room = 0; // for segments
 
   constructor(...looks: TrailLook[]) {
-    this.lines = looks.map(({ width, strength = 1, order = 0, ...more }) => {
-      this.strengths.push(strength);
-      const line = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ linewidth: width, transparent: true, depthWrite: false, ...more }));
-      line.renderOrder = order;
-      line.frustumCulled = false;
-      return line;
-    });
+    this.strengths = looks.map(({ strength = 1 }) => strength);
+    this.lines = looks.map(lineOf);
     this.object.add(...this.lines);
     this.makeRoom(1);
     this.set(new Float32Array());
@@ -62,15 +82,19 @@ export class Trail {
     if (count > this.room) this.makeRoom(Math.max(count, 2 * this.room));
     const [{ geometry }] = this.lines;
     const { data } = geometry.getAttribute('instanceStart') as InterleavedBufferAttribute;
-    data.array.set(segments);
+    for (let i = 0; i < corners * segments.length; ++i) data.array[i] = segments[6 * Math.floor(i / 6 / corners) + (i % 6)];
     data.needsUpdate = true;
-    geometry.instanceCount = count;
+    geometry.setDrawRange(0, count * segment.index!.count);
   }
 
   private makeRoom(room: number): void {
     this.room = room;
     const [{ geometry: before }] = this.lines;
-    const geometry = new LineSegmentsGeometry().setPositions(new Float32Array(6 * room));
+    const geometry = new BufferGeometry();
+    repeat(segment, room, ['position', 'uv'], geometry);
+    const ends = new InterleavedBuffer(new Float32Array(6 * corners * room), 6);
+    geometry.setAttribute('instanceStart', new InterleavedBufferAttribute(ends, 3, 0)); // as the material calls the ends of a segment
+    geometry.setAttribute('instanceEnd', new InterleavedBufferAttribute(ends, 3, 3));
     for (const line of this.lines) line.geometry = geometry;
     before.dispose();
   }
