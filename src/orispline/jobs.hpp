@@ -5,6 +5,7 @@
 // (ORISPLINE_OPTIMISE).
 
 #include <orispline/jobs/align.hpp>
+#include <orispline/jobs/align_rates.hpp>
 #include <orispline/jobs/compare.hpp>
 #include <orispline/jobs/curve_clip.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>
