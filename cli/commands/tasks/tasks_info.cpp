@@ -27,7 +27,7 @@ std::vector<TaskInfo> tasks_info() {
       {"retime", "The least slowing that keeps a motion within limits", fields<RetimeOptions>(), fields<Retiming>()},
       {"mean", "The mean or the median of many orientations", fields<MeanOptions>(), fields<Mean>()},
       {"align", "What brings one recording onto another one of the same motion", fields<AlignOptions>(),
-       fields<Alignment>()},
+       fields<Alignment>(), fields<RateAlignment>()},
       {"compare", "How near the curves of methods come to a recording", fields<Decimation, MeasureOptions>(), {}}};
 }
 

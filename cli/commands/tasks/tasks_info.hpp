@@ -12,6 +12,7 @@ namespace orispline::cli {
 struct TaskInfo {
   std::string_view name, sentence;
   std::vector<FieldInfo> options, results;
+  std::vector<FieldInfo> results_of_gyros{};  ///< in their place, where the task takes such recordings too
 };
 
 /// THE list of them.

@@ -43,18 +43,25 @@ Json option_json(const FieldInfo& field) {
   return json;
 }
 
+Json results_json(const std::vector<FieldInfo>& fields) {
+  Json results = Json::array();
+  for (const FieldInfo& field : fields) results.push_back(field_json(field, name_with_unit(field)));
+  return results;
+}
+
 }  // namespace
 
 std::string json_of(const std::vector<TaskInfo>& tasks) {
   Json list = Json::array();
   for (const TaskInfo& task : tasks) {
-    Json options = Json::array(), results = Json::array();
+    Json options = Json::array();
     for (const FieldInfo& field : task.options) options.push_back(option_json(field));
-    for (const FieldInfo& field : task.results) results.push_back(field_json(field, name_with_unit(field)));
-    list.push_back({{"task", task.name},
-                    {"sentence", task.sentence},
-                    {"options", std::move(options)},
-                    {"results", std::move(results)}});
+    Json json{{"task", task.name},
+              {"sentence", task.sentence},
+              {"options", std::move(options)},
+              {"results", results_json(task.results)}};
+    if (!task.results_of_gyros.empty()) json["results_of_gyros"] = results_json(task.results_of_gyros);
+    list.push_back(std::move(json));
   }
   return document(list);
 }

@@ -325,7 +325,7 @@ GyroTrack aligned(const GyroTrack& moved, const Decimal& fixed_epoch, const Rate
 Expected<Track> aligned(const Track& moved, const GyroTrack& fixed, const RateAlignment& alignment) {
   Track on_clock;
   on_clock.epoch = fixed.epoch;
-  on_clock.is_dated = moved.is_dated;
+  on_clock.is_dated = fixed.is_dated;
   return aligned(moved, on_clock, Alignment{.body = alignment.body, .offset = alignment.offset});
 }
 

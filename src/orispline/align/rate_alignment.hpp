@@ -12,8 +12,9 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A gyro as a recording by itself.
 struct GyroTrack {
-  GyroRates rates{};  ///< whose times count from the epoch
-  Decimal epoch{};    ///< [s], exact
+  GyroRates rates{};      ///< whose times count from the epoch
+  Decimal epoch{};        ///< [s], exact
+  bool is_dated = false;  ///< as of Track
 
   /// [s], exact where the file's own text is known, else as near as a double.
   [[nodiscard]] ORISPLINE_EXPORT Decimal time_of(std::size_t rate) const;
