@@ -36,6 +36,10 @@ def gyro(seed=2, *, mount=MOUNT, late=LATE, bias=BIAS, times=TIMES):
     return ori.Rates(times, rates + np.random.default_rng(seed).normal(0, 0.01, rates.shape))
 
 
+def at_rest(seed):
+    return ori.Rates(TIMES, np.random.default_rng(seed).normal(0, 0.01, (1500, 3)))
+
+
 def assert_mounted(found, *, tolerance=2e-3):
     assert abs(found.offset - LATE) < 1e-3 and found.offset_sigma < 1e-3
     assert (Rotation.from_quat(found.body) * MOUNT.inv()).magnitude() < tolerance
@@ -103,7 +107,8 @@ def test_what_is_found_can_be_shown_copied_and_kept():
 
 
 @pytest.mark.parametrize("call, kind, words", [
-    (lambda: ori.align(ori.Rates(TIMES, np.zeros((1500, 3))), poses()), ori.DataError, "found no change of the rates that stands out"),
+    (lambda: ori.align(at_rest(6), at_rest(7)), ori.DataError, "found no change of the rates that stands out"),
+    (lambda: ori.align(ori.Rates(TIMES, np.zeros((1500, 3))), poses()), ori.DataError, "wanted two recordings of one motion"),
     (lambda: ori.align(ori.Rates([0, 1], np.zeros((2, 3))), poses()), ori.DataError, "found 2 rates, wanted 8 at least"),
     (lambda: ori.align(gyro(), poses(), offset=100), ori.ArgumentError, "offset: found recordings of which fewer than 8 turns"),
     (lambda: ori.align(gyro(), poses(), offset=math.nan), ori.ArgumentError, "offset: found nan"),

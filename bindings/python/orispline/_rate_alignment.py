@@ -97,18 +97,15 @@ def aligned_by_rates(a: Keys | Rates, b: Keys | Rates, stated: dict[str, Any]) -
     core = _core.align_rates(moved.core, fixed.core, stated)
     tell(core.warnings)
     found, members = core.attributes(), core.members()
-    values = {name: np.array(value) if isinstance(value, list) else value for name, value in found.items()}
+    values = found | {name: np.array(found[name]) for name in ("body_sigma", "bias", "bias_sigma")}
     for name, side in (("rejected_moved", moved), ("rejected_fixed", fixed)):
         values[name] = side.rows[np.array(found[name], dtype=np.intp)]
         members[name] = [{**row, "key": int(side.rows[row["key"]])} for row in members[name]]
     scalar_first = any(isinstance(one, Keys) and one._scalar_first for one in (a, b))
     values["body"] = np.array(found["body"])[[3, 0, 1, 2] if scalar_first else [0, 1, 2, 3]]
     values["open"] = tuple(OpenRateDirection(np.array(body), offset, np.array(bias)) for body, offset, bias in found["open"])
-    if isinstance(a, Keys):
-        aligned: Keys | Rates = Keys._of(core.keys, fixed.clock, scalar_first=a._scalar_first)
-    else:
-        seconds, rates = core.rates
-        aligned = Rates(fixed.times(seconds), rates)
+    rates = core.rates
+    aligned = Keys._of(core.keys, fixed.clock, scalar_first=scalar_first) if rates is None else Rates(fixed.times(rates[0]), rates[1])
     return RateAlignment(aligned=aligned, _members=members, _summary=core.summary(), **values)
 
 

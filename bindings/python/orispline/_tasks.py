@@ -377,7 +377,7 @@ def align(a: Keys | Rates, b: Keys | Rates, **options: Any) -> Alignment | RateA
     >>> rates = np.column_stack([np.cos(t), -1.3 * np.sin(1.3 * t), 0.35 * np.cos(0.7 * t)])
     >>> found = ori.align(ori.Rates(t + 0.25, rates + [0.02, 0, 0]), ori.Rates(t, rates[:, [1, 2, 0]]))
     >>> abs(found.offset - 0.25) < 1e-6, found.body.round(6).tolist(), found.aligned
-    (True, [0.5, 0.5, 0.5, -0.5], Rates(501 rates))
+    (True, [-0.5, -0.5, -0.5, 0.5], Rates(501 rates))
     """
     if isinstance(a, Rates) or isinstance(b, Rates):
         return aligned_by_rates(a, b, plain(options))
