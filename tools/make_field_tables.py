@@ -12,7 +12,7 @@ import subprocess
 import sys
 
 DOCS = pathlib.Path(__file__).resolve().parents[1] / "docs"
-BLOCK = re.compile(r"(<!-- fields: (\w+) (options|results) -->\n).*?(<!-- end of fields -->)", re.S)
+BLOCK = re.compile(r"(<!-- fields: (\w+) (options|results_of_gyros|results) -->\n).*?(<!-- end of fields -->)", re.S)
 
 
 def tasks_of(command):
@@ -38,7 +38,7 @@ def standing(field):
 
 
 def table(task, part):
-    head = {"options": ("option", "what", "unit", "range", "default"), "results": ("result", "what", "unit", "absent")}[part]
+    head = {"options": ("option", "what", "unit", "range", "default"), "results": ("result", "what", "unit", "absent")}[part.removesuffix("_of_gyros")]
     rows = [head]
     for field in task[part]:
         cells = [f"`{field['name']}`", sentence(field), field["unit"] or ""]

@@ -4,6 +4,7 @@
 // The options and results of the tasks as data, for faces that are made from them (ORISPLINE_OPTIMISE).
 
 #include <orispline/align/align.hpp>
+#include <orispline/align/rate_alignment.hpp>
 #include <orispline/analysis/comparison.hpp>
 #include <orispline/analysis/decimation.hpp>
 #include <orispline/fields/field_info.hpp>

@@ -5,6 +5,7 @@
 // (ORISPLINE_OPTIMISE).
 
 #include <orispline/jobs/align.hpp>
+#include <orispline/jobs/align_rates.hpp>
 #include <orispline/jobs/bake.hpp>
 #include <orispline/jobs/baked_file.hpp>
 #include <orispline/jobs/compare.hpp>

@@ -13,7 +13,6 @@
 
 namespace orispline { namespace {
 
-using testing_support::degree;
 using testing_support::Difference;
 using testing_support::fixed_recording;
 using testing_support::moved_recording;

@@ -9,7 +9,6 @@
 
 namespace orispline { namespace {
 
-using testing_support::degree;
 using testing_support::Taken;
 using testing_support::track_of;
 using testing_support::TrueMotion;

@@ -9,9 +9,9 @@
 #include <orispline/align.hpp>
 #include <orispline/math/so3.hpp>
 
-namespace orispline::testing_support {
+#include "smooth/noisy_motion.hpp"
 
-inline constexpr double degree = 0.017453292519943295;
+namespace orispline::testing_support {
 
 /// A body that turns about changing axes and goes round a room: a true motion, whose two recordings are made from it.
 struct TrueMotion {

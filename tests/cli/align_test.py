@@ -228,9 +228,9 @@ class Refused(CommandTest):
         self.assert_refused("align a.csv b.csv -o a.csv", BAD_USAGE, "-o: found 'a.csv', wanted another file than INPUT, which would be lost")
 
     def test_options_of_an_output_without_one(self):
-        self.assert_refused("align a.csv b.csv --quiet", BAD_USAGE, "--quiet: found no -o, wanted -o FILE for the aligned keys")
+        self.assert_refused("align a.csv b.csv --quiet", BAD_USAGE, "--quiet: found no -o, wanted -o FILE for the aligned recording")
         self.assert_refused("align a.csv b.csv --output-format tum", BAD_USAGE,
-                            "--output-format: found no -o, wanted -o FILE for the aligned keys")
+                            "--output-format: found no -o, wanted -o FILE for the aligned recording")
 
     def test_align_of_other_commands_wants_something_to_align_with(self):
         self.assert_refused("compare a.csv --align", BAD_USAGE,

@@ -102,7 +102,8 @@ class FirstHour(CommandTest):
         for name, text, kind in (("v.aem", "CCSDS_AEM_VERS = 1.0\nCREATION_DATE = 2024\n", "an attitude ephemeris (AEM) of CCSDS, which is not read; "),
                                  ("walk.txt", "HIERARCHY\nROOT Hips\n{\n", "a BVH file, which is not read as rows; it is read with --input-format bvh, or without that option under a name"),
                                  ("walk.json", '{\n  "asset": {}\n}\n', "a JSON file, which is not read as rows; "),
-                                 ("ck.xc", "DAFETF NAIF DAF ENCODED TRANSFER FILE\n'DAF/CK'\n", "a transfer file of SPICE, which is not read; ")):
+                                 ("ck.xc", "DAFETF NAIF DAF ENCODED TRANSFER FILE\n'DAF/CK'\n", "a transfer file of SPICE, which is not read; "),
+                                 ("log.npz", "PK\x03\x04\x14\x00\x00\x00", "an archive, as .npz is, which is not read; save one array of rows as .npy, or in Python give ")):
             self.write(name, text)
             done = self.run_command(f"sample {name} --rate 2")
             self.assertEqual((done.returncode, done.stdout), (BAD_DATA, ""))

@@ -24,6 +24,12 @@ class Tune(CommandTest):
     def tuned(self, arguments):
         return json.loads(self.output_of(f"tune keys.csv {arguments} --json -o tuned.csv"))
 
+    def test_times_are_text_as_the_file_has_them(self):
+        stamps = [f"1700000000.{digits}" for digits in ("023456789", "123456789", "323456789", "423456789")]
+        self.write("stamps.csv", "t,qw,qx,qy,qz\n" + "".join(f"{t},{math.cos(k / 9)},0,0,{math.sin(k / 9)}\n" for k, t in enumerate(stamps)))
+        found = json.loads(self.output_of("tune stamps.csv --method quintic --json -o tuned.csv"))
+        self.assertEqual(found["t_s"], stamps)
+
     def test_writes_the_keys_as_they_are_with_their_tensions(self):
         summary = self.tuned("--method timed-c2 --objective acceleration")
         lines, keys = table_of(self.read("tuned.csv")), KEYS.splitlines()

@@ -152,13 +152,13 @@ class Documents(unittest.TestCase):
             tables |= {(task, part): page.stem for _, task, part, _ in make_field_tables.BLOCK.findall(text)}
             self.assertEqual(make_field_tables.with_tables(text, tasks), text,
                              f"{page.name} differs, wanted: tools/make_field_tables.py COMMAND")
-        wanted = {(name, part): name for name, task in tasks.items() for part in ("options", "results") if task[part]}
+        wanted = {(name, part): name for name, task in tasks.items() for part in ("options", "results", "results_of_gyros") if task.get(part)}
         self.assertEqual(tables, wanted)
 
     def test_the_json_of_a_task_is_described_with_every_result(self):
         page = text_of("inspect-json.md")
         for task in make_field_tables.tasks_of(sys.argv[1]).values():
-            for result in task["results"]:
+            for result in task["results"] + task.get("results_of_gyros", []):
                 self.assertIn(f"`{result['name']}`", page, task["task"])
 
     def test_the_code_of_a_page_is_that_of_its_example(self):

@@ -128,8 +128,8 @@ def test_all_public_calls_are_walked(calls):
     walked = {name for name, _, _ in calls} | NOT_CALLED
     values = {name for name in ori.__all__ if inspect.isclass(getattr(ori, name))} - {name.split(".")[0] for name in walked}
     assert values <= {"AccessError", "ArgumentError", "BlendingFinding", "Certificate", "Channel", "Clip", "ConvergenceError", "DataError", "DistanceStatistics",
-                      "Energies", "Error", "HandleTurn", "KeyStatistics", "Motion", "OpenDirection", "Peak", "Peaks", "SceneReduction", "SceneSmoothing",
-                      "ShapeWarning", "Skeleton", "SmoothedJoint", "Spread", "View", "Worst"}  # which hold values that were found
+                      "Energies", "Error", "HandleTurn", "KeyStatistics", "Motion", "OpenDirection", "OpenRateDirection", "Peak", "Peaks", "RateAlignment",
+                      "SceneReduction", "SceneSmoothing", "ShapeWarning", "Skeleton", "SmoothedJoint", "Spread", "View", "Worst"}  # which hold values that were found
     assert {name for name in ori.__all__ if not inspect.isclass(getattr(ori, name))} <= walked
 
 

@@ -147,6 +147,7 @@ void add_fields(nb::module_& module) {
     put_infos(all, "Mean", fields_of<Mean>());
     put_infos(all, "AlignOptions", fields_of<AlignOptions>());
     put_infos(all, "Alignment", fields_of<Alignment>());
+    put_infos(all, "RateAlignment", fields_of<RateAlignment>());
     put_infos(all, "Decimation", fields_of<Decimation>());
     put_infos(all, "MeasureOptions", fields_of<MeasureOptions>());
     return all;

@@ -25,5 +25,6 @@ NB_MODULE(_core, module) {
   orispline::python::add_mean(module);
   orispline::python::add_compare(module);
   orispline::python::add_align(module);
+  orispline::python::add_align_rates(module);
   orispline::python::add_scenes(module);
 }

@@ -20,6 +20,7 @@ namespace orispline::python {
 
 void add_fields(nanobind::module_& module);
 void add_align(nanobind::module_& module);
+void add_align_rates(nanobind::module_& module);
 void add_smooth(nanobind::module_& module);
 void add_reduce(nanobind::module_& module);
 void add_retime(nanobind::module_& module);

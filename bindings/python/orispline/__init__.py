@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from ._comparison import Comparison, compare
     from ._mean import Mean, mean
     from ._measures import DistanceStatistics, Energies, HandleTurn, KeyStatistics, Peak, Peaks, Spread
+    from ._rate_alignment import OpenRateDirection, RateAlignment
     from ._rates import Rates, read_rates
     from ._results import Alignment, Certificate, OpenDirection, Reduction, Retiming, Smoothing, Tuning
     from ._scene import Channel, Clip, Scene, SceneReduction, SceneSmoothing, Skeleton, SmoothedJoint, Worst
@@ -37,8 +38,8 @@ if TYPE_CHECKING:
     from ._tasks import align, reduce, reduce_tracks, retime, smooth, tune
 
 __all__ = ["AccessError", "Alignment", "ArgumentError", "BakedCurve", "Blending", "BlendingFinding", "Certificate", "Channel", "Clip", "Comparison", "ConvergenceError", "Curve",
-           "CurveStack", "DataError", "DistanceStatistics", "Energies", "Error", "HandleTurn", "KeyStatistics", "Keys", "Mean", "Motion", "OnlineCurve", "OpenDirection",
-           "Peak", "Peaks", "Rates", "Reduction", "Retiming", "RotationSpline", "Samples", "Scene", "SceneReduction", "SceneSmoothing",
+           "CurveStack", "DataError", "DistanceStatistics", "Energies", "Error", "HandleTurn", "KeyStatistics", "Keys", "Mean", "Motion", "OnlineCurve", "OpenDirection", "OpenRateDirection",
+           "Peak", "Peaks", "RateAlignment", "Rates", "Reduction", "Retiming", "RotationSpline", "Samples", "Scene", "SceneReduction", "SceneSmoothing",
            "ShapeWarning", "Skeleton", "Slerp", "SmoothedJoint", "Smoothing", "Spread", "Tuning", "View", "Worst", "align", "blending", "compare", "mean", "methods", "plot_comparison", "plot_sphere",
            "read", "read_blending", "read_rates", "read_scene", "reduce", "reduce_scene", "reduce_tracks", "retime", "shell_distance", "smooth", "smooth_scene",
            "tune", "write"]
@@ -48,6 +49,7 @@ __version__: str = _core.version
 _ROOMS = {"_comparison": ("Comparison", "compare"),
           "_mean": ("Mean", "mean"),
           "_measures": ("DistanceStatistics", "Energies", "HandleTurn", "KeyStatistics", "Peak", "Peaks", "Spread"),
+          "_rate_alignment": ("OpenRateDirection", "RateAlignment"),
           "_rates": ("Rates", "read_rates"),
           "_results": ("Alignment", "Certificate", "OpenDirection", "Reduction", "Retiming", "Smoothing", "Tuning"),
           "_scene": ("Channel", "Clip", "Scene", "SceneReduction", "SceneSmoothing", "Skeleton", "SmoothedJoint", "Worst"),

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class Rates:
-    """What a gyro measured, for `smooth`: body rates at times that need not be those of any orientation.
+    """What a gyro measured, for `smooth` and `align`: body rates at times that need not be those of any orientation.
 
     Parameters
     ----------

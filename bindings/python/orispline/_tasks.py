@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from ._errors import ArgumentError, DataError, tell
 from ._keys import Keys
 from ._methods import method_words
 from ._options import checked_keys, checked_threads, plain, reference_of, takes, with_cutoff
+from ._rate_alignment import RateAlignment, aligned_by_rates
 from ._rates import Rates
 from ._results import Alignment, Reduction, Retiming, Smoothing, Tuning
 
@@ -301,33 +302,43 @@ def tune(keys: Keys, method: Any, *, reference: Keys | None = None, **options: A
     return Tuning._of(core, keys, ())
 
 
+@overload
+def align(a: Keys, b: Keys, **options: Any) -> Alignment: ...
+@overload
+def align(a: Rates, b: Keys | Rates, **options: Any) -> RateAlignment: ...
+@overload
+def align(a: Keys, b: Rates, **options: Any) -> RateAlignment: ...
 @takes("AlignOptions")
-def align(a: Keys, b: Keys, **options: Any) -> Alignment:
+def align(a: Keys | Rates, b: Keys | Rates, **options: Any) -> Alignment | RateAlignment:
     """What brings a recording onto another one of the same motion: the constant rotations of the axes of world and body, the
     offset of the clocks, and where both have positions their scale and the place of the origin.
 
     R' = W R Bᵀ, p' = s W p + d, t' = t - offset. What is left out by an option is taken to be none. Up to a tenth of bad
     samples in either recording does no harm.
 
+    Of a gyro and the orientations of the body that carries it, or of two gyros on one body, the rotation of the body, the offset and
+    the bias: ω' = B (ω - bias).
+
     Parameters
     ----------
-    a : Keys
+    a : Keys or Rates
         The recording that is moved.
-    b : Keys
+    b : Keys or Rates
         The one that stays as it is. Either may have dates where the other has seconds.
     {options}
 
     Returns
     -------
-    Alignment
-        `.world`, `.body`, `.offset`, `.scale`, `.translation` with their standard deviations, `.keys` are those of `a` beside `b`.
+    Alignment or RateAlignment
+        `.world`, `.body`, `.offset`, `.scale`, `.translation` with their standard deviations, `.keys` are those of `a` beside `b`. With
+        Rates `.body`, `.offset`, `.bias`, and `.aligned` is `a` beside `b`.
 
     Raises
     ------
     ArgumentError
         An option that there is not, or an offset with which the recordings do not overlap.
     DataError
-        Fewer than eight samples, recordings that do not overlap or that no alignment brings near.
+        Fewer than eight samples, recordings that do not overlap, that no alignment brings near, or in which nothing turns.
 
     Warns
     -----
@@ -344,7 +355,13 @@ def align(a: Keys, b: Keys, **options: Any) -> Alignment:
     >>> alignment = ori.align(ori.Keys(t + 0.25, q), ori.Keys(t, q))
     >>> abs(alignment.offset - 0.25) < 1e-6, alignment.distance_max < 1e-4
     (True, True)
+    >>> rates = np.column_stack([np.cos(t), -1.3 * np.sin(1.3 * t), 0.35 * np.cos(0.7 * t)])
+    >>> found = ori.align(ori.Rates(t + 0.25, rates + [0.02, 0, 0]), ori.Rates(t, rates[:, [1, 2, 0]]))
+    >>> abs(found.offset - 0.25) < 1e-6, found.body.round(6).tolist(), found.aligned
+    (True, [-0.5, -0.5, -0.5, 0.5], Rates(501 rates))
     """
+    if isinstance(a, Rates) or isinstance(b, Rates):
+        return aligned_by_rates(a, b, plain(options))
     arguments = (checked_keys(b, "b"), plain(options))
     core = _core.align(checked_keys(a, "a")._core, b._core, arguments[1])
     tell(core.warnings)

@@ -35,13 +35,18 @@ std::string lines_of_option(const FieldInfo& field) {
   return lines_of(field, formatted("{}{}", field.name, unit), standing(field));
 }
 
+std::string lines_of_results(const std::vector<FieldInfo>& results, std::string_view head) {
+  std::string text = results.empty() ? "" : formatted("  {}\n", head);
+  for (const FieldInfo& field : results)
+    text += lines_of(field, name_with_unit(field), field.absent.empty() ? "" : formatted(" [{}]", field.absent));
+  return text;
+}
+
 std::string text_of(const jobs::TaskInfo& task) {
   std::string text = formatted("{}: {}\n", task.name, task.sentence);
   for (const FieldInfo& field : task.options) text += lines_of_option(field);
-  if (!task.results.empty()) text += "  results\n";
-  for (const FieldInfo& field : task.results)
-    text += lines_of(field, name_with_unit(field), field.absent.empty() ? "" : formatted(" [{}]", field.absent));
-  return text + "\n";
+  return text + lines_of_results(task.results, "results") +
+         lines_of_results(task.results_of_gyros, "results where a recording is of a gyro") + "\n";
 }
 
 }  // namespace

@@ -6,13 +6,12 @@
 #include <numbers>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
+#include <orispline/align/robust_equations.hpp>
 #include <orispline/math/median.hpp>
 #include <orispline/math/number.hpp>
 #include <orispline/math/so3.hpp>
 #include <orispline/smooth/smoothing_element.hpp>
-#include <orispline/smooth/smoothing_loss.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -21,11 +20,11 @@ namespace {
 
 constexpr Eigen::Index world_at = 0, body_at = 3, offset_at = 6, scale_at = 7, translation_at = 8, unknowns = 11;
 using Unknowns = Eigen::Matrix<double, unknowns, 1>;
-using Normal = Eigen::Matrix<double, unknowns, unknowns>;
+using Equations = RobustEquations<unknowns>;
+using Residual = Linear<unknowns>;
 using Slopes = Eigen::Matrix<double, 3, unknowns>;
 
-constexpr double rejected_from = 6.0;  // σ, of Tukey's loss: 95 % efficient for three numbers
-constexpr double least_noise = 1e-6;   // [rad], of positions times their spread
+constexpr double least_residual = 1e-6;  // [rad], of positions times their spread
 constexpr int most_steps = 100;
 constexpr double least_step = 1e-5;  // of one σ
 
@@ -34,12 +33,6 @@ struct Pair {
   std::size_t sample;
   Motion moved;
   LinearMotion path{};
-};
-
-/// A residual, and how it changes with the unknowns.
-struct Linear {
-  Eigen::Vector3d value;
-  Slopes slopes;
 };
 
 /// The sum of the squares of both kinds near a Transform.
@@ -60,9 +53,9 @@ class Sum {
   [[nodiscard]] const std::vector<Pair>& pairs() const noexcept { return pairs_; }
 
   /// Turns of W are turns of the fixed world, those of B of the fixed body.
-  [[nodiscard]] Linear orientation(const Pair& pair) const {
+  [[nodiscard]] Residual orientation(const Pair& pair) const {
     const Eigen::Quaterniond found = at_.world * pair.moved.orientation * at_.body.conjugate();
-    Linear linear{shortest_increment(data_.fixed.orientations()[pair.sample], found), Slopes::Zero()};
+    Residual linear{shortest_increment(data_.fixed.orientations()[pair.sample], found), Slopes::Zero()};
     linear.slopes.block<3, 3>(0, world_at) = found.toRotationMatrix().transpose();
     linear.slopes.block<3, 3>(0, body_at) = -Eigen::Matrix3d::Identity();
     linear.slopes.col(offset_at) = to_world<double>(at_.body, pair.moved.angular_velocity);
@@ -70,11 +63,11 @@ class Sum {
   }
 
   /// The unknown of the translation is where the middle of the moved positions comes to, which the turns leave alone.
-  [[nodiscard]] Linear position(const Pair& pair) const {
+  [[nodiscard]] Residual position(const Pair& pair) const {
     const Eigen::Vector3d turned =
         at_.scale * to_world<double>(at_.world, Eigen::Vector3d(pair.path.position - middle_));
     const Eigen::Vector3d origin = at_.scale * to_world<double>(at_.world, middle_) + at_.translation;
-    Linear linear{turned + origin - data_.fixed.positions()[pair.sample], Slopes::Zero()};
+    Residual linear{turned + origin - data_.fixed.positions()[pair.sample], Slopes::Zero()};
     linear.slopes.block<3, 3>(0, world_at) = -skew(turned);
     linear.slopes.col(offset_at) = at_.scale * to_world<double>(at_.world, pair.path.velocity);
     linear.slopes.col(scale_at) = turned;
@@ -106,42 +99,13 @@ Noise noise_of(const Sum& sum, bool has_positions, double spread) {
     noise.angles.push_back(sum.orientation(pair).value.norm());
     if (has_positions) noise.lengths.push_back(sum.position(pair).value.norm());
   }
-  noise.angle = std::max(median(noise.angles) / median_length, least_noise);
-  noise.length = std::max(median(noise.lengths) / median_length, least_noise * spread);
+  noise.angle = std::max(median(noise.angles) / median_length, least_residual);
+  noise.length = std::max(median(noise.lengths) / median_length, least_residual * spread);
   return noise;
 }
 
-/// Weighted normal equations, and what blocks of successive samples add to the gradient: their scatter is that of the
-/// residuals, however these hang together.
-struct Equations {
-  Normal matrix = Normal::Zero();
-  Unknowns gradient = Unknowns::Zero();
-  Normal scatter = Normal::Zero();
-  Unknowns of_block = Unknowns::Zero();    // the gradient of the block that is not ended
-  double weights = 0.0, curvatures = 0.0;  // sums of ρ′ and of the mean second derivative
-
-  void add(const Linear& linear, double sigma) {
-    const double square = linear.value.squaredNorm() / (sigma * sigma);
-    const double weight = loss_at(LossFunction::tukey, square, rejected_from).weight;
-    const double bound = rejected_from * rejected_from, rest = std::max(0.0, 1.0 - square / bound);
-    const Unknowns slope = weight / (sigma * sigma) * (linear.slopes.transpose() * linear.value);
-    matrix += weight / (sigma * sigma) * (linear.slopes.transpose() * linear.slopes);
-    gradient += slope;
-    of_block += slope;
-    weights += weight;
-    curvatures += weight - 4.0 / 3.0 * rest * square / bound;
-  }
-
-  void end_block() {
-    scatter += of_block * of_block.transpose();
-    of_block.setZero();
-  }
-};
-
 Equations equations_of(const Sum& sum, const Noise& noise, bool has_positions) {
-  constexpr std::size_t most_blocks = 50, least_in_block = 10, enough_for_blocks = 100;
-  const std::size_t pairs = sum.pairs().size();
-  const std::size_t in_block = pairs < enough_for_blocks ? 1 : std::max(pairs / most_blocks, least_in_block);
+  const std::size_t pairs = sum.pairs().size(), in_block = samples_in_block(pairs);
   Equations equations;
   for (std::size_t i = 0; i < pairs; ++i) {
     equations.add(sum.orientation(sum.pairs()[i]), noise.angle);
@@ -162,35 +126,6 @@ std::vector<Eigen::Index> free_unknowns(const AlignmentData& data) {
   add_some(data.has_positions && data.options.scale, scale_at, 1);
   add_some(data.has_positions && data.options.translation, translation_at, 3);
   return free;
-}
-
-/// The inverse of the normal matrix where it says something, in units; directions without an answer are open: a step of
-/// one unit, 1 rad, would move the samples by less than their noise.
-struct Inverse {
-  Eigen::MatrixXd matrix;        // unknowns × unknowns, in their own units
-  std::vector<Unknowns> open{};  // of length 1 in the units
-};
-
-Inverse inverse_of(const Normal& normal, const Unknowns& units, const std::vector<Eigen::Index>& free,
-                   std::size_t pairs) {
-  const auto count = static_cast<Eigen::Index>(free.size());
-  Eigen::MatrixXd scaled(count, count);
-  for (Eigen::Index i = 0; i < count; ++i)
-    for (Eigen::Index k = 0; k < count; ++k)
-      scaled(i, k) = normal(free[static_cast<std::size_t>(i)], free[static_cast<std::size_t>(k)]) *
-                     units[free[static_cast<std::size_t>(i)]] * units[free[static_cast<std::size_t>(k)]];
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
-  Inverse inverse{Eigen::MatrixXd::Zero(unknowns, unknowns)};
-  for (Eigen::Index e = 0; e < count; ++e) {
-    Unknowns direction = Unknowns::Zero();
-    for (Eigen::Index i = 0; i < count; ++i)
-      direction[free[static_cast<std::size_t>(i)]] =
-          eigen.eigenvectors()(i, e) * units[free[static_cast<std::size_t>(i)]];
-    if (const double value = eigen.eigenvalues()[e]; value > static_cast<double>(pairs))
-      inverse.matrix += direction * direction.transpose() / value;
-    else inverse.open.push_back(direction);
-  }
-  return inverse;
 }
 
 Transform moved_by(const Transform& from, const Unknowns& step, const Eigen::Vector3d& middle) {
@@ -249,15 +184,6 @@ AlignmentSigmas sigmas_of(const Eigen::MatrixXd& covariance, const Transform& at
           of_origin.diagonal().cwiseMax(0.0).cwiseSqrt()};
 }
 
-/// (Σ ρ″)⁻¹ (scatter of the gradient) (Σ ρ″)⁻¹, of as many samples as there are beside the unknowns.
-Eigen::MatrixXd covariance_of(const Equations& equations, const Inverse& inverse, std::size_t pairs,
-                              std::size_t unknown) {
-  const double curvature = std::max(equations.curvatures / std::max(equations.weights, 1e-300), 0.1);
-  const double numbers = 3.0 * static_cast<double>(pairs);
-  const double few = numbers / std::max(1.0, numbers - static_cast<double>(unknown));
-  return few / (curvature * curvature) * (inverse.matrix * equations.scatter * inverse.matrix);
-}
-
 }  // namespace
 
 double AlignmentFit::cost() const {
@@ -276,7 +202,7 @@ std::optional<AlignmentFit> fit_alignment(const AlignmentData& data, const Trans
     const Scales scales = scales_of(sum, fit.transform, middle, domain.end - domain.start);
     const Noise noise = noise_of(sum, data.has_positions, scales.spread);
     const Equations equations = equations_of(sum, noise, data.has_positions);
-    const Inverse inverse = inverse_of(equations.matrix, scales.units, free, pairs);
+    const NormalInverse<unknowns> inverse(equations.matrix, scales.units, free, pairs);
     const Unknowns change = -(inverse.matrix * equations.gradient);
     const double size = std::sqrt(std::max(0.0, change.dot(equations.matrix * change)));
     if (size > least_step && step < most_steps) {

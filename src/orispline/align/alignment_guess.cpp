@@ -18,6 +18,8 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
+constexpr double least_pull = 1e-3;  // towards no rotation, where all turns have one axis
+
 /// Horn's form of a pair of vectors: qᵀ M q = to · R(q) from, with q = (w, x, y, z).
 Eigen::Matrix4d horn_form(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const double dot = from.dot(to);
@@ -28,48 +30,6 @@ Eigen::Matrix4d horn_form(const Eigen::Vector3d& from, const Eigen::Vector3d& to
   form.block<1, 3>(0, 1) = cross.transpose();
   form.block<3, 3>(1, 1) = from * to.transpose() + to * from.transpose() - dot * Eigen::Matrix3d::Identity();
   return form;
-}
-
-/// The rotation that takes vectors to others with the least sum of distances; about an axis that they leave open none.
-///
-/// Source: Horn 1987, the largest eigenvector of the sum of the forms, weighted anew by the distances that are left.
-Eigen::Quaterniond rotation_between(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to) {
-  constexpr int rounds = 15;
-  constexpr double pull = 1e-3;  // towards no rotation, where all vectors have one axis
-  double sizes = 0.0;
-  for (const Eigen::Vector3d& v : to) sizes += v.norm();
-  const double least_distance = 1e-3 * sizes / static_cast<double>(to.size()) + 1e-300;
-  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-  std::vector<double> weights(from.size(), 1.0);
-  for (int round = 0; round < rounds; ++round) {
-    Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
-    double weight = 0.0;
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      sum += weights[i] * horn_form(from[i], to[i]);
-      weight += weights[i] * (from[i].norm() * to[i].norm());
-    }
-    sum(0, 0) += pull * weight;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(sum);
-    const Eigen::Vector4d best = eigen.eigenvectors().col(3);
-    rotation = Eigen::Quaterniond(best[0], best[1], best[2], best[3]).normalized();
-    for (std::size_t i = 0; i < from.size(); ++i)
-      weights[i] = 1.0 / std::max((to_world<double>(rotation, from[i]) - to[i]).norm(), least_distance);
-  }
-  return rotation;
-}
-
-/// Successive intervals in the time that two motions have in common, by the clock of the fixed one.
-struct Intervals {
-  double start, length;
-  std::size_t count;
-};
-
-std::optional<Intervals> common_intervals(Domain moved, Domain fixed, double interval, double offset) {
-  constexpr double most = 4096;
-  const double start = std::max(fixed.start, moved.start - offset), end = std::min(fixed.end, moved.end - offset);
-  const double length = std::max(interval, (end - start) / most);
-  if (!(end - start >= length * static_cast<double>(least_aligned))) return std::nullopt;
-  return Intervals{start, length, static_cast<std::size_t>((end - start) / length)};
 }
 
 /// W for a given B, or B where W is taken to be none: the median of those at some times.
@@ -87,11 +47,6 @@ void complete(Transform& guess, const AlignmentData& data, const AnyCurve& fixed
   // Only orientations that cancel have no median: then none of them is a better guess than no rotation.
   if (const auto middle = mean({.orientations = seen}, {.kind = MeanKind::median}))
     (is_of_world ? guess.world : guess.body) = middle->orientation;
-}
-
-double median_distance_from(const Eigen::Vector3d& middle, Points points) {
-  for (Eigen::Vector3d& p : points) p -= middle;
-  return median_of_lengths(points);
 }
 
 /// Scale and origin that suit the rotations: the ratio of the distances from the middles, and what is between these.
@@ -115,6 +70,45 @@ void place(Transform& guess, const AlignmentData& data) {
 
 }  // namespace
 
+double median_distance_from(const Eigen::Vector3d& middle, std::vector<Eigen::Vector3d> points) {
+  for (Eigen::Vector3d& p : points) p -= middle;
+  return median_of_lengths(points);
+}
+
+// Source: Horn 1987, the largest eigenvector of the sum of the forms, weighted anew by the distances that are left.
+Eigen::Quaterniond rotation_between(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to,
+                                    double pull) {
+  constexpr int rounds = 15;
+  double sizes = 0.0;
+  for (const Eigen::Vector3d& v : to) sizes += v.norm();
+  const double least_distance = 1e-3 * sizes / static_cast<double>(to.size()) + 1e-300;
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  std::vector<double> weights(from.size(), 1.0);
+  for (int round = 0; round < rounds; ++round) {
+    Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
+    double weight = 0.0;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      sum += weights[i] * horn_form(from[i], to[i]);
+      weight += weights[i] * (from[i].norm() * to[i].norm());
+    }
+    sum(0, 0) += pull * weight;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(sum);
+    const Eigen::Vector4d best = eigen.eigenvectors().col(3);
+    rotation = Eigen::Quaterniond(best[0], best[1], best[2], best[3]).normalized();
+    for (std::size_t i = 0; i < from.size(); ++i)
+      weights[i] = 1.0 / std::max((to_world<double>(rotation, from[i]) - to[i]).norm(), least_distance);
+  }
+  return rotation;
+}
+
+std::optional<Intervals> common_intervals(Domain moved, Domain fixed, double interval, double offset) {
+  constexpr double most = 4096;
+  const double start = std::max(fixed.start, moved.start - offset), end = std::min(fixed.end, moved.end - offset);
+  const double length = std::max(interval, (end - start) / most);
+  if (!(end - start >= length * static_cast<double>(least_aligned))) return std::nullopt;
+  return Intervals{start, length, static_cast<std::size_t>((end - start) / length)};
+}
+
 std::optional<Transform> guess_alignment(const AlignmentData& data, const AnyCurve& fixed, double interval,
                                          double offset) {
   const AnyCurve& moved = data.moved.orientation;
@@ -124,7 +118,7 @@ std::optional<Transform> guess_alignment(const AlignmentData& data, const AnyCur
   const auto& [start, length, count] = *intervals;
   if (data.options.body_turn && data.options.world_turn)
     guess.body = rotation_between(turns_in_intervals(moved, start + offset, length, count),
-                                  turns_in_intervals(fixed, start, length, count));
+                                  turns_in_intervals(fixed, start, length, count), least_pull);
   if (data.options.body_turn || data.options.world_turn) complete(guess, data, fixed, *intervals);
   if (data.has_positions) place(guess, data);
   return guess;

@@ -16,15 +16,12 @@ constexpr std::size_t reach = 3;        // places before and behind
 constexpr std::size_t seen_beside = 5;  // distances on each side that tell what is usual
 constexpr double farther_than_usual = 6.0;
 
-/// How far a sample is from the middle one of the geodesics past it [rad]; 0 where there are none.
-double distance_from_neighbours(const Keyframes& keys, std::size_t i) {
-  const auto t = keys.times();
-  const auto q = keys.orientations();
+/// `deviation(before, i, after, part)`: how far sample i is from the share of the way between two others.
+template <class Deviation>
+double distance_from_neighbours(std::span<const double> t, std::size_t i, Deviation deviation) {
   std::vector<double> distances;
-  for (std::size_t k = 1; k <= reach && k <= i && i + k < keys.size(); ++k) {
-    const double part = (t[i] - t[i - k]) / (t[i + k] - t[i - k]);
-    distances.push_back(angular_distance(on_geodesic(q[i - k], q[i + k], part), q[i]));
-  }
+  for (std::size_t k = 1; k <= reach && k <= i && i + k < t.size(); ++k)
+    distances.push_back(deviation(i - k, i, i + k, (t[i] - t[i - k]) / (t[i + k] - t[i - k])));
   return median(std::move(distances));
 }
 
@@ -36,16 +33,35 @@ double usual_beside(std::span<const double> distances, std::size_t i) {
   return median(std::move(beside));
 }
 
+template <class Deviation>
+std::vector<bool> are_steady(std::span<const double> times, Deviation deviation) {
+  std::vector<double> distances(times.size());
+  for (std::size_t i = 0; i < times.size(); ++i) distances[i] = distance_from_neighbours(times, i, deviation);
+  const double usual = median(distances);
+  std::vector<bool> steady(times.size());
+  for (std::size_t i = 0; i < times.size(); ++i)
+    steady[i] = distances[i] <= farther_than_usual * std::max(usual, usual_beside(distances, i));
+  return steady;
+}
+
 }  // namespace
 
 std::vector<std::size_t> steady_samples(const Keyframes& keys) {
-  std::vector<double> distances(keys.size());
-  for (std::size_t i = 0; i < keys.size(); ++i) distances[i] = distance_from_neighbours(keys, i);
-  const double usual = median(distances);
+  const auto q = keys.orientations();
+  const std::vector<bool> are = are_steady(keys.times(), [q](std::size_t a, std::size_t i, std::size_t b, double part) {
+    return angular_distance(on_geodesic(q[a], q[b], part), q[i]);
+  });
   std::vector<std::size_t> steady;
-  for (std::size_t i = 0; i < keys.size(); ++i)
-    if (distances[i] <= farther_than_usual * std::max(usual, usual_beside(distances, i))) steady.push_back(i);
+  for (std::size_t i = 0; i < are.size(); ++i)
+    if (are[i]) steady.push_back(i);
   return steady;
+}
+
+CountedRates steady_rates(const GyroRates& gyro) {
+  const auto& w = gyro.rates;
+  return are_steady(gyro.times, [&w](std::size_t a, std::size_t i, std::size_t b, double part) {
+    return (w[i] - (1.0 - part) * w[a] - part * w[b]).norm();
+  });
 }
 
 }}  // namespace orispline

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/smooth/gyro_path.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -12,5 +13,8 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// places before and behind, two pass a sample nearer than six times what is usual there. Single wild samples are
 /// found, also where every tenth is one; runs of them are not.
 [[nodiscard]] std::vector<std::size_t> steady_samples(const Keyframes& keys);
+
+/// Likewise of rates, with straight lines.
+[[nodiscard]] CountedRates steady_rates(const GyroRates& gyro);
 
 }}  // namespace orispline

@@ -5,6 +5,7 @@
 
 #include <orispline/io/line_reader.hpp>
 #include <orispline/io/recipe_line.hpp>
+#include <orispline/io/text_table.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
@@ -59,6 +60,16 @@ KeyInput::~KeyInput() = default;
 const Input& KeyInput::input() const noexcept { return lines_->input(); }
 
 const std::string& KeyInput::path() const noexcept { return lines_->path(); }
+
+std::vector<std::string> KeyInput::first_row() {
+  lines_->keep();
+  TextTable table(std::move(*lines_));
+  const auto more = table.next();
+  std::vector<std::string> cells;
+  if (more && *more) cells.assign(table.cells().begin(), table.cells().end());
+  *lines_ = std::move(table).from_its_beginning();
+  return cells;
+}
 
 LineReader KeyInput::lines() && noexcept { return std::move(*lines_); }
 

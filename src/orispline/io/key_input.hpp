@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <orispline/curve/track.hpp>
 #include <orispline/io/key_file.hpp>
@@ -27,6 +28,8 @@ class ORISPLINE_EXPORT KeyInput {
   [[nodiscard]] const std::string& path() const noexcept;
   /// Empty where the file has none, or where it is ignored.
   [[nodiscard]] const Recipe& recipe() const noexcept { return recipe_; }
+  /// The cells of its first row, which is read once more with the others; none where there is no row of text.
+  [[nodiscard]] std::vector<std::string> first_row();
   /// All lines from the first on.
   [[nodiscard]] LineReader lines() && noexcept;
 

@@ -26,6 +26,9 @@ constexpr std::array other_kinds{
               "it is read with `input_format` gltf, or without that option under a name that ends in .glb"},
     OtherKind{"DAFETF", "a transfer file of SPICE, which is not read",
               "write the quaternions of the C-kernel as rows below a header, t,qw,qx,qy,qz"},
+    OtherKind{"PK\x03\x04", "an archive, as .npz is, which is not read",
+              "save one array of rows as .npy, or in Python give the arrays to Keys: a = numpy.load(FILE), "
+              "Keys(a['t'], a['q'])"},
     OtherKind{"{", "a JSON file, which is not read as rows",
               "glTF is read with `input_format` gltf, or without that option under a name that ends in .gltf; of other "
               "JSON write the keys as rows below a header, t,qw,qx,qy,qz"},

@@ -7,6 +7,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/io/key_columns.hpp>
+#include <orispline/io/text_row.hpp>
 #include <orispline/io/text_table.hpp>
 #include <orispline/io/time_cells.hpp>
 #include <orispline/math/number.hpp>
@@ -50,37 +51,67 @@ Expected<Eigen::Vector3d> rate_of(const TextTable& table, const VectorColumns& c
 
 }  // namespace
 
-Expected<RateRows> read_rates(const Input& input, const ReadOptions& options) {
+Expected<RateRows> read_rates(Input file, const ReadOptions& options) {
+  ReadOptions no_keys = options;
+  no_keys.recipe = RecipeUse::ignored;
+  return KeyInput::open(std::move(file), no_keys).and_then([&](KeyInput input) {
+    return read_rates(std::move(input), options);
+  });
+}
+
+Expected<RateRows> read_rates(KeyInput input, const ReadOptions& options) {
   if (auto checked = check_frames(options); !checked) return tl::unexpected(std::move(checked.error()));
-  auto table = TextTable::open(input);
-  if (!table) return tl::unexpected(std::move(table.error()));
-  auto more = table->next();
+  const std::string path = input.path();
+  TextTable table(std::move(input).lines());
+  auto more = table.next();
   if (!more) return tl::unexpected(std::move(more.error()));
-  if (!*more) return failure(ErrorCode::bad_data, "empty: no rates", {.file = input.name()});
-  const auto columns = rate_columns_of(*table, options);
+  if (!*more) return failure(ErrorCode::bad_data, "empty: no rates", {.file = path});
+  const auto columns = rate_columns_of(table, options);
   if (!columns) return tl::unexpected(columns.error());
-  auto time = time_column(*table, options);
+  auto time = time_column(table, options);
   if (!time) return tl::unexpected(std::move(time.error()));
   const NewFrames frames(options.frames);
   RateRows rows;
-  for (more = table->next(); more && *more; more = table->next()) {
-    const auto rate = rate_of(*table, *columns);
+  for (more = table.next(); more && *more; more = table.next()) {
+    const auto rate = rate_of(table, *columns);
     if (!rate) return tl::unexpected(rate.error());
     if (!rate->allFinite()) continue;
-    const auto t = time_of(*table, *time, options.clock, rows.warnings);
+    const auto t = time_of(table, *time, options.clock, rows.warnings);
     if (!t) return tl::unexpected(t.error());
     if (!rows.exact_times.empty() && *t <= rows.exact_times.back())
       return failure(ErrorCode::bad_data,
                      formatted("time {} does not come after {}, wanted increasing times", t->to_string(),
                                rows.exact_times.back().to_string()),
-                     table->here(time->index));
+                     table.here(time->index));
     rows.exact_times.push_back(*t);
     rows.rates.push_back(frames.body_rate(*rate));
-    rows.lines.push_back(static_cast<std::uint32_t>(table->line()));
+    rows.lines.push_back(static_cast<std::uint32_t>(table.line()));
   }
   if (!more) return tl::unexpected(std::move(more.error()));
-  if (rows.rates.empty()) return failure(ErrorCode::bad_data, "empty: no rates", {.file = input.name()});
+  if (rows.rates.empty()) return failure(ErrorCode::bad_data, "empty: no rates", {.file = path});
   return rows;
+}
+
+bool holds_rates_alone(KeyInput& input, const ReadOptions& options) {
+  const std::vector<std::string> first = input.first_row();
+  const std::vector<std::string_view> cells(first.begin(), first.end());
+  const std::span<const std::string_view> row(cells);
+  if (!is_header(row)) return false;
+  const ColumnSearch search(row.first(width_of(row)), options.columns);
+  const auto orientation = orientation_columns(search, {});
+  const auto rates = rate_columns(search, {.orders = 1, .world = false});
+  return orientation && orientation->group.is_absent() && rates && (*rates)[0];
+}
+
+Expected<void> write_rates(OutputFile& file, const RateRows& rows) {
+  if (auto written = file.write("t,wx,wy,wz\n"); !written) return written;
+  std::string line;
+  for (std::size_t k = 0; k < rows.rates.size(); ++k) {
+    line.clear();
+    append_text_row(line, rows.exact_times[k], {rows.rates[k].data(), 3}, ',');
+    if (auto written = file.write(line); !written) return written;
+  }
+  return {};
 }
 
 }}}  // namespace orispline::io

@@ -5,6 +5,8 @@
 
 #include <orispline/base/expected.hpp>
 #include <orispline/io/key_file.hpp>
+#include <orispline/io/key_input.hpp>
+#include <orispline/io/output_file.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
@@ -13,6 +15,14 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 ///
 /// Of the options those count that concern times, frames and the names of these columns. Errors: those of
 /// check_frames(); bad_access; bad_data for columns that are missing, times that do not increase, and no rates at all.
-[[nodiscard]] ORISPLINE_EXPORT Expected<RateRows> read_rates(const Input& input, const ReadOptions& options = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<RateRows> read_rates(Input file, const ReadOptions& options = {});
+/// Those of a file that was opened before.
+[[nodiscard]] ORISPLINE_EXPORT Expected<RateRows> read_rates(KeyInput input, const ReadOptions& options = {});
+
+/// Whether a file has rates of the body and no orientations, as its header says: it is the recording of a gyro.
+[[nodiscard]] ORISPLINE_EXPORT bool holds_rates_alone(KeyInput& input, const ReadOptions& options = {});
+
+/// Writes `t,wx,wy,wz` in s and rad/s into an open file, which is left to be closed. Error: bad_access.
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> write_rates(OutputFile& file, const RateRows& rows);
 
 }}}  // namespace orispline::io

@@ -6,6 +6,7 @@
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/fields/field_json.hpp>
+#include <orispline/jobs/align_words.hpp>
 #include <orispline/jobs/smoothing_words.hpp>
 #include <orispline/jobs/words.hpp>
 #include <orispline/math/degrees.hpp>
@@ -13,22 +14,6 @@
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
 namespace {
-
-std::string rotation_text(const Eigen::Quaterniond& q) {
-  return formatted("qw {:.12f}  qx {:.12f}  qy {:.12f}  qz {:.12f}, a turn of {:.6g}°", q.w(), q.x(), q.y(), q.z(),
-                   angular_distance(q, Eigen::Quaterniond::Identity()) * degrees);
-}
-
-/// ` ± 0.02°, 0.01°, 0.02°`; empty where it was not looked for.
-std::string sigmas_text(const Eigen::Vector3d& sigmas, double unit, std::string_view name) {
-  if (sigmas.isZero(0.0)) return "";
-  return formatted(" ± {:.2g}{}, {:.2g}{}, {:.2g}{}", sigmas.x() * unit, name, sigmas.y() * unit, name,
-                   sigmas.z() * unit, name);
-}
-
-std::string sigma_text(double sigma, std::string_view name) {
-  return sigma == 0.0 ? "" : formatted(" ± {:.2g}{}", sigma, name);
-}
 
 std::string position_lines(const Alignment& a) {
   if (!a.translation) return "";
@@ -39,14 +24,6 @@ std::string position_lines(const Alignment& a) {
                    sigmas_text(a.sigmas.translation, 1.0, " m")) +
          formatted("left            RMS {:.6g} m, median {:.6g} m, largest {:.6g} m between the positions\n", left.rms,
                    left.median, left.largest);
-}
-
-Json rotation_json(const Eigen::Quaterniond& q) { return {{"qw", q.w()}, {"qx", q.x()}, {"qy", q.y()}, {"qz", q.z()}}; }
-
-Json vector_json(const Eigen::Vector3d& v) {
-  Json list = Json::array();
-  for (const double component : v) list.push_back(component);
-  return list;
 }
 
 Json open_json(const std::vector<OpenDirection>& directions) {

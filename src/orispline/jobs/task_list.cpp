@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include <orispline/align/align.hpp>
+#include <orispline/align/rate_alignment.hpp>
 #include <orispline/analysis/comparison.hpp>
 #include <orispline/analysis/decimation.hpp>
 #include <orispline/base/suggestion.hpp>
@@ -107,7 +107,8 @@ TaskInfo align_info() {
           fields<Alignment>(),
           {{"moved", "The recording that is brought"}, {"fixed", "The one that it is brought onto"}},
           {},
-          run_align};
+          run_align,
+          fields<RateAlignment>()};
 }
 
 TaskInfo compare_info() {
@@ -157,10 +158,15 @@ Json option_json(const FieldInfo& field) {
   return json;
 }
 
+Json results_json(const std::vector<FieldInfo>& fields) {
+  Json results = Json::array();
+  for (const FieldInfo& field : fields) results.push_back(field_json(field, name_with_unit(field)));
+  return results;
+}
+
 Json task_json(const TaskInfo& task) {
-  Json options = Json::array(), results = Json::array(), inputs = Json::array(), settings = Json::array();
+  Json options = Json::array(), inputs = Json::array(), settings = Json::array();
   for (const FieldInfo& field : task.options) options.push_back(option_json(field));
-  for (const FieldInfo& field : task.results) results.push_back(field_json(field, name_with_unit(field)));
   for (const TaskInput& input : task.inputs)
     inputs.push_back({{"name", input.name},
                       {"sentence", input.sentence},
@@ -168,12 +174,14 @@ Json task_json(const TaskInfo& task) {
                       {"several", input.takes_several}});
   for (const TaskSetting& setting : task.settings)
     settings.push_back({{"name", setting.name}, {"sentence", setting.sentence}});
-  return {{"task", task.name},
-          {"sentence", task.sentence},
-          {"options", std::move(options)},
-          {"results", std::move(results)},
-          {"inputs", std::move(inputs)},
-          {"settings", std::move(settings)}};
+  Json json{{"task", task.name},
+            {"sentence", task.sentence},
+            {"options", std::move(options)},
+            {"results", results_json(task.results)},
+            {"inputs", std::move(inputs)},
+            {"settings", std::move(settings)}};
+  if (!task.results_of_gyros.empty()) json["results_of_gyros"] = results_json(task.results_of_gyros);
+  return json;
 }
 
 /// What is named must be there, and stand as often as it may.

@@ -55,6 +55,7 @@ struct TaskInfo {
   std::vector<TaskInput> inputs;
   std::vector<TaskSetting> settings;
   Expected<TaskOutcome> (*run)(const TaskRequest& request, const Progress& progress);
+  std::vector<FieldInfo> results_of_gyros{};  ///< in their place, where a face lets the task take such recordings too
 };
 
 /// THE list of them.

@@ -60,7 +60,9 @@ Json document_of(const TuneOutcome& outcome) {
             {"unit", unit_of(objective)},
             {"keys", keys.keys.size()}};
   put(json, outcome.tuning);
-  json["t"] = shifted(keys.keys.times(), keys.epoch.to_double());
+  Json times = Json::array();
+  for (std::size_t key = 0; key < keys.keys.size(); ++key) times.push_back(keys.time_of(key).to_string());
+  json["t_s"] = std::move(times);
   for (const std::string& name : outcome.tuning.parameters) json[name] = outcome.values(name);
   return json;
 }
