@@ -31,9 +31,7 @@ Expected<ReportFile> ReportFile::open(const ReportOptions& options) {
   return report;
 }
 
-pages::PageHead ReportFile::head() const {
-  return {.command = command_line_, .date = time_of_day()};
-}
+pages::PageHead ReportFile::head() const { return {.command = command_line_, .date = time_of_day()}; }
 
 Expected<void> ReportFile::finish() { return output_ ? output_->file.finish() : Expected<void>(); }
 
