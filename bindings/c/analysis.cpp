@@ -9,9 +9,7 @@
 #include "errors.hpp"
 #include "json_text.hpp"
 
-namespace orispline::c {
-
-namespace {
+namespace orispline::c { namespace {
 
 orispline_jump jump_of(const RateJump& jump) {
   return {jump.largest, jump.relative, static_cast<std::int64_t>(jump.key)};

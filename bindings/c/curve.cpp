@@ -11,9 +11,7 @@
 #include "errors.hpp"
 #include "keys.hpp"
 
-namespace orispline::c {
-
-namespace {
+namespace orispline::c { namespace {
 
 /// The one that the text names, else the one that the keys are for, else the usual one.
 Expected<Method> method_stated(const char* text, const Track& track) {

@@ -3,9 +3,7 @@
 #include "curve.hpp"
 #include "errors.hpp"
 
-namespace orispline::c {
-
-namespace {
+namespace orispline::c { namespace {
 
 template <class T>
 Expected<void> fill(const PoseSampler& sampler, const Times& times, orispline_order order, Extrapolation beyond,
