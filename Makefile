@@ -2,7 +2,7 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build test test-more python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python bench-web docs page web format tidy clean
+.PHONY: run build wasm test test-more python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python bench-web docs page web format tidy clean
 .NOTPARALLEL:
 
 # How long the parts of `make test` take, in build/times.tsv: $(call timed,PART) COMMAND.
@@ -24,6 +24,14 @@ build:
 	cmake --preset release
 	$(call timed,the release) cmake --build --preset release -j $(JOBS)
 
+# The library for WebAssembly with the programs that test it; where its compiler is not to be had, their tests say so.
+build_wasm = $(call timed,the library for WebAssembly) tools/build_wasm.sh -j $(JOBS)
+
+wasm:
+	tools/setup.sh build wasm
+	tools/timed.py $(times) --begin
+	$(build_wasm)
+
 # The Python package from the release, of which only the module is compiled; the wheel in build/python/dist is tested.
 python_package = cmake --install build/release --prefix build/python/prefix > /dev/null && \
   python3 bindings/python/build.py build/python build/python/prefix $(1)
@@ -31,11 +39,12 @@ python_package = cmake --install build/release --prefix build/python/prefix > /d
 # One build of the library serves the command, the tests, the users' programs and the Python package, which comes last, where
 # Python's headers and the packages of its tests are to be had. Clang compiles the families, which are most templates.
 test: build
-	tools/setup.sh build test python spark
+	tools/setup.sh build test python spark wasm
 	cmake --preset release -DORISPLINE_TESTS=ON
 	$(call timed,the tests' build) cmake --build build/release -j $(JOBS)
 	cmake --preset clang-families
 	$(call timed,the families by Clang) cmake --build --preset clang-families -j $(JOBS)
+	$(build_wasm)
 	$(call timed,tests of the families by Clang) ctest --preset clang-families -j $(JOBS)
 	$(call timed,the tests) ctest --preset release -j $(JOBS) --output-junit junit.xml --test-output-size-passed 100000
 	$(call timed,the Python package) sh -c '$(call python_package,--test --or-skip)'
@@ -157,8 +166,7 @@ page:
 # The npm package, ready for `npm pack`, and its tests.
 web: build
 	tools/setup.sh build test wasm
-	cmake --preset wasm
-	cmake --build --preset wasm -j $(JOBS) --target orispline_npm
+	tools/build_wasm.sh -j $(JOBS) --target orispline_npm
 	bindings/npm/build.sh build/release/orispline build/wasm/bindings/npm $(CURDIR)/build/npm-work $(CURDIR)/build/npm
 	cmake --preset release -DORISPLINE_TESTS=ON
 	ctest --preset release -R '^npm' --output-on-failure

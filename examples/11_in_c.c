@@ -16,10 +16,10 @@ static int print_samples(const orispline_curve *curve) {
   const orispline_output outputs[] = {{ORISPLINE_ORIENTATION, ORISPLINE_DOUBLE, &table[0][0], 7},
                                       {ORISPLINE_ANGULAR_VELOCITY, ORISPLINE_DOUBLE, &table[0][4], 7}};
   orispline_error *error = NULL;
-  if (orispline_sample_even(curve, 0.0, 0.5, 5, ORISPLINE_WXYZ, "hold", 1, outputs, 2, &error)) return failed(error);
+  if (orispline_sample_even(curve, 0.25, 0.35, 5, ORISPLINE_WXYZ, "hold", 1, outputs, 2, &error)) return failed(error);
   for (int k = 0; k < 5; ++k)
-    printf("%.1f s: q = %7.4f %7.4f %7.4f %7.4f, speed about z %7.4f rad/s\n", 0.5 * k, table[k][0], table[k][1],
-           table[k][2], table[k][3], table[k][6]);
+    printf("%.2f s: q = %7.4f %7.4f %7.4f %7.4f, speed about z %7.4f rad/s\n", 0.25 + 0.35 * k, table[k][0],
+           table[k][1], table[k][2], table[k][3], table[k][6]);
   return 0;
 }
 

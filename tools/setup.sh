@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Provides what the given groups need: tools/setup.sh [build] [test] [check] [tidy] [docs] [bench] [python] [spark]; without a group: build test.
-# Installs with apt what is missing; where that is not possible it names the missing packages.
+# Provides what the given groups need: tools/setup.sh [build] [test] [check] [tidy] [docs] [bench] [python] [spark] [wasm]; without a group: build test.
+# Installs with apt what is missing; where that is not possible it names the missing packages. With --missing before the
+# groups it names them, and installs nothing.
 set -eu
 
 # The one list of packages: group, Debian's name, the command, header or module of Python that proves it is there.
@@ -37,10 +38,20 @@ python python3           python3
 python python3-dev?      python3-config
 python python3-venv?     import:ensurepip
 spark openjdk-17-jre-headless? java
+wasm  clang-22?          clang++-22
+wasm  lld-22?            wasm-ld-22
+wasm  llvm-22?           llvm-ar-22
+wasm  libc++-22-dev-wasm32? wasm32-wasi/c++/v1/version
+wasm  libclang-rt-22-dev-wasm32? ../lib/wasi/libclang_rt.builtins-wasm32.a
+wasm  wasi-libc?         wasm32-wasi/stdlib.h
+wasm  libsimde-dev?      simde/x86/sse2.h
+wasm  nodejs?            node
 bench libbenchmark-dev   benchmark/benchmark.h
 bench libglm-dev         glm/glm.hpp
 bench python3            python3
 '
+names_only=no
+[ "${1:-}" != --missing ] || { names_only=yes; shift; }
 groups=${*:-build test}
 
 is_there() {
@@ -80,6 +91,7 @@ install() {
 }
 
 [ -n "$(missing)" ] || exit 0
+[ "$names_only" = no ] || { echo $(missing | tr -d '?'); exit 0; }
 if can_install; then install; fi
 absent=$(missing)
 [ -z "$absent" ] || echo "setup: not here (Debian's names of the packages):" $(echo "$absent" | tr -d '?') >&2

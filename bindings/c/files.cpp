@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <memory>
 #include <string>
+#include <vector>
 
 #include <orispline/families/registry.hpp>
 #include <orispline/fields/warning_json.hpp>
@@ -12,9 +14,7 @@
 #include "keys.hpp"
 #include "options.hpp"
 
-namespace orispline::c {
-
-namespace {
+namespace orispline::c { namespace {
 
 /// Skeletons are read too, from the first file on.
 void join_scenes() {
@@ -24,6 +24,7 @@ void join_scenes() {
 
 /// With options by the names that they are stated by.
 Error by_stated_names(Error error) {
+  if (error.option == "path") error.option = "name";
   if (const auto* const fault = io::reading_option_of(error.option)) error.option = fault->name;
   if (const auto* const remedy = io::reading_option_of(error.remedy)) error.remedy = remedy->name;
   return error;
@@ -57,15 +58,24 @@ Expected<Keys> read(std::string name, std::string bytes, const io::StatedOptions
       .map_error(by_stated_names);
 }
 
-Expected<std::string> written(const Track& track, const std::string& name, const io::StatedOptions& stated) {
-  return io::columns_of_output(name, stated).and_then([&](const io::SampleColumns& columns) -> Expected<std::string> {
-    io::OutputFile file = io::OutputFile::in_memory(name);
-    auto done = io::write_whole_track(file, track, columns).and_then([&](const std::vector<Warning>&) {
-      return file.finish();
-    });
-    if (!done) return tl::unexpected(std::move(done.error()));
-    return std::move(file).bytes();
-  });
+struct FreeText {
+  void operator()(char* text) const noexcept { orispline_text_free(text); }
+};
+using OwnedText = std::unique_ptr<char, FreeText>;
+
+struct Written {
+  std::string bytes;
+  std::vector<Warning> warnings;
+};
+
+Expected<Written> written(const Track& track, const std::string& name, const io::StatedOptions& stated) {
+  io::OutputFile file = io::OutputFile::in_memory(name);
+  return io::columns_of_output(name, stated)
+      .and_then([&](const io::SampleColumns& columns) { return io::write_whole_track(file, track, columns); })
+      .and_then([&](std::vector<Warning> warnings) {
+        return file.finish().map([&] { return Written{std::move(file).bytes(), std::move(warnings)}; });
+      })
+      .map_error(by_stated_names);
 }
 
 /// The options of files take a flag without a text.
@@ -105,8 +115,10 @@ orispline_code orispline_keys_read(const void* bytes, size_t size, const char* n
 }
 
 orispline_code orispline_keys_write(const orispline_keys* keys, const char* name, const char* const* options,
-                                    size_t option_count, char** bytes, size_t* size, orispline_error** error) {
+                                    size_t option_count, char** bytes, size_t* size, char** warnings,
+                                    orispline_error** error) {
   return guarded(error, [&]() -> Expected<void> {
+    if (warnings) *warnings = nullptr;
     if (auto there = cleared(bytes, "bytes"); !there) return there;
     const auto body = checked(keys);
     if (!body) return tl::unexpected(body.error());
@@ -117,9 +129,11 @@ orispline_code orispline_keys_write(const orispline_keys* keys, const char* name
           join_scenes();
           return written(*(*body)->track, name, stated);
         })
-        .map([&](const std::string& file) {
-          *bytes = text_of_c(file);
-          *size = file.size();
+        .map([&](const Written& file) {
+          OwnedText told(warnings ? text_of_c(json_text(warnings_json(file.warnings))) : nullptr);
+          *bytes = text_of_c(file.bytes);
+          *size = file.bytes.size();
+          if (warnings) *warnings = told.release();
         });
   });
 }

@@ -402,10 +402,11 @@ ORISPLINE_C_API orispline_code orispline_keys_read(const void *bytes, size_t siz
                                                    orispline_keys **keys, orispline_error **error);
 
 /// The bytes of a file of these keys, `size` of them, to be freed as a text is. `name` and `options` as above, of
-/// writing.
+/// writing. `warnings`: null, or where their JSON goes, as of orispline_curve_warnings(): what the format has no room
+/// for is left out, and they say so.
 ORISPLINE_C_API orispline_code orispline_keys_write(const orispline_keys *keys, const char *name,
                                                     const char *const *options, size_t option_count, char **bytes,
-                                                    size_t *size, orispline_error **error);
+                                                    size_t *size, char **warnings, orispline_error **error);
 
 #ifdef __cplusplus
 }

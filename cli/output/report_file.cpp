@@ -1,13 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/report_file.hpp"
 
+#include <array>
 #include <ctime>
-
-#include <fmt/chrono.h>
-
-#include <orispline/base/formatted.hpp>
+#include <string>
 
 namespace orispline::cli {
+
+namespace {
+
+/// To the minute, as clocks show it here.
+std::string time_of_day() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  std::array<char, sizeof "2026-01-31 23:59"> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &local);
+  return text.data();
+}
+
+}  // namespace
 
 Expected<ReportFile> ReportFile::open(const ReportOptions& options) {
   ReportFile report;
@@ -19,12 +31,7 @@ Expected<ReportFile> ReportFile::open(const ReportOptions& options) {
   return report;
 }
 
-pages::PageHead ReportFile::head() const {
-  const std::tm now = fmt::localtime(std::time(nullptr));
-  return {.command = command_line_,
-          .date = formatted("{}-{:02}-{:02} {:02}:{:02}", 1900 + now.tm_year, 1 + now.tm_mon, now.tm_mday, now.tm_hour,
-                            now.tm_min)};
-}
+pages::PageHead ReportFile::head() const { return {.command = command_line_, .date = time_of_day()}; }
 
 Expected<void> ReportFile::finish() { return output_ ? output_->file.finish() : Expected<void>(); }
 

@@ -14,3 +14,4 @@ set(fmt_DIR ${CMAKE_CURRENT_LIST_DIR}) # fmt-config.cmake
 string(JOIN " " CMAKE_CXX_FLAGS_INIT
   -Wno-deprecated # Debian has no newer name of the target
   -msimd128 -fno-exceptions -ffp-contract=off -D__SSE__ -D__SSE2__ -fgnuc-version=5.99 -isystem ${CMAKE_CURRENT_LIST_DIR}/intrinsics)
+set(CMAKE_EXE_LINKER_FLAGS_INIT --no-wasm-opt) # so that the same sources are the same program wherever it is linked

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <batch/bits_hash.hpp>
+#include <batch/bits_of_samples.hpp>
 #include <batch/every_kernel.hpp>
 #include <batch/sampled.hpp>
 #include <batch/specimen_curves.hpp>
@@ -108,59 +108,23 @@ TEST(InstructionSets, GiveTheSameBitsForEveryFamily) {
     for (const auto& [name, curve] : curve_of_every_family(seed)) expect_the_same(name, curve);
 }
 
-/// Angles that need folding.
-AnyCurve tense_curve(double tension) {
-  CurveOptions options;
-  options.parameters.emplace("tension", std::vector{tension});
-  return make_curve({"quintic", options}, keyframes(random_walk(103, 9, Spacing::uneven))).value();
-}
-
 TEST(InstructionSets, GiveTheSameBitsForAnyAngle) {
   for (const double tension : {0.1, 0.5, 2.0, 20.0, -100.0})
     expect_the_same(std::to_string(tension), tense_curve(tension));
 }
 
-struct Hashes {
-  BitsHash samples, jerks;
-};
-
-template <class T>
-void add_samples(const AnyCurve& curve, Hashes& hashes) {
-  Sampled<T> samples(500, Wanted::jerk);
-  const double start = curve.domain().start, end = curve.domain().end;
-  ASSERT_TRUE(sample_uniform<T>(curve, start, (end - start) / 480.0, samples.spans()));
-  const Samples<T> spans = samples.spans();
-  hashes.samples.add(spans.orientations);
-  hashes.samples.add(spans.angular_velocities);
-  hashes.samples.add(spans.angular_accelerations);
-  hashes.jerks.add(spans.angular_jerks);
-}
-
-/// Whether the curve is the solution of equations over all keys, whose bits depend on how they are eliminated.
-bool is_solved(const std::string& name) {
-  const auto family = find_family(name);
-  return family && (*family)->support_keys == all_keys;
-}
-
-/// Of all samples of all curves. Every processor, compiler and level of optimisation must come to these numbers; a
-/// change of the formulas may change them, on purpose.
-constexpr std::uint64_t local_samples = 0x711164207d6e7137U, local_jerks = 0xc786d66b2e9e9116U,
-                        solved_samples = 0x4a189207f105c82fU, solved_jerks = 0xcac4c3033bee3601U;
-
-TEST(InstructionSets, AndCompilersGiveTheBitsThatAreWrittenHere) {
-  Hashes local, solved;
-  std::vector<NamedCurve> curves = curve_of_every_family(107);
-  for (const double tension : {0.5, 20.0}) curves.push_back({std::to_string(tension), tense_curve(tension)});
-  for (const auto& [name, curve] : curves) {
-    Hashes& hashes = is_solved(name) ? solved : local;
-    add_samples<double>(curve, hashes);
-    add_samples<float>(curve, hashes);
-    RecordProperty(name, std::to_string(hashes.samples.value()));
-  }
-  EXPECT_EQ(local.samples.value(), local_samples) << std::hex << "0x" << local.samples.value();
-  EXPECT_EQ(local.jerks.value(), local_jerks) << std::hex << "0x" << local.jerks.value();
-  EXPECT_EQ(solved.samples.value(), solved_samples) << std::hex << "0x" << solved.samples.value();
-  EXPECT_EQ(solved.jerks.value(), solved_jerks) << std::hex << "0x" << solved.jerks.value();
+TEST(InstructionSets, AndCompilersGiveTheBitsThatAreWritten) {
+  const auto note = [](const std::string& name, std::uint64_t hash) { RecordProperty(name, std::to_string(hash)); };
+  const BitsOfSamples found = bits_of_samples(note);
+  const auto expect = [](std::uint64_t bits, std::uint64_t wanted) {
+    EXPECT_EQ(bits, wanted) << std::hex << "0x" << bits;
+  };
+  expect(found.local_samples, written_bits.local_samples);
+  expect(found.local_jerks, written_bits.local_jerks);
+  expect(found.solved_samples, written_bits.solved_samples);
+  expect(found.solved_jerks, written_bits.solved_jerks);
+  expect(found.path_samples, written_bits.path_samples);
+  expect(found.path_rates, written_bits.path_rates);
 }
 
 }}  // namespace orispline

@@ -203,9 +203,9 @@ TEST_F(NullPointersOfC, AreNoTaskAndNoFile) {
   const void* const no_bytes = nullptr;
   expect_refused(orispline_keys_read, no_bytes, std::size_t{1}, "keys.csv", no_options, std::size_t{0}, &made_keys);
   expect_refused(orispline_keys_read, no_bytes, std::size_t{0}, no_text, no_options, std::size_t{0}, &made_keys);
-  expect_refused(orispline_keys_write, no(keys), "keys.csv", no_options, std::size_t{0}, &text, &size);
-  expect_refused(orispline_keys_write, keys, no_text, no_options, std::size_t{0}, &text, &size);
-  expect_refused(orispline_keys_write, keys, "keys.csv", no_options, std::size_t{0}, &text, no(&size));
+  expect_refused(orispline_keys_write, no(keys), "keys.csv", no_options, std::size_t{0}, &text, &size, no(&text));
+  expect_refused(orispline_keys_write, keys, no_text, no_options, std::size_t{0}, &text, &size, no(&text));
+  expect_refused(orispline_keys_write, keys, "keys.csv", no_options, std::size_t{0}, &text, no(&size), no(&text));
 }
 
 TEST_F(NullPointersOfC, AreNoError) {

@@ -30,7 +30,7 @@ std::string written(const KeysHandle& keys, const char* name, const Options& opt
   char* bytes = nullptr;
   std::size_t size = 0;
   expect_ok(call(orispline_keys_write, static_cast<const orispline_keys*>(keys.get()), name, options.data(),
-                 options.size(), &bytes, &size));
+                 options.size(), &bytes, &size, static_cast<char**>(nullptr)));
   const Owned<char, orispline_text_free> owned(bytes);
   return bytes ? std::string(bytes, size) : "";
 }
@@ -65,7 +65,7 @@ TEST(FilesOfC, AreWrittenAndReadAgain) {
   const KeyframeData data = walk(5);
   const std::vector<double> tensions(5, 0.25);
   const KeysHandle keys = keys_of(data, {column("tension", tensions)});
-  for (const char* name : {"keys.csv", "keys.tum", "keys.glb", "keys.npy"}) {
+  for (const char* name : {"keys.csv", "keys.tum", "keys.txt"}) {
     const Read again = read(written(keys, name), name);
     ASSERT_EQ(again.result.code, ORISPLINE_OK) << name << ": " << again.result.text();
     std::vector<double> found(20), wanted(20);
@@ -98,6 +98,57 @@ TEST(FilesOfC, NameTheLineThatIsWrong) {
   EXPECT_EQ(read("", "keys.csv").result.code, ORISPLINE_BAD_DATA);
   EXPECT_EQ(read(std::string(10, '\0'), "keys.csv").result.code, ORISPLINE_BAD_DATA);
   EXPECT_EQ(read("{}", "keys.gltf").result.code, ORISPLINE_BAD_DATA);
+}
+
+TEST(FilesOfC, OfSkeletonsGiveTheKeysOfAJoint) {
+  const std::string arm =
+      "HIERARCHY\nROOT hip\n{\n OFFSET 0 0 0\n CHANNELS 3 Zrotation Xrotation Yrotation\n JOINT hand\n {\n"
+      "  OFFSET 0 1 0\n  CHANNELS 3 Zrotation Xrotation Yrotation\n  End Site\n  {\n   OFFSET 0 1 0\n  }\n }\n}\n"
+      "MOTION\nFrames: 3\nFrame Time: 0.5\n0 0 0 0 0 0\n0 0 0 10 0 0\n0 0 0 90 0 0\n";
+  const Read hand = read(arm, "arm.bvh", {"joint=hand"});
+  expect_ok(hand.result);
+  std::vector<double> q(12);
+  expect_ok(call(orispline_keys_column, static_cast<const orispline_keys*>(hand.keys.get()), "orientations",
+                 ORISPLINE_WXYZ, q.data(), q.size()));
+  EXPECT_NEAR(q[8] * q[8], 0.5, 1e-12);
+  const Read foot = read(arm, "arm.bvh", {"joint=foot"});
+  EXPECT_NE(foot.result.code, ORISPLINE_OK);
+  EXPECT_NE(foot.result.text().find("hand"), std::string::npos) << foot.result.text();
+}
+
+TEST(FilesOfC, SayWhatIsLeftOut) {
+  const std::vector<double> tensions(4, 0.25);
+  const KeysHandle keys = keys_of(walk(4), {column("tension", tensions)});
+  const auto warned = [&](const char* name) {
+    char* bytes = nullptr;
+    std::size_t size = 0;
+    const std::string warnings = text_by(
+        [&](const char* called, char** to, orispline_error** error) {
+          return orispline_keys_write(keys.get(), called, nullptr, 0, &bytes, &size, to, error);
+        },
+        name);
+    orispline_text_free(bytes);
+    return nlohmann::json::parse(warnings);
+  };
+  EXPECT_EQ(warned("keys.csv").size(), 0u);
+  EXPECT_EQ(warned("keys.tum")[0]["code"], "not_written");
+}
+
+TEST(FilesOfC, SayWhatCannotBeWritten) {
+  const KeysHandle keys = keys_of(walk(3));
+  char* bytes = nullptr;
+  std::size_t size = 0;
+  const auto fault = [&](const char* name, Options options) {
+    Result result = call(orispline_keys_write, static_cast<const orispline_keys*>(keys.get()), name,
+                         static_cast<const char* const*>(options.data()), options.size(), &bytes, &size,
+                         static_cast<char**>(nullptr));
+    EXPECT_EQ(result.code, ORISPLINE_BAD_ARGUMENT);
+    EXPECT_EQ(bytes, nullptr);
+    return result;
+  };
+  EXPECT_EQ(fault("keys.glb", {}).option(), "name");
+  EXPECT_EQ(fault("keys.csv", {"output_format=xls"}).option(), "output_format");
+  EXPECT_EQ(fault("keys.csv", {"rate=3"}).code, ORISPLINE_BAD_ARGUMENT);
 }
 
 TEST(FilesOfC, SayWhichOptionsThereAre) {

@@ -97,6 +97,17 @@ class Setup(unittest.TestCase):
         self.assertEqual((run.returncode, run.stderr),
                          (0, "setup: not here (Debian's names of the packages): pkg-config clang-format-14 universal-ctags nodejs npm chromium\n"))
 
+    def test_only_names_what_is_missing_where_that_is_asked_for(self):
+        self.machine.add_apt("exit 1")
+        self.machine.add_command("clang++")
+        header = self.machine.folder / "lib/llvm-19/lib/clang/19/include/fuzzer/FuzzedDataProvider.h"
+        header.parent.mkdir(parents=True)
+        header.touch()
+        run = self.machine.setup("--missing", "check", "docs")
+        self.assertEqual((run.returncode, run.stdout, run.stderr, self.machine.orders()), (0, "gcovr doxygen\n", "", []))
+        self.machine.add_command("doxygen")
+        self.assertEqual(self.machine.setup("--missing", "docs").stdout, "")
+
     def test_asks_python_for_its_modules(self):
         self.machine.add_command("python3-config")
         self.machine.add_command("python3", '#!/bin/sh\n[ "$2" = "import ensurepip" ]\n')

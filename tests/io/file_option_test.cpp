@@ -15,7 +15,7 @@ Reading read_by(const StatedOptions& stated) {
   return reading;
 }
 
-std::string refused(const StatedOptions& stated) {
+std::string refused_by(const StatedOptions& stated) {
   Reading reading;
   const auto taken = take_options(reading, stated);
   EXPECT_FALSE(taken);
@@ -73,14 +73,14 @@ TEST(ReadingOptions, OfFlagsStandAsTheyAreNamed) {
 }
 
 TEST(ReadingOptions, SayWhatWasWanted) {
-  EXPECT_EQ(refused({{"order", "wzyx"}}), "order: found 'wzyx', wanted wxyz|xyzw");
-  EXPECT_EQ(refused({{"input_format", "bvh"}}), "input_format: found 'bvh', wanted csv|tum|euroc");
-  EXPECT_EQ(refused({{"columns", "t"}}), "columns: found 't', wanted NAME=VALUE");
-  EXPECT_EQ(refused({{"columns", "t=a,t=b"}}), "columns: 't' is given twice, wanted it once");
-  EXPECT_EQ(refused({{"fps", "-1"}}),
+  EXPECT_EQ(refused_by({{"order", "wzyx"}}), "order: found 'wzyx', wanted wxyz|xyzw");
+  EXPECT_EQ(refused_by({{"input_format", "bvh"}}), "input_format: found 'bvh', wanted csv|tum|euroc");
+  EXPECT_EQ(refused_by({{"columns", "t"}}), "columns: found 't', wanted NAME=VALUE");
+  EXPECT_EQ(refused_by({{"columns", "t=a,t=b"}}), "columns: 't' is given twice, wanted it once");
+  EXPECT_EQ(refused_by({{"fps", "-1"}}),
             "fps: found '-1', wanted a number greater than 0, or a fraction such as 30000/1001");
-  EXPECT_EQ(refused({{"epoch", "1"}}), "epoch: found '1', wanted a time of ISO 8601 such as 2024-02-29T12:30:00Z");
-  EXPECT_EQ(refused({{"sorted", ""}}), "unknown option 'sorted'; did you mean 'sort'?");
+  EXPECT_EQ(refused_by({{"epoch", "1"}}), "epoch: found '1', wanted a time of ISO 8601 such as 2024-02-29T12:30:00Z");
+  EXPECT_EQ(refused_by({{"sorted", ""}}), "unknown option 'sorted'; did you mean 'sort'?");
 }
 
 TEST(WritingOptions, TakeTheFormatOfTheNameUnlessOneIsStated) {

@@ -17,7 +17,7 @@ constexpr std::chrono::milliseconds between_looks{20};
 }  // namespace
 
 void run_interruptibly(const std::function<void(const Progress&)>& work) {
-  std::stop_source source;
+  StopSource source;
   std::future<void> done = std::async(std::launch::async, [&] { work({.stop = source.get_token()}); });
   const auto is_done = [&] {
     const nb::gil_scoped_release release;

@@ -12,7 +12,7 @@ namespace {
 Json json_of(const FormatInfo& format) {
   return {{"format", format.id},         {"title", format.title},
           {"summary", format.summary},   {"extensions", format.extensions},
-          {"is_read", format.is_read()}, {"is_written", format.is_written() || format.writing.tracks != nullptr}};
+          {"is_read", format.is_read()}, {"is_written", format.is_written()}};
 }
 
 template <class Target>

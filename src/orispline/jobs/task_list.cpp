@@ -31,12 +31,14 @@ std::vector<FieldInfo> fields() {
 
 constexpr TaskSetting one_method{"method", "The text of the method whose curve it is about"};
 constexpr TaskSetting several_methods{"methods", "The texts of methods, with commas between them"};
-constexpr TaskSetting thread_count{"threads", "At most so many at work; 0: one per core"};
+constexpr TaskSetting threads_setting{"threads", "At most so many at work; 0: one per core"};
 
 constexpr TaskInput keys_input{"keys", "The keys"}, recording_input{"recording", "The recording"};
 
 constexpr TaskInput not_required(std::string_view name, std::string_view sentence) { return {name, sentence, false}; }
-constexpr TaskInput several(std::string_view name, std::string_view sentence) { return {name, sentence, true, true}; }
+constexpr TaskInput several_of(std::string_view name, std::string_view sentence) {
+  return {name, sentence, true, true};
+}
 
 TaskInfo smooth_info() {
   return {"smooth",
@@ -56,13 +58,13 @@ TaskInfo tune_info() {
 }
 
 TaskInfo reduce_info() {
-  std::vector<TaskSetting> settings{several_methods, thread_count, {"smooth", "Smooth the recordings first"}};
+  std::vector<TaskSetting> settings{several_methods, threads_setting, {"smooth", "Smooth the recordings first"}};
   for (const FieldInfo& field : fields_of<SmoothOptions>()) settings.push_back({field.name, field.sentence});
   return {"reduce",
           "The fewest keys that reproduce a recording within a tolerance",
           fields<ReduceOptions>(),
           fields<Reduction>(),
-          {several("recording", "The recording, or several")},
+          {several_of("recording", "The recording, or several")},
           std::move(settings),
           run_reduce};
 }
@@ -88,13 +90,14 @@ TaskInfo bake_info() {
 }
 
 TaskInfo mean_info() {
-  return {"mean",
-          "The mean or the median of many orientations",
-          fields<MeanOptions>(),
-          fields<Mean>(),
-          {several("rows", "The orientations, with weights where they have the setting weight; several are one set")},
-          {},
-          run_mean};
+  return {
+      "mean",
+      "The mean or the median of many orientations",
+      fields<MeanOptions>(),
+      fields<Mean>(),
+      {several_of("rows", "The orientations, with weights where they have the setting weight; several are one set")},
+      {},
+      run_mean};
 }
 
 TaskInfo align_info() {
@@ -115,7 +118,7 @@ TaskInfo compare_info() {
           {{"keys", "A recording, of which some samples become keys; with a reference the keys themselves"},
            not_required("reference", "The recording to compare with")},
           {several_methods,
-           thread_count,
+           threads_setting,
            {"tune", "Methods with tensions once more, tuned"},
            {"align", "Bring the keys onto the reference first"},
            {"sort", "The word of the measure to sort by"}},
