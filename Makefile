@@ -166,8 +166,7 @@ page:
 # The npm package, ready for `npm pack`, and its tests.
 web: build
 	tools/setup.sh build test wasm
-	cmake --preset wasm
-	cmake --build --preset wasm -j $(JOBS) --target orispline_npm
+	tools/build_wasm.sh -j $(JOBS) --target orispline_npm
 	bindings/npm/build.sh build/release/orispline build/wasm/bindings/npm $(CURDIR)/build/npm-work $(CURDIR)/build/npm
 	cmake --preset release -DORISPLINE_TESTS=ON
 	ctest --preset release -R '^npm' --output-on-failure

@@ -39,9 +39,9 @@ BELOW_JOBS = {  # header or folder below -> why a face needs it still; the exper
     "report/": "pages and pictures as files",
     "pages/": "the head of pages, and those of one curve in Python",
 }
-C_LEAST = {"base/", "curve/", "families/method_text.hpp", "jobs/curve_of_keys.hpp"}  # what any source of bindings/c may include of the library
+C_LEAST = {"base/", "batch/pose_sampler.hpp", "curve/", "families/method_text.hpp", "jobs/curve_of_keys.hpp"}  # what any source of bindings/c may include of the library
 C_PARTS = {  # and those beside, of which a package for the web takes as many as it needs: source -> likewise
-    "samples": {"batch/"}, "blocks": {"batch/"}, "bake": {"batch/"}, "json_text": {"fields/"}, "lists": {"families/", "fields/"},
+    "bake": {"batch/"}, "json_text": {"fields/"}, "lists": {"families/", "fields/"},
     "analysis": {"analysis.hpp", "families/", "fields/"}, "tasks": {"fields/", "jobs/"},
     "files": {"families/", "fields/", "files.hpp", "scenes/"}}
 GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/options/command.cpp", "nlohmann/": ("cli/output/json_document.cpp", "src/orispline/io/blending_file.cpp", "src/orispline/scenes/gltf/", "tests/c/"),

@@ -9,9 +9,7 @@
 #include "errors.hpp"
 #include "json_text.hpp"
 
-namespace orispline::c {
-
-namespace {
+namespace orispline::c { namespace {
 
 orispline_jump jump_of(const RateJump& jump) {
   return {jump.largest, jump.relative, static_cast<std::int64_t>(jump.key)};
@@ -36,7 +34,7 @@ orispline_code orispline_curve_continuity(const orispline_curve* curve, orisplin
   return guarded(error, [&] {
     return check_pointer(found, "found").and_then([&] { return checked(curve); }).map([&](const HeldCurve* body) {
       const Seam seam = body->method.options.loop ? Seam::closed : Seam::open;
-      const Continuity continuity = continuity_at_keys(body->pose.orientation, seam);
+      const Continuity continuity = continuity_at_keys(body->pose().orientation, seam);
       *found = {.order = continuity.order(),
                 .angular_velocity = jump_of(continuity.angular_velocity),
                 .angular_acceleration = jump_of(continuity.angular_acceleration),
@@ -56,7 +54,7 @@ orispline_code orispline_curve_peaks(const orispline_curve* curve, const double*
         .and_then([&] { return inertia_in(inertia); })
         .map([&](const Eigen::Matrix3d& matrix) {
           constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-          const Peaks largest = peaks((*body)->pose.orientation, matrix);
+          const Peaks largest = peaks((*body)->pose().orientation, matrix);
           *found = {.angular_velocity = peak_of(largest.angular_velocity),
                     .angular_acceleration = peak_of(largest.angular_acceleration),
                     .torque = inertia ? peak_of(largest.torque) : orispline_peak{nan, nan}};

@@ -56,7 +56,7 @@ Expected<void> check_type(orispline_type type) {
 template <class T>
 Expected<AnyBaked> baked(const HeldCurve& curve, double tolerance, const Progress& progress) {
   return jobs::check_without_gaps(*curve.track)
-      .and_then([&] { return bake<T>(curve.pose.orientation, tolerance, {}, progress); })
+      .and_then([&] { return bake<T>(curve.pose().orientation, tolerance, {}, progress); })
       .map([](BakedCurve<T> made) { return AnyBaked(Baked<T>(std::move(made))); });
 }
 

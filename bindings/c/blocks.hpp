@@ -22,18 +22,18 @@ class Blocks {
   Blocks(Outputs outputs, orispline_order order, RateFrame frame) : order_(order), frame_(frame) {
     constexpr orispline_type type = std::is_same_v<T, double> ? ORISPLINE_DOUBLE : ORISPLINE_FLOAT;
     for (const orispline_output& output : outputs)
-      if (output.type == type) outputs_.push_back({slot_of(output.quantity), stride_of(output), static_cast<T*>(output.numbers)});
+      if (output.type == type)
+        outputs_.push_back({slot_of(output.quantity), stride_of(output), static_cast<T*>(output.numbers)});
   }
 
   /// Makes all samples by `sample(times, samples, frame)`.
   template <class Sample>
   [[nodiscard]] Expected<void> fill(const Times& times, std::size_t at_a_time, Sample sample) {
     if (outputs_.empty()) return {};
-    std::vector<double> room(times.are_given() ? 0 : std::min(at_a_time, times.size()));
+    std::vector<double> room;
     for (std::size_t begin = 0; begin < times.size(); begin += at_a_time) {
       const std::size_t count = std::min(at_a_time, times.size() - begin);
-      const auto some = times.part(begin, times.are_given() ? std::span(static_cast<double*>(nullptr), count)
-                                                            : std::span(room).first(count));
+      const auto some = times.part(begin, count, room);
       auto done = sample(some, samples_at(begin, count), frame_);
       if (!done) {
         if (auto& index = done.error().where.time_index) *index += begin;

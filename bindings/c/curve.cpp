@@ -11,9 +11,7 @@
 #include "errors.hpp"
 #include "keys.hpp"
 
-namespace orispline::c {
-
-namespace {
+namespace orispline::c { namespace {
 
 /// The one that the text names, else the one that the keys are for, else the usual one.
 Expected<Method> method_stated(const char* text, const Track& track) {
@@ -25,8 +23,7 @@ Expected<Method> method_stated(const char* text, const Track& track) {
 
 Expected<HeldCurve> curve_through(std::shared_ptr<const Track> track, const Method& stated) {
   return jobs::shaped_curve(stated, *track).map([&](PoseCurve pose) {
-    auto sampler = sampler_of(pose);
-    return HeldCurve{track, completed(stated, jobs::family_of(stated), *track), std::move(pose), std::move(sampler)};
+    return HeldCurve{track, completed(stated, jobs::family_of(stated), *track), PoseSampler(std::move(pose))};
   });
 }
 
@@ -79,8 +76,8 @@ orispline_code orispline_curve_domain(const orispline_curve* curve, double* star
         .and_then([&] { return check_pointer(end, "end"); })
         .and_then([&] { return checked(curve); })
         .map([&](const HeldCurve* body) {
-          *start = body->pose.orientation.domain().start;
-          *end = body->pose.orientation.domain().end;
+          *start = body->pose().orientation.domain().start;
+          *end = body->pose().orientation.domain().end;
         });
   });
 }
@@ -95,14 +92,14 @@ orispline_code orispline_curve_method(const orispline_curve* curve, char** text,
 
 int32_t orispline_curve_has_positions(const orispline_curve* curve) {
   const HeldCurve* const body = body_of(curve);
-  return body && body->pose.position ? 1 : 0;
+  return body && body->pose().position ? 1 : 0;
 }
 
 orispline_code orispline_curve_orientation(const orispline_curve* curve, double time, orispline_order order,
                                            double* orientation, orispline_error** error) {
   const HeldCurve* const body = body_of(curve);
   if (body && orientation && (order == ORISPLINE_WXYZ || order == ORISPLINE_XYZW)) {  // nothing else, frame by frame
-    put_quaternion(orientation, body->pose.orientation(time), order);
+    put_quaternion(orientation, body->pose().orientation(time), order);
     return ORISPLINE_OK;
   }
   return guarded(error, [&] {
@@ -121,7 +118,7 @@ orispline_code orispline_curve_motion(const orispline_curve* curve, double time,
         .and_then([&] { return check_side(side); })
         .and_then([&] { return check_order(order); })
         .map([&] {
-          const PoseCurve& pose = (*body)->pose;
+          const PoseCurve& pose = (*body)->pose();
           const Side beside = side == ORISPLINE_LEFT ? Side::left : Side::right;
           put(*motion, pose.orientation.motion(time, beside), order);
           put(*motion, pose.position ? pose.position->linear_motion(time, beside) : no_motion<Eigen::Vector3d>());

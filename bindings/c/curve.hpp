@@ -3,24 +3,21 @@
 
 #include <memory>
 
+#include <orispline/batch/pose_sampler.hpp>
 #include <orispline/curve/method.hpp>
-#include <orispline/curve/path.hpp>
 #include <orispline/curve/track.hpp>
 
 #include "handles.hpp"
 
 namespace orispline::c {
 
-/// How a curve is sampled: samples.cpp says it, or samples_singly.cpp where there are no samples in bulk.
-class Sampler;
-[[nodiscard]] std::shared_ptr<const Sampler> sampler_of(const PoseCurve& curve);
-
 /// A curve as C holds it.
 struct HeldCurve {
   std::shared_ptr<const Track> track;
   Method method;
-  PoseCurve pose;
-  std::shared_ptr<const Sampler> sampler;
+  PoseSampler sampler;
+
+  [[nodiscard]] const PoseCurve& pose() const noexcept { return sampler.curve(); }
 };
 
 template <>

@@ -14,9 +14,7 @@
 #include "keys.hpp"
 #include "options.hpp"
 
-namespace orispline::c {
-
-namespace {
+namespace orispline::c { namespace {
 
 /// Skeletons are read too, from the first file on.
 void join_scenes() {
@@ -75,9 +73,7 @@ Expected<Written> written(const Track& track, const std::string& name, const io:
   return io::columns_of_output(name, stated)
       .and_then([&](const io::SampleColumns& columns) { return io::write_whole_track(file, track, columns); })
       .and_then([&](std::vector<Warning> warnings) {
-        return file.finish().map([&] {
-          return Written{std::move(file).bytes(), std::move(warnings)};
-        });
+        return file.finish().map([&] { return Written{std::move(file).bytes(), std::move(warnings)}; });
       })
       .map_error(by_stated_names);
 }

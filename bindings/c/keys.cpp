@@ -127,7 +127,8 @@ struct Copy {
   }
   [[nodiscard]] Expected<void> vectors(std::string_view name, const Vectors& rows) const {
     if (auto fits = check_count(name, to.size(), data.times.size(), 3); !fits) return fits;
-    for (std::size_t i = 0; i < rows.size(); ++i) std::ranges::copy(rows[i], to.begin() + static_cast<std::ptrdiff_t>(3 * i));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      std::ranges::copy(rows[i], to.begin() + static_cast<std::ptrdiff_t>(3 * i));
     return {};
   }
   [[nodiscard]] Expected<void> quaternions(std::string_view name, const Quaternions& rows) const {

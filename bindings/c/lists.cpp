@@ -6,9 +6,7 @@
 #include "json_text.hpp"
 #include "keys.hpp"
 
-namespace orispline::c {
-
-namespace {
+namespace orispline::c { namespace {
 
 Json columns_json(const Track& track) {
   Json list = Json::array();

@@ -18,7 +18,8 @@ Expected<void> check_output(const orispline_output& output, orispline_order orde
   if (output.type != ORISPLINE_DOUBLE && output.type != ORISPLINE_FLOAT)
     return bad_option("type", formatted("found {}, wanted ORISPLINE_DOUBLE or ORISPLINE_FLOAT", output.type));
   if (stride_of(output) < width_of(output.quantity))
-    return bad_option("stride", formatted("found {}, wanted 0 or at least {}", output.stride, width_of(output.quantity)));
+    return bad_option("stride",
+                      formatted("found {}, wanted 0 or at least {}", output.stride, width_of(output.quantity)));
   if (output.quantity == ORISPLINE_ORIENTATION) return check_order(order);
   return {};
 }

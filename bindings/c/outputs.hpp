@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include <orispline/curve/extrapolation.hpp>
 
@@ -51,13 +51,13 @@ class Times {
   [[nodiscard]] double operator[](std::size_t k) const noexcept {
     return given_.empty() ? static_cast<double>(k) * step_ + start_ : given_[k];
   }
-  /// Some of them; `room` has as many numbers, and may be what is given back.
-  [[nodiscard]] std::span<const double> part(std::size_t begin, std::span<double> room) const noexcept {
-    if (!given_.empty()) return given_.subspan(begin, room.size());
-    for (std::size_t k = 0; k < room.size(); ++k) room[k] = (*this)[begin + k];
+  /// So many of them; `room` is for those that are not given.
+  [[nodiscard]] std::span<const double> part(std::size_t begin, std::size_t count, std::vector<double>& room) const {
+    if (!given_.empty()) return given_.subspan(begin, count);
+    room.resize(count);
+    for (std::size_t k = 0; k < count; ++k) room[k] = (*this)[begin + k];
     return room;
   }
-  [[nodiscard]] bool are_given() const noexcept { return !given_.empty(); }
 
  private:
   std::span<const double> given_{};

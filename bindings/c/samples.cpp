@@ -3,18 +3,7 @@
 #include "curve.hpp"
 #include "errors.hpp"
 
-namespace orispline::c {
-
-class Sampler {
- public:
-  explicit Sampler(const PoseCurve& curve) : pose(curve) {}
-
-  PoseSampler pose;
-};
-
-std::shared_ptr<const Sampler> sampler_of(const PoseCurve& curve) { return std::make_shared<const Sampler>(curve); }
-
-namespace {
+namespace orispline::c { namespace {
 
 template <class T>
 Expected<void> fill(const PoseSampler& sampler, const Times& times, orispline_order order, Extrapolation beyond,
@@ -32,7 +21,7 @@ Expected<void> sample(const orispline_curve* curve, const Times& times, orisplin
   const auto wanted = outputs_in(outputs, output_count, order, times.size());
   if (!wanted) return tl::unexpected(wanted.error());
   return extrapolation_named(beyond).and_then([&](Extrapolation how) {
-    const PoseSampler& sampler = (*body)->sampler->pose;
+    const PoseSampler& sampler = (*body)->sampler;
     return fill<double>(sampler, times, order, how, {threads}, *wanted).and_then([&] {
       return fill<float>(sampler, times, order, how, {threads}, *wanted);
     });

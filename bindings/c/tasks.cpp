@@ -69,9 +69,8 @@ using namespace orispline;
 using namespace orispline::c;
 
 orispline_code orispline_tasks_json(char** json, orispline_error** error) {
-  return guarded(error, [&] {
-    return cleared(json, "json").map([&] { *json = text_of_c(json_text(jobs::tasks_json())); });
-  });
+  return guarded(error,
+                 [&] { return cleared(json, "json").map([&] { *json = text_of_c(json_text(jobs::tasks_json())); }); });
 }
 
 orispline_code orispline_task_run(const char* task, const orispline_input* inputs, size_t input_count,

@@ -16,6 +16,8 @@ rm -rf "$work/src" "$package"
 mkdir -p "$package"
 cp -R "$source/src" "$source/tsconfig.json" "$work"
 "$command" methods --json | node "$source/lite/methods.mjs" "$root/src/lite/orispline/families/families.hpp" >"$work/src/lite_methods.ts"
+printf '// SPDX-License-Identifier: Apache-2.0\nexport const moduleText: string = "%s";\n' \
+  "$([ ! -f "$modules/lite.wasm" ] || base64 -w 0 "$modules/lite.wasm")" >"$work/src/lite_module.ts"
 "$work/node_modules/.bin/tsc" --project "$work" --outDir "$package"
 for module in "$modules"/*.wasm; do
   [ ! -f "$module" ] || cp "$module" "$package"

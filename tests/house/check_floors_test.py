@@ -60,7 +60,7 @@ class CheckFloors(unittest.TestCase):
         text = SPDX + "#include <orispline/batch/sample.hpp>\n"
         self.assert_breach("bindings/c/curve.cpp", text,
                            "bindings/c/curve.cpp: this part of the interface must not include orispline/batch/sample.hpp")
-        self.assert_sound("bindings/c/samples.cpp", text)
+        self.assert_sound("bindings/c/bake.cpp", text)
         self.assert_breach("bindings/c/orispline.h", "int f(void);\n", "bindings/c/orispline.h: the first line is not the SPDX line")
 
     def test_finds_an_example_that_includes_a_private_header(self):

@@ -51,8 +51,8 @@ TEST(NearestDouble, IsFoundAtTheEndsOfTheRange) {
 
 /// All digits of the number half-way from a double to the next, which has up to 767 of them.
 std::string half_way_digits(double value, int& exponent) {
-  const long double half_way =
-      (static_cast<long double>(value) + std::nextafter(value, std::numeric_limits<double>::infinity())) / 2;
+  const double next = std::nextafter(value, std::numeric_limits<double>::infinity());
+  const long double half_way = (static_cast<long double>(value) + static_cast<long double>(next)) / 2;
   std::string text(2000, '\0');
   text.resize(static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.1000Le", half_way)));
   const std::size_t e = text.find('e');

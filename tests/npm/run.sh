@@ -11,7 +11,7 @@ skip() {
 [ -f "$1/package.json" ] || skip "the npm package was not built, test npm.build says why"
 case $2 in
   package | player) ;;
-  consume) [ -f "$1/lite.wasm" ] || skip "the modules were not compiled; make web compiles them" ;;
+  consume | three) [ -f "$1/lite.wasm" ] || skip "the modules were not compiled; make web compiles them" ;;
   *) [ -f "$1/$2.wasm" ] || skip "the module $2.wasm was not compiled; make web compiles it" ;;
 esac
 [ "$2" = consume ] || exec node --test "$here/$2.test.mjs"

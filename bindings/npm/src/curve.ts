@@ -78,7 +78,7 @@ export class Curve implements Playable {
   readonly hasPositions: boolean;
   protected readonly engine: Engine;
   private address: Address;
-  private readonly orderNumber: number;
+  protected readonly orderNumber: number;
   private readonly forgotten: FinalizationRegistry<Address>;
 
   /** Of an `Orispline`, by its `curve`. */
@@ -100,6 +100,15 @@ export class Curve implements Playable {
     this.engine.orientation(this.handle, time, this.orderNumber);
     const { numbers, numbersAt } = this.engine, from = numbersAt / 8;
     for (let i = 0; i < 4; ++i) target[i] = numbers[from + i];
+    return target;
+  }
+
+  /** The position [m] likewise, of keys that have positions. */
+  positionAt<Target extends Numbers = number[]>(time: number, target = [] as Numbers as Target): Target {
+    const { engine } = this, from = engine.numbersAt / 8 + 13;
+    engine.check('orispline_curve_motion', this.handle, time, 0, this.orderNumber, engine.numbersAt);
+    if (!this.hasPositions) throw badArgument('positions', 'found keys without any, wanted three numbers for each');
+    for (let i = 0; i < 3; ++i) target[i] = engine.numbers[from + i];
     return target;
   }
 

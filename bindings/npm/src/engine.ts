@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The library as compiled code: its memory, its calls, its errors. The functions are those of bindings/c/orispline.h.
 import { type ErrorCode, type ErrorPlace, OrisplineError } from './errors.js';
+import type { System } from './system.js';
 
 type Call = (...values: number[]) => number;
 
@@ -16,6 +17,9 @@ const abi = 1;
 /** Room for an error, a handle and the numbers of one motion. */
 const room = 16 + 8 * 32;
 
+const otherModule = (): OrisplineError =>
+  new OrisplineError('bad_data', 'found WebAssembly of something else, wanted the .wasm of this entry and version of the package', { option: 'wasm' });
+
 export class Engine {
   /** Where a new error and a new handle go, and from where on numbers come back. */
   readonly errorAt: Address;
@@ -24,20 +28,25 @@ export class Engine {
   private readonly calls: Record<string, Call>;
   private readonly memory: WebAssembly.Memory;
   private readonly sentence: Sentence;
+  private readonly lastWords: () => string | undefined;
   private readonly orientationCall: Call;
   private view = new Float64Array();
   private fault?: OrisplineError;
 
-  constructor(module: WebAssembly.Module, sentence: Sentence) {
-    const imports: Record<string, Record<string, Call>> = {};
-    // It asks its system for nothing but to write what it says before it ends, which the trap then says.
-    for (const { module: from, name } of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] = () => 0;
-    const instance = new WebAssembly.Instance(module, imports);
+  /** `last`: a function that smaller modules lack. `system`: what the module asks for, if anything. */
+  constructor(module: WebAssembly.Module, last: string, sentence: Sentence, system?: System) {
+    let instance: WebAssembly.Instance;
+    try {
+      instance = new WebAssembly.Instance(module, system?.importsOf(module) ?? {});
+    } catch {
+      throw otherModule();
+    }
     this.calls = instance.exports as Record<string, Call>;
     this.memory = instance.exports['memory'] as WebAssembly.Memory;
+    if (system) system.memory = this.memory;
+    this.lastWords = () => system?.said.trim();
     this.sentence = sentence;
-    if (this.calls['orispline_abi']?.() !== abi)
-      throw new OrisplineError('bad_data', 'found WebAssembly of something else, wanted the .wasm of this version of the package', { option: 'wasm' });
+    if (this.calls['orispline_abi']?.() !== abi || !this.has(last)) throw otherModule();
     this.calls['_initialize']?.();
     this.orientationCall = this.calls['orispline_curve_orientation'];
     this.errorAt = this.memoryFor(room);
@@ -118,26 +127,50 @@ export class Engine {
     return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
   }
 
-  /** A text in its memory, for the time of some work. */
+  // In its memory, for the time of some work:
+
   withText<Result>(text: string, work: (at: Address) => Result): Result {
-    const bytes = new TextEncoder().encode(text), at = this.memoryFor(bytes.length + 1);
+    return this.withBytes(new TextEncoder().encode(`${text}\0`), work);
+  }
+
+  withBytes<Result>(bytes: Uint8Array, work: (at: Address) => Result): Result {
+    return this.withRoom(bytes.length, (at) => (this.bytes(at, bytes.length).set(bytes), work(at)));
+  }
+
+  withNumbers<Result>(numbers: ArrayLike<number>, work: (at: Address) => Result): Result {
+    return this.withRoom(8 * numbers.length, (at) => (this.numbers.set(numbers, at / 8), work(at)));
+  }
+
+  withWords<Result>(words: number[], work: (at: Address) => Result): Result {
+    return this.withRoom(4 * words.length, (at) => (this.words(at, words.length).set(words), work(at)));
+  }
+
+  withRoom<Result>(bytes: number, work: (at: Address) => Result): Result {
+    const at = this.memoryFor(bytes);
     try {
-      this.bytes(at, bytes.length + 1).set([...bytes, 0]);
       return work(at);
     } finally {
       this.free('free', at);
     }
   }
 
-  /** Numbers in its memory, for the time of some work. */
-  withNumbers<Result>(numbers: ArrayLike<number>, work: (at: Address) => Result): Result {
-    const at = this.memoryFor(8 * numbers.length);
+  /** A text that a function makes, whose last value but the error is where it goes. */
+  toldText(name: string, ...values: number[]): string {
+    const at = this.made(name, ...values);
     try {
-      this.numbers.set(numbers, at / 8);
-      return work(at);
+      return this.text(at);
     } finally {
-      this.free('free', at);
+      this.free('orispline_text_free', at);
     }
+  }
+
+  singles(at: Address, length: number): Float32Array<ArrayBuffer> {
+    return new Float32Array(this.memory.buffer as ArrayBuffer, at, length);
+  }
+
+  /** Of 64 bits. */
+  wholeNumber(at: Address): number {
+    return Number(new BigInt64Array(this.memory.buffer, at, 1)[0]);
   }
 
   private error(): OrisplineError {
@@ -155,7 +188,7 @@ export class Engine {
   }
 
   private failed(trap: unknown): OrisplineError {
-    this.fault = new OrisplineError('fault', `found a fault of orispline (${(trap as Error).message}), wanted none: please report it; load() gives a sound one anew`);
+    this.fault = new OrisplineError('fault', `found a fault of orispline (${this.lastWords() || (trap as Error).message}), wanted none: please report it; load() gives a sound one anew`);
     return this.fault;
   }
 }

@@ -56,20 +56,14 @@ export const withKeys = <Result>(engine: Engine, data: KeyData, work: (keys: Add
     if (k < given.length)
       return engine.withText(given[k].name, (name) =>
         engine.withNumbers(given[k].numbers, (numbers) => withColumns(k + 1, [...rows, name, numbers, 3 * count])));
-    const table = engine.memoryFor(4 * rows.length);
-    try {
-      engine.words(table, rows.length).set(rows);
-      return engine.withNumbers(data.times, (times) => engine.withNumbers(data.orientations, (orientations) => {
-        const keys = engine.made('orispline_keys_make', times, orientations, count, order, chosen('signs', data.signs ?? 'shortest', signs), table, given.length);
-        try {
-          return work(keys);
-        } finally {
-          engine.free('orispline_keys_free', keys);
-        }
-      }));
-    } finally {
-      engine.free('free', table);
-    }
+    return engine.withWords(rows, (table) => engine.withNumbers(data.times, (times) => engine.withNumbers(data.orientations, (orientations) => {
+      const keys = engine.made('orispline_keys_make', times, orientations, count, order, chosen('signs', data.signs ?? 'shortest', signs), table, given.length);
+      try {
+        return work(keys);
+      } finally {
+        engine.free('orispline_keys_free', keys);
+      }
+    })));
   };
   return withColumns(0, []);
 };

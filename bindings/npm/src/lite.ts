@@ -17,4 +17,4 @@ export type { Curve, LoadOptions, MethodInfo, Orispline };
 
 /** Loads the compiled code: of the file beside this script, or what the options say. */
 export const load = async (options: LoadOptions = {}): Promise<Orispline> =>
-  new Orispline(new Engine(await moduleOf(options, new URL('./lite.wasm', import.meta.url)), sentence), Curve, () => structuredClone(methods));
+  new Orispline(new Engine(await moduleOf(options, new URL('./lite.wasm', import.meta.url)), 'orispline_curve_motion', sentence), Curve, () => structuredClone(methods));

@@ -36,7 +36,7 @@ export interface MethodInfo {
 
 /** The library, loaded. */
 export class Orispline<Made extends Curve = Curve> {
-  private readonly engine: Engine;
+  protected readonly engine: Engine;
   private readonly forgotten: FinalizationRegistry<Address>;
   private readonly kind: new (...about: ConstructorParameters<typeof Curve>) => Made;
   private readonly list: () => MethodInfo[];

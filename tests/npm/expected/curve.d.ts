@@ -59,12 +59,14 @@ export declare class Curve implements Playable {
     readonly hasPositions: boolean;
     protected readonly engine: Engine;
     private address;
-    private readonly orderNumber;
+    protected readonly orderNumber: number;
     private readonly forgotten;
     /** Of an `Orispline`, by its `curve`. */
     constructor(engine: Engine, forgotten: FinalizationRegistry<Address>, method: string, data: KeyData, settings: Settings);
     /** Writes the orientation at a time [s] into `target` and returns it. It allocates nothing where there is a target. */
     at<Target extends Numbers = number[]>(time: number, target?: Target): Target;
+    /** The position [m] likewise, of keys that have positions. */
+    positionAt<Target extends Numbers = number[]>(time: number, target?: Target): Target;
     /** The motion at a time [s]; at a key where rates jump that of the segment behind it, or of the one before it. */
     motion(time: number, side?: 'right' | 'left'): Motion;
     /** Many samples, one after another. */

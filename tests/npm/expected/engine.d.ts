@@ -1,3 +1,4 @@
+import type { System } from './system.js';
 /** A handle or an address in the memory of the library; 0 is none. */
 export type Address = number;
 /** How text that the library says becomes a sentence. */
@@ -10,10 +11,12 @@ export declare class Engine {
     private readonly calls;
     private readonly memory;
     private readonly sentence;
+    private readonly lastWords;
     private readonly orientationCall;
     private view;
     private fault?;
-    constructor(module: WebAssembly.Module, sentence: Sentence);
+    /** `last`: a function that smaller modules lack. `system`: what the module asks for, if anything. */
+    constructor(module: WebAssembly.Module, last: string, sentence: Sentence, system?: System);
     has(name: string): boolean;
     /** All numbers of its memory. It is another array once the memory has grown, so nobody keeps it. */
     get numbers(): Float64Array;
@@ -34,10 +37,16 @@ export declare class Engine {
     words(at: Address, length: number): Uint32Array<ArrayBuffer>;
     /** A text of the library, which ends in a zero. */
     text(at: Address): string;
-    /** A text in its memory, for the time of some work. */
     withText<Result>(text: string, work: (at: Address) => Result): Result;
-    /** Numbers in its memory, for the time of some work. */
+    withBytes<Result>(bytes: Uint8Array, work: (at: Address) => Result): Result;
     withNumbers<Result>(numbers: ArrayLike<number>, work: (at: Address) => Result): Result;
+    withWords<Result>(words: number[], work: (at: Address) => Result): Result;
+    withRoom<Result>(bytes: number, work: (at: Address) => Result): Result;
+    /** A text that a function makes, whose last value but the error is where it goes. */
+    toldText(name: string, ...values: number[]): string;
+    singles(at: Address, length: number): Float32Array<ArrayBuffer>;
+    /** Of 64 bits. */
+    wholeNumber(at: Address): number;
     private error;
     private failed;
 }

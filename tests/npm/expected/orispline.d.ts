@@ -32,7 +32,7 @@ export interface MethodInfo {
 }
 /** The library, loaded. */
 export declare class Orispline<Made extends Curve = Curve> {
-    private readonly engine;
+    protected readonly engine: Engine;
     private readonly forgotten;
     private readonly kind;
     private readonly list;

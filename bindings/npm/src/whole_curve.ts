@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+import { Curve, type SampleOptions, type Samples, rateNames, timesOf } from './curve.js';
+import { badArgument } from './errors.js';
+import type { BakedFile } from './player.js';
+
+/** How far a rate jumps at the keys. */
+export interface Jump {
+  /** In the unit of the rate. */
+  largest: number;
+  /** To the largest rate of the curve; 0 where every jump is rounding. */
+  relative: number;
+  /** Where. */
+  key: number;
+}
+
+/** Which rates are continuous at the keys. */
+export interface Continuity {
+  /** No rate up to this order jumps: 0 to 3; -1 where the orientation itself jumps. */
+  order: number;
+  /** [rad/s]. */
+  angularVelocity: Jump;
+  /** [rad/s²]. */
+  angularAcceleration: Jump;
+  /** [rad/s³]. */
+  angularJerk: Jump;
+}
+
+/** The largest value of a rate, and where [s]. */
+export interface Peak {
+  value: number;
+  time: number;
+}
+
+export interface Peaks {
+  /** [rad/s]. */
+  angularVelocity: Peak;
+  /** [rad/s²]. */
+  angularAcceleration: Peak;
+  /** [N m], with an inertia. */
+  torque?: Peak;
+}
+
+const asDouble = 0, asFloat = 1, position = 7;
+
+/** A curve by any method. */
+export class WholeCurve extends Curve {
+  /** Samples in bulk, which is many times faster than one after another. */
+  override sample(options: SampleOptions): Samples {
+    const { rates = 0 } = options, times = timesOf(this, options), count = times.length;
+    const wanted = [{ name: 'orientations', quantity: 0, width: 4 }, ...rateNames.slice(0, rates).map((name, k) => ({ name, quantity: k + 1, width: 3 }))];
+    if (this.hasPositions) wanted.push({ name: 'positions', quantity: position, width: 3 });
+    const { engine } = this, inRow = wanted.reduce((sum, { width }) => sum + width, 0);
+    return engine.withRoom(8 * inRow * count, (numbers) => {
+      let next = numbers;
+      const places = wanted.map(({ name, quantity, width }) => {
+        const from = next, length = width * count;
+        next += 8 * length;
+        return { name, quantity, from, length };
+      });
+      const outputs = places.flatMap(({ quantity, from }) => [quantity, asDouble, from, 0]);
+      engine.withWords(outputs, (at) => this.fill(options, times, at, wanted.length));
+      const found = places.map(({ name, from, length }) => [name, engine.numbers.slice(from / 8, from / 8 + length)]);
+      return { times, ...Object.fromEntries(found) } as Samples;
+    });
+  }
+
+  /** Which rates are continuous at the keys, and how far the others jump. */
+  continuity(): Continuity {
+    const { engine } = this, at = engine.numbersAt;
+    engine.check('orispline_curve_continuity', this.handle, at);
+    const jump = (k: number): Jump => {
+      const [largest, relative] = engine.numbers.subarray(at / 8 + k, at / 8 + k + 2);
+      return { largest, relative, key: engine.wholeNumber(at + 8 * (k + 2)) };
+    };
+    return { order: engine.wholeNumber(at), angularVelocity: jump(1), angularAcceleration: jump(4), angularJerk: jump(7) };
+  }
+
+  /** The largest rates, wherever they are; with `inertia`, the nine numbers of a symmetric matrix [kg m²], the torque too. */
+  peaks({ inertia }: { inertia?: ArrayLike<number> } = {}): Peaks {
+    if (inertia && inertia.length !== 9) throw badArgument('inertia', `found ${inertia.length} numbers, wanted 9`);
+    const { engine } = this, at = engine.numbersAt;
+    if (inertia) engine.withNumbers(inertia, (numbers) => engine.check('orispline_curve_peaks', this.handle, numbers, at));
+    else engine.check('orispline_curve_peaks', this.handle, 0, at);
+    const peak = (k: number): Peak => {
+      const [value, time] = engine.numbers.subarray(at / 8 + k, at / 8 + k + 2);
+      return { value, time };
+    };
+    const found: Peaks = { angularVelocity: peak(0), angularAcceleration: peak(2) };
+    return inertia ? { ...found, torque: peak(4) } : found;
+  }
+
+  /** What `orispline/player` plays: what `orispline bake` writes, with the times of the keys. The tolerance is in rad. */
+  bake({ tolerance }: { tolerance: number }): BakedFile {
+    const { engine } = this, at = engine.numbersAt;
+    const baked = engine.made('orispline_bake', this.handle, tolerance, asFloat, 0, 0);
+    try {
+      engine.check('orispline_baked_look', baked, at);
+      const [endsAt, , coefficientsAt, endCount, pieces] = engine.words(at, 5), perPiece = 24;
+      const ends = Array.from(engine.numbers.subarray(endsAt / 8, endsAt / 8 + endCount));
+      if (ends.length === 1) ends.push(ends[0]);
+      const coefficients = engine.singles(coefficientsAt, perPiece * pieces);
+      return {
+        orispline: 'baked', version: 1, order: 'xyzw', epoch: 0, largest_difference: engine.numbers[at / 8 + 4], ends,
+        pieces: Array.from({ length: pieces }, (_, i) => Array.from(coefficients.subarray(perPiece * i, perPiece * (i + 1)))),
+      };
+    } finally {
+      engine.free('orispline_baked_free', baked);
+    }
+  }
+
+  /** The text of its method, with its settings. */
+  get method(): string {
+    return this.engine.toldText('orispline_curve_method', this.handle);
+  }
+
+  private fill(options: SampleOptions, times: Float64Array, outputs: number, outputCount: number): void {
+    const { engine } = this, beyond = 0, threads = 1, count = times.length;
+    if (options.times)
+      engine.withNumbers(times, (at) => engine.check('orispline_sample_at', this.handle, at, count, this.orderNumber, beyond, threads, outputs, outputCount));
+    else engine.check('orispline_sample_even', this.handle, options.start ?? this.start, options.step!, count, this.orderNumber, beyond, threads, outputs, outputCount);
+  }
+}

@@ -1,0 +1,53 @@
+import { Curve, type SampleOptions, type Samples } from './curve.js';
+import type { BakedFile } from './player.js';
+/** How far a rate jumps at the keys. */
+export interface Jump {
+    /** In the unit of the rate. */
+    largest: number;
+    /** To the largest rate of the curve; 0 where every jump is rounding. */
+    relative: number;
+    /** Where. */
+    key: number;
+}
+/** Which rates are continuous at the keys. */
+export interface Continuity {
+    /** No rate up to this order jumps: 0 to 3; -1 where the orientation itself jumps. */
+    order: number;
+    /** [rad/s]. */
+    angularVelocity: Jump;
+    /** [rad/s²]. */
+    angularAcceleration: Jump;
+    /** [rad/s³]. */
+    angularJerk: Jump;
+}
+/** The largest value of a rate, and where [s]. */
+export interface Peak {
+    value: number;
+    time: number;
+}
+export interface Peaks {
+    /** [rad/s]. */
+    angularVelocity: Peak;
+    /** [rad/s²]. */
+    angularAcceleration: Peak;
+    /** [N m], with an inertia. */
+    torque?: Peak;
+}
+/** A curve by any method. */
+export declare class WholeCurve extends Curve {
+    /** Samples in bulk, which is many times faster than one after another. */
+    sample(options: SampleOptions): Samples;
+    /** Which rates are continuous at the keys, and how far the others jump. */
+    continuity(): Continuity;
+    /** The largest rates, wherever they are; with `inertia`, the nine numbers of a symmetric matrix [kg m²], the torque too. */
+    peaks({ inertia }?: {
+        inertia?: ArrayLike<number>;
+    }): Peaks;
+    /** What `orispline/player` plays: what `orispline bake` writes, with the times of the keys. The tolerance is in rad. */
+    bake({ tolerance }: {
+        tolerance: number;
+    }): BakedFile;
+    /** The text of its method, with its settings. */
+    get method(): string;
+    private fill;
+}

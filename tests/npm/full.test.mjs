@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// orispline/full: files in memory and tasks beside the command.
+import assert from 'node:assert/strict';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+import { command, entry, flight, keysFile, opened, sampled, thrown } from './flight.mjs';
+
+const full = await entry('full'), ori = await full.load();
+const folder = mkdtempSync(join(tmpdir(), 'orispline-full-'));
+after(() => rmSync(folder, { recursive: true }));
+const text = readFileSync(keysFile, 'utf8'), truth = readFileSync(join(keysFile, '../flight_truth.csv'));
+
+test('a file that is read has the keys of the file and what it says of them', () => {
+  const keys = ori.read(text, 'flight_keys.csv'), { times, orientations, positions } = keys.data('wxyz');
+  assert.deepEqual([keys.info.count, keys.info.method, keys.info.name], [38, null, 'flight_keys.csv']);
+  assert.deepEqual([...times], flight.times);
+  assert.deepEqual([...positions], flight.positions);
+  assert.ok(orientations.every((x, k) => Math.abs(x - flight.orientations[k]) < 1e-9));
+  const curve = ori.curve('auto', keys.data('wxyz')), rows = sampled('--method', 'auto', '--rate', '5');
+  assert.deepEqual([...curve.sample({ times: rows.map(([t]) => t) }).orientations], rows.flatMap((row) => row.slice(1, 5)));
+  assert.deepEqual(keys.column('orientations', 'xyzw').slice(0, 4), Float64Array.of(...[1, 2, 3, 0].map((k) => orientations[k])));
+});
+
+test('keys are written in every format that their name says', () => {
+  const tum = new TextDecoder().decode(ori.write({ ...flight, positions: undefined }, 'keys.tum', {}));
+  assert.equal(tum.split('\n').filter((row) => /^\d/.test(row)).length, 38);
+  const again = ori.read(ori.write(flight, 'again.csv'), 'again.csv').data('wxyz');
+  assert.deepEqual([...again.positions], flight.positions);
+});
+
+test('a task finds what the command finds', () => {
+  const recording = ori.read(truth, 'flight_truth.csv');
+  const found = ori.run('reduce', { recording }, { tolerance: '0.5deg', methods: 'auto' });
+  const output = join(folder, 'keys.csv');
+  const wanted = JSON.parse(command('reduce', join(keysFile, '../flight_truth.csv'), '--tolerance', '0.5deg', '--method', 'auto', '--json', '-o', output));
+  for (const name of ['samples', 'method', 'keys', 'error_max_deg']) assert.deepEqual(found.document[name], wanted[name], name);
+  assert.deepEqual([found.tracks.length, found.tracks[0].info.count], [1, wanted.keys]);
+  assert.match(found.summary, /largest error/);
+  const curve = ori.curve('auto', found.tracks[0].data('xyzw'));
+  assert.equal(curve.start, 0);
+});
+
+test('every task is listed, and its options are those of the command', () => {
+  assert.deepEqual(ori.tasks(), JSON.parse(command('tasks', '--json')));
+  const { tracks } = ori.run('retime', { keys: flight }, { maxRate: '20deg/s' });
+  assert.ok(ori.curve('auto', tracks[0].data('wxyz')).peaks().angularVelocity.value <= (Math.PI / 180) * 20);
+});
+
+for (const [call, about] of [
+  [() => ori.read('t,qw,qx,qy,qz\n0,1,0,0,0\n1,x,0,0,0\n', 'a.csv'), { code: 'bad_data', line: 3 }],
+  [() => ori.read(text, 'a.csv', { angleunit: 'deg' }), { code: 'bad_argument', message: "unknown option 'angleunit'; did you mean 'angle_unit'?" }],
+  [() => ori.read(text, 'a.csv', { sort: [1] }), { code: 'bad_argument', option: 'sort', message: 'sort: found [1], wanted a text, a number or a flag' }],
+  [() => ori.write(flight, 'a.xyz'), { code: 'bad_argument' }],
+  [() => ori.run('redce', { recording: flight }), { code: 'bad_argument', message: "unknown task 'redce'; did you mean 'reduce'?" }],
+  [() => ori.run('reduce', { keys: flight }, { tolerance: '1deg' }), { code: 'bad_argument', option: 'keys' }],
+  [() => ori.run('reduce', { recording: flight }), { code: 'bad_argument', option: 'tolerance' }],
+  [() => ori.run('reduce', { recording: flight }, { tolerance: '1' }), { code: 'bad_argument', option: 'tolerance' }],
+  [() => ori.run('reduce', { recording: { ...flight, order: 'xwyz' } }, { tolerance: '1deg' }), { code: 'bad_argument', option: 'order' }],
+])
+  test(`it refuses: ${JSON.stringify(about)}`, () => {
+    const error = thrown(call);
+    for (const [name, value] of Object.entries(about)) assert.equal(error[name], value, error.message);
+    assert.equal(error.message.includes('\n'), false);
+  });
+
+test('keys that were disposed of say so, and leave no memory behind', async () => {
+  const keys = ori.read(text, 'flight_keys.csv');
+  keys.dispose();
+  keys.dispose();
+  assert.equal(thrown(() => keys.info).message, 'found keys that were disposed of, wanted some that were not');
+  const { library, exports } = await opened(full.load);
+  const work = (count) => {
+    for (let k = 0; k < count; ++k) {
+      const read = library.read(text, 'flight_keys.csv');
+      for (const track of library.run('retime', { keys: read }, { duration: '60s' }).tracks) track.dispose();
+      read.dispose();
+      thrown(() => library.read('t,qw\n', 'a.csv'));
+    }
+    return exports.memory.buffer.byteLength;
+  };
+  assert.equal(work(20), work(100));
+});

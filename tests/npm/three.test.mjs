@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tracks of three.js itself, moved by its own mixer.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { apart, entry, flight, three as keys, thrown } from './flight.mjs';
+
+const THREE = await import(join(process.env.ORISPLINE_NPM_TOOLS, 'three/build/three.module.js'));
+const { animate, bake } = await entry('three'), ori = await (await entry('lite')).load();
+
+const turned = flight.orientations.map((_, k) => flight.orientations[4 * Math.floor(k / 4) + [1, 2, 3, 0][k % 4]]);
+const turns = () => new THREE.QuaternionKeyframeTrack('.quaternion', flight.times, turned);
+const moves = () => new THREE.VectorKeyframeTrack('.position', flight.times, flight.positions);
+/** The keys as a track has them, in single precision. */
+const rounded = { times: Float32Array.from(flight.times), orientations: Float32Array.from(turned), positions: Float32Array.from(flight.positions), order: 'xyzw' };
+
+/** Where the mixer of three.js takes an object at these times. */
+const played = (clip, times) => {
+  const object = new THREE.Object3D(), mixer = new THREE.AnimationMixer(object);
+  mixer.clipAction(clip).setLoop(THREE.LoopOnce).play();
+  return times.map((time) => (mixer.setTime(time), [object.quaternion.toArray(), object.position.toArray()]));
+};
+
+const times = Array.from({ length: 200 }, (_, k) => 0.2399 * k);
+
+for (const method of ['auto', 'squad', 'timed-c2'])
+  test(`a mixer moves an object by ${method}, exactly, also by a clone of its clip`, () => {
+    const clip = new THREE.AnimationClip('flight', -1, [animate(ori, turns(), method), animate(ori, moves(), method)]);
+    const curve = ori.curve(method, rounded);
+    for (const one of [clip, clip.clone()])
+      played(one, times).forEach(([quaternion, position], k) => {
+        assert.ok(apart(quaternion, curve.at(times[k])) < 1e-12, `${times[k]}`);
+        assert.ok(apart(position, curve.motion(times[k]).position) < 1e-9);
+      });
+  });
+
+test('settings shape the curve, and what is done to a clone changes its curve alone', () => {
+  const track = animate(ori, turns(), 'timed-c2', { tension: 0.2 }), clone = track.clone().shift(5);
+  const at = (one, time) => [...one.createInterpolant().evaluate(time)];
+  assert.deepEqual(at(track, 10), ori.curve('timed-c2', rounded, { tension: 0.2 }).at(10));
+  assert.ok(apart(at(clone, 15), at(track, 10)) < 1e-5);
+});
+
+test('keys and tracks that cannot be are refused at once', () => {
+  const twice = new THREE.QuaternionKeyframeTrack('.quaternion', [0, 1, 1], keys.orientations);
+  assert.equal(thrown(() => animate(ori, twice)).key, 2);
+  assert.equal(thrown(() => animate(ori, turns(), 'sqad')).message, "unknown method 'sqad'; did you mean 'squad'?");
+  const color = new THREE.ColorKeyframeTrack('.color', [0, 1], [0, 0, 0, 1, 1, 1]);
+  assert.equal(thrown(() => animate(ori, color)).message, 'track: found .color of the type color, wanted a quaternion or a vector');
+});
+
+for (const tolerance of [1e-2, 1e-3])
+  test(`a baked track is within ${tolerance} rad of the curve, by three's own slerp`, () => {
+    const curve = ori.curve('auto', { ...flight, order: 'xyzw', orientations: turned }), [at, values] = bake(curve, { tolerance });
+    const clip = new THREE.AnimationClip('flight', -1, [new THREE.QuaternionKeyframeTrack('.quaternion', at, values)]);
+    const fine = Array.from({ length: 4000 }, (_, k) => 0.012 * k);
+    const off = Math.max(...played(clip, fine).map(([q], k) => new THREE.Quaternion(...q).angleTo(new THREE.Quaternion(...curve.at(fine[k])))));
+    assert.ok(off <= tolerance + 2e-6, `${off} rad`);
+    const least = { 1e-2: 80, 1e-3: 255 }[tolerance];
+    console.log(`${at.length} keys within ${tolerance} rad`);
+    assert.ok(at.length < least, `${at.length} keys`);
+    assert.deepEqual([at[0], at.at(-1)], [0, 48]);
+  });
+
+test('a steady turn needs its two ends, and a single key itself', () => {
+  const steady = { times: [0, 1, 2], orientations: [0, 0, 0, 1, 0, 0, Math.sin(0.5), Math.cos(0.5), 0, 0, Math.sin(1), Math.cos(1)], order: 'xyzw' };
+  assert.equal(bake(ori.curve('slerp', steady), { tolerance: 1e-5 })[0].length, 2);
+  assert.equal(bake(ori.curve('slerp', { times: [3], orientations: [0, 0, 0, 1], order: 'xyzw' }), { tolerance: 1e-5 })[0].length, 1);
+});
+
+test('tolerances that a track cannot hold are refused, and the other order', () => {
+  const curve = ori.curve('auto', keys);
+  assert.equal(thrown(() => bake(curve, { tolerance: 0 })).message, 'tolerance: found 0 rad, wanted 0.000001 rad or more, which is what a track holds');
+  assert.equal(thrown(() => bake(ori.curve('auto', { ...keys, order: 'wxyz' }), { tolerance: 1 })).option, 'curve');
+});
