@@ -10,7 +10,6 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/output_file.hpp>
-#include <orispline/pages/curve_page.hpp>
 #include <orispline/report/page_samples.hpp>
 
 namespace orispline { namespace {
@@ -31,7 +30,10 @@ report::PageMethod method_on(const FamilyInfo& family, const Keyframes& keys, co
   const DistanceStatistics distance = distance_to_reference(curve->orientation, {truth.times, truth.orientations});
   method.continuity = "C" + std::to_string(continuity_at_keys(curve->orientation).order());
   method.samples = report::drawn_samples(*curve);
-  const report::PageErrors errors = report::largest(pages::errors_at(*curve, truth), 2000);
+  report::PageErrors errors{.times = truth.times};
+  for (std::size_t i = 0; i < truth.times.size(); ++i)
+    errors.values.push_back(angular_distance(curve->orientation(truth.times[i]), truth.orientations[i]) / degree);
+  errors = report::largest(errors, 2000);
   method.samples.error_times = errors.times;
   method.samples.errors = errors.values;
   method.measures = {{"rms_deg", distance.rms / degree},

@@ -76,7 +76,10 @@ DrawnAsStated drawn_of(const std::string& json, const std::vector<std::size_t>& 
   std::string times = list_json(json, "t", places[method]);
   if (times.starts_with(R"({"like")"))
     times = list_json(json, "t", places[static_cast<std::size_t>(number_in(times, "like", 0.0))]);
-  DrawnAsStated drawn{.t = list_of(times), .q = {}, .w = {}};
+  DrawnAsStated drawn{.t = list_of(times),
+                      .q = {},
+                      .w = {},
+                      .is_straight = json.substr(json.find("\"straight\":", places[method]) + 11, 4) == "true"};
   const auto q = list_of(list_json(json, "q", places[method])), w = list_of(list_json(json, "w", places[method]));
   for (std::size_t i = 0; i < drawn.t.size(); ++i) {
     drawn.q.emplace_back(q[4 * i], q[4 * i + 1], q[4 * i + 2], q[4 * i + 3]);

@@ -183,6 +183,45 @@ TEST(RetimePage, ShowsBothMotionsWithTheirCertificates) {
   EXPECT_DOUBLE_EQ(page.units.at("w").size * degrees, 1.0);
 }
 
+/// A value at a time, linear between.
+double at_time(const std::vector<double>& times, const std::vector<double>& values, double t) {
+  const auto after = std::upper_bound(times.begin() + 1, times.end() - 1, t);
+  const auto i = static_cast<std::size_t>(after - times.begin());
+  return std::lerp(values[i - 1], values[i], (t - times[i - 1]) / (times[i] - times[i - 1]));
+}
+
+/// The largest angle between both motions where the page of a retiming shows them at one time [deg].
+double largest_apart(const Track& before, const Method& method, const RetimeOptions& options) {
+  const Retiming retiming = retime(before, method, options).value();
+  const report::Page page = pages::retime_page(before, retiming, options.limits, head);
+  const PoseCurve after = make_pose_curve(retiming.method, retiming.track.keys).value(),
+                  path =
+                      make_pose_curve(retiming.evenness ? retiming.evenness->path_method : retiming.method, before.keys)
+                          .value();
+  EXPECT_FALSE(page.methods[0].clock);
+  const report::PageClock clock = page.methods[1].clock.value();
+  EXPECT_TRUE(std::ranges::is_sorted(clock.times) && std::ranges::is_sorted(clock.own));
+  EXPECT_NEAR(clock.own.front(), before.keys.times().front(), 1e-9);
+  EXPECT_NEAR(clock.own.back(), before.keys.times().back(), 1e-9);
+  const Domain domain = after.orientation.domain();
+  double largest = 0.0;
+  for (std::size_t k = 0; k <= 5000; ++k) {
+    const double t = std::lerp(domain.start, domain.end, static_cast<double>(k) / 5000.0);
+    const double own = at_time(clock.times, clock.own, t);
+    largest = std::max(largest, angular_distance(after.orientation(t), path.orientation(own)) * degrees);
+  }
+  return largest;
+}
+
+TEST(RetimePage, HasAClockByWhichBothMotionsAreAtTheSamePlace) {
+  const Track before = Keyframes::make(testing_support::random_walk(3, 40, testing_support::Spacing::uneven)).value();
+  const MotionLimits limits{.rate = 0.1};
+  EXPECT_LE(largest_apart(before, "timed-c2", {.limits = limits}), 1e-6);
+  EXPECT_LE(largest_apart(before, "auto", {.constant_rate = 0.1}), 0.5);
+  // of slerps the way between two keys is one, whatever the times
+  EXPECT_LE(largest_apart(before, "slerp", {.limits = limits, .slowing = Slowing::per_interval}), 1e-6);
+}
+
 TEST(ComparePage, HasTheCurvesOfTheFirstKeysAndTheMeasuresOfAll) {
   const Track recording = noisy(101);
   std::vector<ComparedMethod> methods;

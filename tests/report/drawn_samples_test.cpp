@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <orispline/analysis/curve_in_stretches.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/report/page_samples.hpp>
@@ -35,7 +36,8 @@ Keyframes smooth_keys(int count) {
 
 /// The largest angle between what is drawn and the curve [deg].
 double largest_angle(const PageSamples& samples, const PoseCurve& curve, int places) {
-  const testing_support::DrawnAsStated drawn{samples.path.times, samples.path.orientations, samples.angular_velocities};
+  const testing_support::DrawnAsStated drawn{samples.path.times, samples.path.orientations, samples.angular_velocities,
+                                             samples.is_straight};
   const Domain domain = curve.orientation.domain();
   double largest = 0.0;
   for (int k = 0; k <= places; ++k) {
@@ -119,6 +121,73 @@ TEST(DrawnSamples, AreNoMoreThanAllowedAndSayWhatTheyReach) {
   EXPECT_LE(samples.path.times.size(), 1000U);
   EXPECT_GT(*samples.exactness, 0.005);
   EXPECT_LE(largest_angle(samples, curve, 100'000), 1.2 * *samples.exactness);
+}
+
+TEST(DrawnSamples, OfNoiseGoStraightAndAreAsFarOffAsItIs) {
+  const double noise = 1e-9 * 4294967296.0 * radians_per_degree;  // the largest
+  KeyframeData data;
+  std::uint32_t state = 7;
+  for (int k = 0; k < 20'000; ++k) {
+    state = 1664525U * state + 1013904223U;
+    data.times.push_back(0.01 * k);
+    data.orientations.push_back(about_z_by(1e-9 * static_cast<double>(state)));
+  }
+  const PageSamples samples = drawn_samples(*make_pose_curve("auto", *Keyframes::make(data)), {.most = 1000});
+  EXPECT_TRUE(samples.is_straight);
+  EXPECT_LE(*samples.exactness, 1.5 * noise / radians_per_degree);
+  EXPECT_LE(samples.path.times.size(), 1000U);
+  EXPECT_FALSE(drawn_samples(*make_pose_curve("auto", smooth_keys(3001))).is_straight);
+}
+
+/// Turned by 30 degrees more at each knot, and at rest between.
+class Steps {
+ public:
+  explicit Steps(std::size_t count) : knots_(times(count)) {}
+  [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
+  template <Number T>
+  [[nodiscard]] Quaternion<T> point(const T&, std::size_t segment) const noexcept {
+    return constant<T>(about_z_by(30.0 * static_cast<double>(segment)));
+  }
+
+ private:
+  static std::vector<double> times(std::size_t count) {
+    std::vector<double> times;
+    for (std::size_t k = 0; k <= count; ++k) times.push_back(0.25 * static_cast<double>(k));
+    return times;
+  }
+  Knots knots_;
+};
+
+TEST(DrawnSamples, OfACurveThatJumpsHaveBothSidesOfEachJump) {
+  for (const std::size_t count : {3u, 40u, 1000u}) {
+    const PoseCurve curve{AnyCurve(Steps(count)), {}};
+    const PageSamples samples = drawn_samples(curve);
+    const std::vector<double>& t = samples.path.times;
+    EXPECT_LE(*samples.exactness, 0.005) << count;
+    EXPECT_FALSE(samples.is_straight);
+    for (const double knot : curve.orientation.knots().times().subspan(1, count - 1)) {
+      const auto left = static_cast<std::size_t>(std::ranges::lower_bound(t, knot) - t.begin());
+      ASSERT_EQ(std::ranges::count(t, knot), 2) << count;
+      EXPECT_NEAR(angular_distance(samples.path.orientations[left], samples.path.orientations[left + 1]) * degrees,
+                  30.0, 1e-9);
+    }
+  }
+}
+
+TEST(DrawnSamples, OfACurveThatIsNaNInAPartHaveAGapThere) {
+  const Keyframes keys = smooth_keys(1001);
+  std::vector<double> times(keys.times().begin(), keys.times().end());
+  for (std::size_t i = 400; i < times.size(); ++i) times[i] += 20.0;
+  const Keyframes apart = *Keyframes::make({times, {keys.orientations().begin(), keys.orientations().end()}});
+  const auto curve = curve_in_stretches("auto", apart, *stretches_between_gaps(times, 1.0));
+  ASSERT_TRUE(curve);
+  const PageSamples samples = drawn_samples(*curve);
+  EXPECT_LE(*samples.exactness, 0.005);
+  for (std::size_t i = 0; i < samples.path.times.size(); ++i)
+    EXPECT_EQ(samples.path.orientations[i].coeffs().hasNaN(),
+              times[399] < samples.path.times[i] && samples.path.times[i] < times[400])
+        << samples.path.times[i];
+  EXPECT_EQ(std::ranges::count_if(samples.path.orientations, [](const auto& q) { return std::isnan(q.w()); }), 1);
 }
 
 TEST(DrawnSamples, HavePositionsBetweenWhichStraightLinesShowThePath) {

@@ -55,7 +55,7 @@ TEST(Page, RoundsToSevenDigitsAndHasNullForNoNumber) {
   const std::string json = json_of(Page{.methods = {method}});
   EXPECT_EQ(count_of(R"("measures":{"big":1.234568e+08,"none":null,"third":0.3333333})", json), 1U);
   EXPECT_EQ(count_of(R"("w":[1e-09,-0.6666667,1e+300])", json), 1U);
-  EXPECT_EQ(count_of(R"("error_deg":[null],"exactness_deg":0.0031})", json), 1U);
+  EXPECT_EQ(count_of(R"("error_deg":[null],"straight":false,"exactness_deg":0.0031})", json), 1U);
 }
 
 TEST(Page, StatesTheVersionOfItsData) {
@@ -80,7 +80,7 @@ TEST(Page, HasNotesLimitsMarksAndKeysOfAMethod) {
   const std::string empty = json_of(Page{.methods = {{.name = "m"}}});
   EXPECT_EQ(count_of(R"("notes":[],)", empty), 1U);
   EXPECT_EQ(count_of(R"("marks":null,"limits":{},"units":{},)", empty), 1U);
-  EXPECT_EQ(count_of(R"("torque":[],"p":[],"error_t":[],"error_deg":[],"exactness_deg":null},)"
+  EXPECT_EQ(count_of(R"("torque":[],"p":[],"error_t":[],"error_deg":[],"straight":false,"exactness_deg":null},)"
                      R"("keys":null,"clock":null,"bands":{}})",
                      empty),
             1U);
@@ -98,7 +98,10 @@ TEST(Page, HasNotesLimitsMarksAndKeysOfAMethod) {
   EXPECT_EQ(count_of("\"notes\":[\"a\",\n\"b\"]", json), 1U);
   EXPECT_EQ(count_of(R"("marks":{"label":"odd ones","t":[1],"q":[1,0,0,0],"error_deg":[30]})", json), 1U);
   EXPECT_EQ(count_of(R"("limits":{"error":0.1,"w":1.5},"units":{"w":{"unit":"°/s","size":0.01745329}})", json), 1U);
-  EXPECT_EQ(count_of(R"("torque":[1,2,3],"p":[],"error_t":[0.5],"error_deg":[4],"exactness_deg":null})", json), 1U);
+  EXPECT_EQ(
+      count_of(R"("torque":[1,2,3],"p":[],"error_t":[0.5],"error_deg":[4],"straight":false,"exactness_deg":null})",
+               json),
+      1U);
   EXPECT_EQ(count_of(R"("keys":{"t":[2],"q":[1,0,0,0],"p":[]},"clock":{"t":[0,3],"own":[0,1.5]},)"
                      R"("bands":{"w":{"label":"σ","t":[0.5,1],"low":[0,null],"high":[0.25,null]}}})",
                      json),

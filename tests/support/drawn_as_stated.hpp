@@ -21,6 +21,7 @@ struct DrawnAsStated {
   std::vector<double> t;  ///< [s]
   std::vector<Eigen::Quaterniond> q;
   std::vector<Eigen::Vector3d> w;  ///< [rad/s], body
+  bool is_straight = false;
 
   [[nodiscard]] Eigen::Quaterniond operator()(double time) const {
     const auto after = std::upper_bound(t.begin() + 1, t.end() - 1, time);
@@ -29,6 +30,7 @@ struct DrawnAsStated {
     if (!(h > 0.0)) return q[i + 1].normalized();
     const double u = std::clamp((time - t[i]) / h, 0.0, 1.0);
     const Eigen::Quaterniond from = q[i].normalized(), to = q[i + 1].normalized();
+    if (is_straight) return from.slerp(u, to);
     const Eigen::Vector3d leaving = h / 3.0 * w[i], arriving = h / 3.0 * w[i + 1];
     const Eigen::AngleAxisd left(turned_by(-leaving) * from.conjugate() * to * turned_by(-arriving));
     const double turn = left.angle() > M_PI ? left.angle() - 2.0 * M_PI : left.angle();

@@ -43,6 +43,7 @@ struct NodeSource {
   const PoseCurve& curve;
   TimeSteps steps;
   HalfFloats halves;
+  DrawnWay way = DrawnWay::cubic;
 
   [[nodiscard]] const Knots& knots() const noexcept { return curve.orientation.knots(); }
   [[nodiscard]] Eigen::Vector3d position(const CurvePlace& place) const {

@@ -19,7 +19,7 @@ constexpr double hidden_share = 0.1;  ///< of the tolerance, by which a jump of 
 class Comparison {
  public:
   Comparison(const CurveNode& from, const CurveNode& to, const NodeSource& source, const DrawingTolerance& tolerance)
-      : from_(from), to_(to), source_(source), tolerance_(tolerance), span_(from.drawn, to.drawn) {
+      : from_(from), to_(to), source_(source), tolerance_(tolerance), span_(from.drawn, to.drawn, source.way) {
     const Knots& knots = source.knots();
     first_ = knots.segment_at(from.place.time);
     last_ = knots.segment_at(to.place.time, Side::left);

@@ -58,6 +58,7 @@ struct PageSamples {
   std::vector<Eigen::Vector3d> positions{};              ///< [m], world; none or as many as times
   std::vector<double> error_times{};                     ///< [s], they do not decrease; empty: those of the path
   std::vector<double> errors{};  ///< [deg], angle to the reference; none or as many as times; NaN where it has no value
+  bool is_straight = false;      ///< orientations go the shortest way between samples, since their rates are noise
   std::optional<double> exactness{};  ///< [deg], the largest angle found between curve and drawing; absent: not known
 };
 

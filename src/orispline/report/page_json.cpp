@@ -93,6 +93,7 @@ std::string json_of(const PageSamples& samples, SharedLists shared) {
                     {"p", floats_json(samples.positions)},
                     {"error_t", std::move(shared.error_times)},
                     {"error_deg", shared.errors_are_many ? halves_json(samples.errors) : floats_json(samples.errors)},
+                    {"straight", samples.is_straight ? "true" : "false"},
                     {"exactness_deg", number_or_null(samples.exactness)}});
 }
 

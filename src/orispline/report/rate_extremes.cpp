@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t columns = 4096;           ///< of time, of which each keeps its extremes
 constexpr std::size_t most_places = 2'000'000;  ///< places of a curve
 constexpr double visible_share = 1.0 / 250.0, visible_jump = 1.0 / 1000.0;  ///< of the largest rate
+constexpr double visible_turn = 1e-5;                                       ///< [rad], of an orientation that jumps
 
 /// The places in one column of time where the three rates are least and largest.
 class ExtremesOfColumn {
@@ -157,6 +158,7 @@ std::vector<CurveNode> sides_of_knot(std::size_t segment, const NodeSource& sour
                          (right.angular_jerk - left.angular_jerk).norm()};
   for (std::size_t i = 0; i < jumps.size(); ++i)
     if (jumps[i] > visible_jump * scale.rates[i]) return sides;
+  if (angular_distance(left.orientation, right.orientation) > visible_turn) return sides;
   sides.erase(sides.begin());
   return sides;
 }

@@ -52,6 +52,8 @@ reportWith('on paper there is no bar, and tables and plots are whole', large, as
   assert.equal(cut, 0);
   assert.equal(await page.getByText('Three.').isVisible(), true);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 1032);
+  const [, width, height] = /MediaBox ?\[0 0 ([\d.]+) ([\d.]+)\]/.exec((await page.pdf({ preferCSSPageSize: true })).toString('latin1')).map(Number);
+  assert.ok(width > height, `${width} by ${height}`); // so many columns have no room on paper that is upright
 });
 
 reportWith('what is printed is light, and the page is dark again', large, async (page) => {

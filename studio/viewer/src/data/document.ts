@@ -13,7 +13,7 @@ type Written<T> = T extends Numbers ? Encoded : T extends object ? { [Name in ke
 type Shared = Encoded | { like: number };
 
 /** Optional members came with later versions, or are left out where there is nothing to say. */
-type WrittenSamples = Omit<Written<Samples>, 't' | 'error_t' | 'exactness_deg'> & { t: Shared; error_t: Shared; exactness_deg?: number | null };
+type WrittenSamples = Omit<Written<Samples>, 't' | 'error_t' | 'straight' | 'exactness_deg'> & { t: Shared; error_t: Shared; straight?: boolean; exactness_deg?: number | null };
 type WrittenMethod = Omit<Written<Method>, 'samples' | 'keys' | 'bands' | 'clock'> & {
   samples: WrittenSamples;
   keys: Written<Keys> | null;
@@ -37,6 +37,7 @@ const samplesOf = (samples: WrittenSamples, t: Numbers, error_t: Numbers): Sampl
   p: numbersOf(samples.p),
   error_t,
   error_deg: numbersOf(samples.error_deg),
+  straight: samples.straight ?? false,
   exactness_deg: samples.exactness_deg ?? null,
 });
 

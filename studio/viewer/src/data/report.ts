@@ -32,6 +32,7 @@ export interface Samples extends Path {
   p: Numbers; // [m], or empty
   error_t: Numbers; // empty: t
   error_deg: Numbers; // or empty
+  straight: boolean; // orientations go the shortest way between samples, since their rates are noise
   exactness_deg: number | null; // how far the cubic between the samples is from the curve at most; null: not known
 }
 

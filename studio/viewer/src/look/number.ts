@@ -31,7 +31,7 @@ export function roundStep(size: number): number {
 export const raised = (digits: string) => [...digits].map((digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)]).join('');
 
 /** Units and names as they are printed: `rad/s^2` and `rad/s2` as rad/s². */
-export const typeset = (text: string) => text.replace(/\^k\b/g, 'ᵏ').replace(/(?<=[a-z])\^?([23])(?![\w.])/g, (_, digit) => raised(digit));
+export const typeset = (text: string) => text.replace(/\|/g, '\u2060|\u2060').replace(/\^k\b/g, 'ᵏ').replace(/(?<=[a-z])\^?([23])(?![\w.])/g, (_, digit) => raised(digit));
 
 /** 10⁻³; nothing for 10⁰. */
 export const powerOfTen = (exponent: number) =>

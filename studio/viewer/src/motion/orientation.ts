@@ -45,12 +45,15 @@ function cubic(from: Quaternion, first: Vector, to: Quaternion, last: Vector): (
 
 const mostTurn = 20 * Math.PI; // in a third of a step: rates that turn more are not those of the samples
 
+/** With rates, unless these are noise. */
+type Rated = Path & { w?: Numbers; straight?: boolean };
+
 /** Between sample i and the next one, for 0 to 1: nothing where there is a gap. */
-export function segmentOf(path: Path & { w?: Numbers }, i: number): ((u: number) => Quaternion) | null {
-  const { t, w } = path;
+export function segmentOf(path: Rated, i: number): ((u: number) => Quaternion) | null {
+  const { t, w, straight } = path;
   if (isGap(path, i) || isGap(path, i + 1)) return null;
   const [from, to] = [quaternionAt(path, i), quaternionAt(path, i + 1)];
-  if (!w || w.length < 3 * t.length) return arc(from, to);
+  if (!w || straight || w.length < 3 * t.length) return arc(from, to);
   const third = (t[i + 1] - t[i]) / 3;
   const turn = (k: number): Vector => [third * w[3 * k], third * w[3 * k + 1], third * w[3 * k + 2]];
   const [first, last] = [turn(i), turn(i + 1)];
@@ -65,7 +68,7 @@ export function isShownAt(path: Path, t: number): boolean {
   return !isGap(path, i + 1) && (!isGap(path, i) || t >= path.t[i + 1]);
 }
 
-export function orientationAt(path: Path & { w?: Numbers }, t: number): Quaternion {
+export function orientationAt(path: Rated, t: number): Quaternion {
   const i = spanAt(path.t, t);
   const u = path.t.length > 1 ? fraction(path.t, i, t) : 0;
   return u > 0 && u < 1 ? segmentOf(path, i)!(u) : quaternionAt(path, i + u);

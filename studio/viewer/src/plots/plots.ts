@@ -42,7 +42,8 @@ export function exactness({ current, methodNamed }: Store): string {
   const reached = [first, second].flatMap((name) => methodNamed(name)?.samples.exactness_deg ?? []);
   if (reached.length === 0) return '';
   const within = Math.max(wanted, ...reached) + chordTolerance;
-  return `Curves are drawn within ${upwards(within)}°, the angle between two within ${upwards(2 * within)}°.`;
+  const isOne = !first || !second || first === second || [first, second].some((name) => methodNamed(name)?.clock);
+  return `Curves are drawn within ${upwards(within)}°${isOne ? '' : `, the angle between two within ${upwards(2 * within)}°`}.`;
 }
 
 const thinnedKeys = `Keys are marked where they are ${closestKeys} px apart; zoom in to see all.`;
