@@ -102,7 +102,7 @@ class AlignRates(CommandTest):
         self.write("few.csv", "t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n")
         self.assert_fails("align few.csv body.csv", BAD_DATA, "found 2 rates, wanted 8 at least")
         self.assert_fails("align mounted.csv body.csv --offset 100", BAD_USAGE,
-                          "--offset: found recordings of which fewer than 8 turns lie side by side with it, wanted an offset that brings "
+                          "--offset: found recordings of which fewer than 8 turns of 0.05 s lie side by side with it, wanted an offset that brings "
                           "them together, or none")
         self.assert_fails("align - -", BAD_USAGE, "found '-' for INPUT and for REFERENCE, wanted it for one at most")
 

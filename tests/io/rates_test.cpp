@@ -8,6 +8,10 @@
 #include <orispline/curve/motion.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/io/key_file.hpp>
+#include <orispline/io/key_input.hpp>
+#include <orispline/io/line_reader.hpp>
+#include <orispline/io/output_file.hpp>
+#include <orispline/io/rates_file.hpp>
 #include <orispline/io/sample_writer.hpp>
 #include <support/near.hpp>
 #include <support/specimens.hpp>
@@ -151,6 +155,37 @@ TEST(Rates, OfAnyNameAreThoseOfTheWorldWhereTheyAreMapped) {
                  {.columns = {{"wx_world", "wx"}, {"wy_world", "wy"}, {"wz_world", "wz"}}, .world_rates = true});
   ASSERT_EQ(data.angular_velocities.size(), 1u);
   EXPECT_TRUE(near(data.angular_velocities[0], Eigen::Vector3d(1, -2, -3), tolerance::algebra));
+}
+
+TEST(RatesOfAGyro, AreAloneWhereTheHeaderNamesNoOrientation) {
+  const auto are_alone = [](const std::string& content) {
+    auto input = KeyInput::open(test::TextFile(content).path());
+    EXPECT_TRUE(input);
+    const bool alone = holds_rates_alone(*input);
+    EXPECT_EQ(std::move(*input).lines().next()->value(), content.substr(0, content.find('\n')));  // from the beginning
+    return alone;
+  };
+  EXPECT_TRUE(are_alone("t,wx,wy,wz\n0,1,2,3\n"));
+  EXPECT_TRUE(are_alone("# from a boat\nTimestamp (us),wx_deg_s,wy_deg_s,wz_deg_s,ax,ay,az\n0,1,2,3,4,5,6\n"));
+  EXPECT_FALSE(are_alone("t,qw,qx,qy,qz,wx,wy,wz\n0,1,0,0,0,1,2,3\n"));
+  EXPECT_FALSE(are_alone("t,roll_deg,pitch_deg,yaw_deg,wx,wy,wz\n0,1,0,0,1,2,3\n"));
+  EXPECT_FALSE(are_alone("t,px,py,pz\n0,1,2,3\n"));
+  EXPECT_FALSE(are_alone("0 1 2 3\n"));
+}
+
+TEST(RatesOfAGyro, AreReadAsTheyAreWritten) {
+  const RateRows rows{
+      .exact_times = {Decimal::parse("1700000000.123456789").value(), Decimal::parse("1700000000.2").value()},
+      .rates = {{0.1, -2.0, 3e-7}, {1.0 / 3.0, 0.0, 1e9}}};
+  const test::ScratchDirectory folder;
+  auto file = OutputFile::open(folder.file("gyro.csv"));
+  ASSERT_TRUE(file);
+  ASSERT_TRUE(write_rates(*file, rows));
+  ASSERT_TRUE(file->finish());
+  const auto again = read_rates(folder.file("gyro.csv"));
+  ASSERT_TRUE(again) << describe(again.error());
+  EXPECT_EQ(again->exact_times, rows.exact_times);
+  EXPECT_EQ(again->rates, rows.rates);
 }
 
 }}  // namespace orispline::io

@@ -110,7 +110,7 @@ def test_what_is_found_can_be_shown_copied_and_kept():
     (lambda: ori.align(at_rest(6), at_rest(7)), ori.DataError, "found no change of the rates that stands out"),
     (lambda: ori.align(ori.Rates(TIMES, np.zeros((1500, 3))), poses()), ori.DataError, "wanted two recordings of one motion"),
     (lambda: ori.align(ori.Rates([0, 1], np.zeros((2, 3))), poses()), ori.DataError, "found 2 rates, wanted 8 at least"),
-    (lambda: ori.align(gyro(), poses(), offset=100), ori.ArgumentError, "offset: found recordings of which fewer than 8 turns"),
+    (lambda: ori.align(gyro(), poses(), offset=100), ori.ArgumentError, "offset: found recordings of which fewer than 8 turns of 0.05 s"),
     (lambda: ori.align(gyro(), poses(), offset=math.nan), ori.ArgumentError, "offset: found nan"),
     (lambda: ori.align(ori.Rates(TIMES[::-1], gyro().rates), poses()), ori.DataError, "does not come after the one before it"),
     (lambda: ori.align(gyro(), TIMES), TypeError, "b: found ndarray, wanted Keys or Rates"),

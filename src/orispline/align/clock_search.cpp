@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t most_candidates = 5;
 constexpr double most_intervals_of_shorter = 4096, most_intervals_of_longer = 65536, least_intervals = 32;
-constexpr double least_overlap = 0.5;  // of the shorter one
+constexpr double most_intervals = 1 << 20;  // of the longer one beside a much shorter one
+constexpr double least_overlap = 0.5;       // of the shorter one
 
 double duration_of(const AnyCurve& curve) { return curve.domain().end - curve.domain().start; }
 
@@ -105,6 +106,7 @@ std::vector<Eigen::Vector3d> turns_in_intervals(const AnyCurve& curve, double st
 
 std::vector<double> offsets_in_question(const AnyCurve& moved, const AnyCurve& fixed, double sampling_interval) {
   const double interval = interval_for(moved, fixed, sampling_interval);
+  if (!(std::max(duration_of(moved), duration_of(fixed)) <= most_intervals * interval)) return {};
   const double start = moved.domain().start - fixed.domain().start;
   std::vector<double> offsets;
   for (const Candidate& candidate : candidates(angles_turned(moved, interval), angles_turned(fixed, interval)))

@@ -11,7 +11,7 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// and the offset. The likeliest comes first.
 ///
 /// Both are cut into equal intervals, and what the body turns in each is compared, which no choice of axes changes. The
-/// motions overlap by half of the shorter one at least.
+/// motions overlap by half of the shorter one at least. None where one of them is 30 000 times as long as the other.
 [[nodiscard]] std::vector<double> offsets_in_question(const AnyCurve& moved, const AnyCurve& fixed,
                                                       double sampling_interval);
 

@@ -208,8 +208,9 @@ Expected<void> check_offset(const AlignOptions& options) {
   return bad_option("offset", formatted("found {}, wanted a finite time [s]", *options.offset));
 }
 
-tl::unexpected<Error> too_few_turns(const AlignOptions& options) {
-  const std::string found = formatted("found recordings of which fewer than {} turns lie side by side", least_aligned);
+tl::unexpected<Error> too_few_turns(const AlignOptions& options, double interval) {
+  const std::string found =
+      formatted("found recordings of which fewer than {} turns of {:.3g} s lie side by side", least_aligned, interval);
   if (options.offset)
     return bad_option("offset", found + " with it, wanted an offset that brings them together, or none");
   return failure(ErrorCode::bad_data, found + ", wanted two recordings of one motion at one time");
@@ -236,7 +237,7 @@ Expected<BesidePoses> beside_poses(const GyroTrack& gyro, const Track& body, con
   data.finds_body = options.body_turn;
   data.finds_offset = !offset;
   auto fit = best_rate_fit(sides, data, offset);
-  if (!fit) return too_few_turns(options);
+  if (!fit) return too_few_turns(options, sides.interval);
   fit_without_faults(*fit, data, *poses);
   if (auto checked = check_fit(*fit, sides, data); !checked) return tl::unexpected(std::move(checked.error()));
   RateAlignment found = alignment_of(*fit, data, sides, true);
@@ -290,7 +291,7 @@ Expected<RateAlignment> align(const GyroTrack& moved, const GyroTrack& fixed, co
   data.finds_body = options.body_turn;
   data.finds_offset = !options.offset;
   const auto fit = best_rate_fit(sides, data, options.offset);
-  if (!fit) return too_few_turns(options);
+  if (!fit) return too_few_turns(options, sides.interval);
   if (auto checked = check_fit(*fit, sides, data); !checked) return tl::unexpected(std::move(checked.error()));
   RateAlignment found = alignment_of(*fit, data, sides, false);
   found.rejected_fixed = rejected_rates(fixed.rates, *fixed_motion, *fit, data);

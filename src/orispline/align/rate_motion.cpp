@@ -8,6 +8,7 @@
 #include <orispline/align/clock_search.hpp>
 #include <orispline/align/steady_samples.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/key_check.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/median.hpp>
 #include <orispline/math/so3.hpp>
@@ -26,12 +27,16 @@ Expected<void> check_rates(const GyroRates& gyro) {
   if (gyro.times.size() < least_aligned)
     return failure(ErrorCode::bad_data,
                    formatted("found {} rates, wanted {} at least", gyro.times.size(), least_aligned));
-  for (std::size_t k = 0; k < gyro.times.size(); ++k)
+  for (std::size_t k = 0; k < gyro.times.size(); ++k) {
     if (!gyro.rates[k].allFinite() || !std::isfinite(gyro.times[k]) || (k > 0 && gyro.times[k] <= gyro.times[k - 1]))
       return failure(ErrorCode::bad_data,
                      formatted("rate {}: its time {} s or a number is not finite, or the time does not come after the "
                                "one before it",
                                k, gyro.times[k]));
+    if (!is_in_range(gyro.rates[k]))
+      return failure(ErrorCode::bad_data, formatted("rate {}: a component is {:.6g} rad/s, wanted {:.0e} at most", k,
+                                                    gyro.rates[k].cwiseAbs().maxCoeff(), largest_component));
+  }
   return {};
 }
 
