@@ -108,10 +108,20 @@ template <int Degree, class V, class Coefficient>
   return estrin<Degree>(Powers<V>(s), coefficient);
 }
 
+/// The same number. The engines of WebAssembly make a constant of several lanes by three instructions wherever it is
+/// used: one that the compiler does not know is kept from before the loop.
+template <class T>
+[[gnu::always_inline]] inline T kept(T number) {
+#ifdef __wasm__
+  asm("" : "+r"(number));
+#endif
+  return number;
+}
+
 template <class T, int N, class V>
 [[gnu::always_inline]] inline V polynomial(const T (&c)[N], const V& x) {
   return value<N - 1>(
-      x, [&c](int k) __attribute__((always_inline)) { return c[k]; });
+      x, [&c](int k) __attribute__((always_inline)) { return kept(c[k]); });
 }
 
 }  // namespace
