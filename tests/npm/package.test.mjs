@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the package holds: its entries, its types, its notices, and how large its parts are for who loads them.
 import assert from 'node:assert/strict';
-import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { brotliCompressSync, constants } from 'node:zlib';
@@ -38,6 +40,42 @@ test('its types are those of tests/npm/expected', () => {
   assert.deepEqual(names(folder), names(join(here, 'expected')));
   for (const name of names(folder))
     assert.equal(read(folder, name), read(here, 'expected', name), `${name} differs, wanted: cp build/npm/*.d.ts tests/npm/expected`);
+});
+
+test('a strict program in TypeScript knows its types', () => {
+  const place = mkdtempSync(join(tmpdir(), 'orispline-types-')), at = join(place, 'node_modules/orispline');
+  try {
+    mkdirSync(join(place, 'node_modules'));
+    symlinkSync(folder, at);
+    writeFileSync(join(place, 'program.ts'), `
+      import { load as loadLite, type Curve, type Samples, OrisplineError } from 'orispline/lite';
+      import { load } from 'orispline';
+      import { load as loadFull, type Outcome } from 'orispline/full';
+      import { player } from 'orispline/player';
+      import { animate, bake } from 'orispline/three';
+
+      const ori = await loadLite({ wasmUrl: 'lite.wasm' });
+      const curve: Curve = ori.curve('auto', { times: [0, 1], orientations: new Float32Array(8), order: 'xyzw' }, { tension: [1, 2], ends: 'natural', closed: true });
+      const target: Float64Array = curve.at(1, new Float64Array(4)), plain: number[] = curve.at(1);
+      const samples: Samples = curve.sample({ step: 0.1, rates: 2 });
+      const [times, values]: [Float32Array, Float32Array] = bake(curve, { tolerance: 1e-3 });
+      const track = animate(ori, { name: 'a', times, values, ValueTypeName: 'quaternion', more: 1 }, 'squad'), more: number = track.more;
+      const whole = (await load()).curve('least', { times, orientations: values, order: 'wxyz', signs: 'as-given' });
+      const again = player(whole.bake({ tolerance: 1e-5 })), order: number = whole.continuity().order;
+      const outcome: Outcome = (await loadFull()).run('reduce', { recording: { times, orientations: values, order: 'xyzw' } }, { tolerance: '1deg' });
+      export const all = [target, plain, samples, more, again, order, outcome, OrisplineError];
+      // @ts-expect-error the order is never guessed
+      ori.curve('auto', { times, orientations: values });
+      // @ts-expect-error lite has no baking
+      curve.bake({ tolerance: 1 });
+    `);
+    execFileSync(process.execPath, [join(process.env.ORISPLINE_NPM_TOOLS, 'typescript/bin/tsc'), '--noEmit', '--strict', '--exactOptionalPropertyTypes', '--target', 'ES2022', '--lib', 'ES2022,DOM',
+      '--module', 'ESNext', '--moduleResolution', 'bundler', '--types', '', join(place, 'program.ts')], { encoding: 'utf8', stdio: 'pipe' });
+  } catch (error) {
+    assert.fail(error.stdout ?? error);
+  } finally {
+    rmSync(place, { recursive: true });
+  }
 });
 
 /** As servers send it. The best quality, 11, takes a second for 500 kB. */

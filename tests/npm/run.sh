@@ -11,6 +11,15 @@ skip() {
 [ -f "$1/package.json" ] || skip "the npm package was not built, test npm.build says why"
 case $2 in
   package | player) ;;
+  browser)
+    [ -f "$1/full.wasm" ] || skip "the modules were not compiled; make web compiles them"
+    for browser in chromium chromium-browser google-chrome none; do
+      if command -v "$browser" >/dev/null; then break; fi
+    done
+    [ "$browser" != none ] || skip "Chromium is not here"
+    CHROMIUM=$(command -v "$browser")
+    export CHROMIUM
+    ;;
   consume | three) [ -f "$1/lite.wasm" ] || skip "the modules were not compiled; make web compiles them" ;;
   *) [ -f "$1/$2.wasm" ] || skip "the module $2.wasm was not compiled; make web compiles it" ;;
 esac

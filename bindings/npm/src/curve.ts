@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+/// <reference lib="esnext.disposable" preserve="true" />
 import type { Address, Engine } from './engine.js';
 import { OrisplineError, badArgument } from './errors.js';
 import { type KeyData, type Order, orderOf, withKeys } from './keys.js';
@@ -99,7 +100,10 @@ export class Curve implements Playable {
   at<Target extends Numbers = number[]>(time: number, target = [] as Numbers as Target): Target {
     this.engine.orientation(this.handle, time, this.orderNumber);
     const { numbers, numbersAt } = this.engine, from = numbersAt / 8;
-    for (let i = 0; i < 4; ++i) target[i] = numbers[from + i];
+    target[0] = numbers[from];
+    target[1] = numbers[from + 1];
+    target[2] = numbers[from + 2];
+    target[3] = numbers[from + 3];
     return target;
   }
 

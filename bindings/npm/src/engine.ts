@@ -58,9 +58,9 @@ export class Engine {
     return name in this.calls;
   }
 
-  /** All numbers of its memory. It is another array once the memory has grown, so nobody keeps it. */
+  /** All numbers of its memory. It is another array once the memory has grown, which empties this one, so nobody keeps it. */
   get numbers(): Float64Array {
-    if (this.view.buffer !== this.memory.buffer) this.view = new Float64Array(this.memory.buffer);
+    if (this.view.length === 0) this.view = new Float64Array(this.memory.buffer);
     return this.view;
   }
 

@@ -7,7 +7,7 @@ import { type LoadOptions, moduleOf } from './wasm.js';
 
 export type { Motion, SampleOptions, Samples } from './curve.js';
 export { type ErrorCode, type ErrorPlace, OrisplineError } from './errors.js';
-export type { Options, Outcome, TaskInputs } from './full_orispline.js';
+export type { KeyFile, Options, Outcome, TaskInputs, Warning } from './full_orispline.js';
 export type { KeyInfo, KeyTrack } from './key_track.js';
 export type { KeyData, Order } from './keys.js';
 export type { Setting, Settings } from './method.js';

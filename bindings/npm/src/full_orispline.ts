@@ -12,13 +12,28 @@ export type Options = Record<string, string | number | boolean | undefined>;
 /** Keys or recordings, by the name that a task has for them; several where it takes several. */
 export type TaskInputs = Record<string, KeyData | KeyTrack | (KeyData | KeyTrack)[]>;
 
+/** What is to be said of a result; docs/inspect-json.md has all members. */
+export interface Warning {
+  code: string;
+  message: string;
+  key?: number;
+  line?: number;
+  [number: string]: unknown;
+}
+
+/** A file of keys. */
+export interface KeyFile {
+  bytes: Uint8Array;
+  warnings: Warning[];
+}
+
 /** What a task found. */
 export interface Outcome {
   /** As the command's `--json` has it. */
   document: Record<string, unknown>;
   /** Sentences for people. */
   summary: string;
-  warnings: { code: string; message: string; key?: number; line?: number }[];
+  warnings: Warning[];
   /** The keys that it made. */
   tracks: KeyTrack[];
 }
@@ -39,16 +54,17 @@ export class FullOrispline extends Orispline<WholeCurve> {
       engine.made('orispline_keys_read', at, content.length, text, list, count)))));
   }
 
-  /** The bytes of a file of keys, whose name says of which format. */
-  write(keys: KeyData | KeyTrack, name: string, options: Options = {}): Uint8Array {
-    const { engine } = this, sizeAt = engine.numbersAt;
+  /** A file of keys, whose name says of which format. */
+  write(keys: KeyData | KeyTrack, name: string, options: Options = {}): KeyFile {
+    const { engine } = this, sizeAt = engine.numbersAt, warningsAt = sizeAt + 8;
     return this.withTrack(keys, (track) => engine.withText(name, (text) => this.withOptions(options, (list, count) => {
-      engine.check('orispline_keys_write', track, text, list, count, engine.handleAt, sizeAt);
-      const [at, size] = [engine.address(engine.handleAt), engine.address(sizeAt)];
+      engine.check('orispline_keys_write', track, text, list, count, engine.handleAt, sizeAt, warningsAt);
+      const [at, size, warnings] = [engine.handleAt, sizeAt, warningsAt].map((place) => engine.address(place));
       try {
-        return engine.bytes(at, size).slice();
+        return { bytes: engine.bytes(at, size).slice(), warnings: JSON.parse(engine.text(warnings)) };
       } finally {
         engine.free('orispline_text_free', at);
+        engine.free('orispline_text_free', warnings);
       }
     })));
   }

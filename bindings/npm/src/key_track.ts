@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+/// <reference lib="esnext.disposable" preserve="true" />
 import type { Address, Engine } from './engine.js';
 import { OrisplineError } from './errors.js';
 import { type KeyData, type Order, orderOf } from './keys.js';

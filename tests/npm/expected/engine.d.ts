@@ -18,7 +18,7 @@ export declare class Engine {
     /** `last`: a function that smaller modules lack. `system`: what the module asks for, if anything. */
     constructor(module: WebAssembly.Module, last: string, sentence: Sentence, system?: System);
     has(name: string): boolean;
-    /** All numbers of its memory. It is another array once the memory has grown, so nobody keeps it. */
+    /** All numbers of its memory. It is another array once the memory has grown, which empties this one, so nobody keeps it. */
     get numbers(): Float64Array;
     /** What a function returns. A trap is a fault of the library, after which its memory is not to be trusted. */
     call(name: string, ...values: number[]): number;

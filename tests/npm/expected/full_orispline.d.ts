@@ -7,18 +7,26 @@ import { WholeCurve } from './whole_curve.js';
 export type Options = Record<string, string | number | boolean | undefined>;
 /** Keys or recordings, by the name that a task has for them; several where it takes several. */
 export type TaskInputs = Record<string, KeyData | KeyTrack | (KeyData | KeyTrack)[]>;
+/** What is to be said of a result; docs/inspect-json.md has all members. */
+export interface Warning {
+    code: string;
+    message: string;
+    key?: number;
+    line?: number;
+    [number: string]: unknown;
+}
+/** A file of keys. */
+export interface KeyFile {
+    bytes: Uint8Array;
+    warnings: Warning[];
+}
 /** What a task found. */
 export interface Outcome {
     /** As the command's `--json` has it. */
     document: Record<string, unknown>;
     /** Sentences for people. */
     summary: string;
-    warnings: {
-        code: string;
-        message: string;
-        key?: number;
-        line?: number;
-    }[];
+    warnings: Warning[];
     /** The keys that it made. */
     tracks: KeyTrack[];
 }
@@ -28,8 +36,8 @@ export declare class FullOrispline extends Orispline<WholeCurve> {
     constructor(engine: Engine);
     /** The keys of a file in memory. Its name says what it is: `keys.csv`, `walk.bvh`. */
     read(bytes: Uint8Array | string, name: string, options?: Options): KeyTrack;
-    /** The bytes of a file of keys, whose name says of which format. */
-    write(keys: KeyData | KeyTrack, name: string, options?: Options): Uint8Array;
+    /** A file of keys, whose name says of which format. */
+    write(keys: KeyData | KeyTrack, name: string, options?: Options): KeyFile;
     /** The tasks with their inputs, options and results, as `orispline tasks --json` has them. */
     tasks(): Record<string, unknown>[];
     /** Runs a task: `run('reduce', { recording }, { tolerance: '0.1deg' })`. It takes as long as it takes: where that matters, run it in a worker. */

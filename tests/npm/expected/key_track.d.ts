@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" preserve="true" />
 import type { Address, Engine } from './engine.js';
 import { type KeyData, type Order } from './keys.js';
 /** What keys are, and what reading them found: docs/c.md has all members. */
