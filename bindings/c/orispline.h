@@ -363,7 +363,7 @@ typedef struct orispline_input {
 
 typedef struct orispline_outcome orispline_outcome;
 
-/// Runs a task: `smooth`, `tune`, `reduce`, `retime`, `mean`, `align` or `compare`, and what else there is.
+/// Runs a task: `smooth`, `tune`, `reduce`, `retime`, `bake`, `mean`, `align` or `compare`, and what else there is.
 ///
 /// `options`: texts, `tolerance=0.1deg`; what stands in none is at its default. `progress` may be null. Errors:
 /// ORISPLINE_BAD_ARGUMENT for a task, an input or an option that there is not, with the option; those of the task.
@@ -379,7 +379,7 @@ ORISPLINE_C_API const char *orispline_outcome_document(const orispline_outcome *
 ORISPLINE_C_API const char *orispline_outcome_summary(const orispline_outcome *outcome);
 /// JSON: the list of warnings, as of orispline_curve_warnings().
 ORISPLINE_C_API const char *orispline_outcome_warnings(const orispline_outcome *outcome);
-/// How many tracks there are: 1 of most tasks, as many as recordings of `reduce`, 0 of `compare`.
+/// How many tracks there are: 1 of most tasks, as many as recordings of `reduce`, 0 of `compare` and `bake`.
 ORISPLINE_C_API size_t orispline_outcome_track_count(const orispline_outcome *outcome);
 /// One of them, from 0, as keys of the caller. Where it is for the curve of a method it names it, so that
 /// orispline_curve_make() with a null method makes this curve.
