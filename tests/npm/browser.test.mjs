@@ -7,6 +7,7 @@ import { createRequire } from 'node:module';
 import { dirname, extname, join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { command, entry, flight, keysFile } from './flight.mjs';
+import { cases, differencesFrom } from './cases.mjs';
 
 const tools = createRequire(join(process.env.ORISPLINE_NPM_TOOLS, 'x'));
 const { chromium } = tools('playwright-core'), { build } = tools('esbuild');
@@ -43,6 +44,12 @@ for (const [name, method] of [['lite', 'auto'], ['lite', 'squad'], ['inline', 't
   test(`${name} gives by ${method} what it gives in Node`, async () => {
     const there = await page.evaluate(`(async () => (${motionOf})(await import('./${name}.js'), ${JSON.stringify(flight)}, '${method}'))()`);
     assert.equal(there, await motionOf(await entry(name), flight, method));
+  });
+
+for (const [name, bulk] of [['lite', false], ['index', true], ['full', true]])
+  test(`${name} gives what the cases of the C interface say, bit for bit`, async () => {
+    const found = await page.evaluate(`(async () => (${differencesFrom})(${JSON.stringify(cases)}, await (await import('./${name}.js')).load(), ${bulk}))()`);
+    assert.deepEqual(found, []);
   });
 
 test('a worker makes curves of a module that its page has compiled', async () => {

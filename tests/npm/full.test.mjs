@@ -6,11 +6,14 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { command, entry, flight, keysFile, opened, sampled, thrown } from './flight.mjs';
+import { cases, differencesFrom } from './cases.mjs';
 
 const full = await entry('full'), ori = await full.load();
 const folder = mkdtempSync(join(tmpdir(), 'orispline-full-'));
 after(() => rmSync(folder, { recursive: true }));
 const text = readFileSync(keysFile, 'utf8'), truth = readFileSync(join(keysFile, '../flight_truth.csv'));
+
+test('it gives what the cases of the C interface say, bit for bit', () => assert.deepEqual(differencesFrom(cases, ori, true), []));
 
 test('a file that is read has the keys of the file and what it says of them', () => {
   const keys = ori.read(text, 'flight_keys.csv'), { times, orientations, positions } = keys.data('wxyz');

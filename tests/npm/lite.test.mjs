@@ -7,10 +7,13 @@ import { test } from 'node:test';
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import { apart, command, entry, flight, keysFile, opened, sampled, three, thrown } from './flight.mjs';
+import { cases, differencesFrom } from './cases.mjs';
 
 const lite = await entry('lite'), ori = await lite.load();
 const wasm = join(process.env.ORISPLINE_NPM, 'lite.wasm');
 const wanted = ['auto', 'slerp', 'squad', 'timed-c2'];
+
+test('it gives what the cases of the C interface say, bit for bit', () => assert.deepEqual(differencesFrom(cases, ori, false), []));
 
 test('every method moves the flight as the command does, with rates and positions', () => {
   for (const method of ['auto', 'slerp', 'squad', 'timed-c2', 'timed-c2:tension=0.3:ends=natural']) {

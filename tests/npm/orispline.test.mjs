@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { apart, command, entry, flight, keysFile, opened, sampled, three, thrown } from './flight.mjs';
+import { cases, differencesFrom } from './cases.mjs';
 
 const whole = await entry('index'), ori = await whole.load();
 const { player } = await entry('player');
@@ -11,6 +12,8 @@ const registry = JSON.parse(command('methods', '--json'));
 
 /** Those that the keys of the flight are enough for: `bezier` wants 37 or 40, those of Hermite want rates. */
 const methods = registry.map(({ name }) => name).filter((name) => name !== 'bezier' && !name.startsWith('hermite-c'));
+
+test('it gives what the cases of the C interface say, bit for bit', () => assert.deepEqual(differencesFrom(cases, ori, true), []));
 
 test('methods() says what the registry says', () => assert.deepEqual(ori.methods(), registry));
 

@@ -2,8 +2,12 @@
 #include <orispline/jobs/baked_file.hpp>
 
 #include <bit>
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include <orispline/base/formatted.hpp>
