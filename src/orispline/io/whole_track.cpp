@@ -61,7 +61,7 @@ Expected<TrackFile> read_whole_track(const Input& from, Reading reading, const C
   if (!input) return tl::unexpected(std::move(input.error()));
   const auto family = curves.named(input->recipe(), from.name());
   if (!family) return tl::unexpected(family.error());
-  const std::vector<const FamilyInfo*> named(*family ? 1 : 0, *family);
+  const std::vector<const FamilyInfo*> named(*family ? 1 : 0, family->get());
   auto file = read_track(std::move(*input), read_for_all(named, curves.families, reading.options), reading.signs);
   const bool is_whole = file && (!has_more_than_motion(*file) || file->repairs.invalid_dropped == 0);
   if (is_whole || from.is_standard_input()) return file;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,7 +18,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 struct CurvesOfKeys {
   std::span<const FamilyInfo> families;  ///< all that there are
   /// That of the method which keys of this name are for; null where they name none.
-  Expected<const FamilyInfo*> (*named)(const Recipe& recipe, std::string_view file);
+  Expected<std::shared_ptr<const FamilyInfo>> (*named)(const Recipe& recipe, std::string_view file);
   std::string (*words)(const Error& error);  ///< for people
 };
 

@@ -48,9 +48,12 @@ Expected<ChosenMethod> chosen_method(const std::optional<Method>& named, const T
   });
 }
 
-Expected<const FamilyInfo*> family_named(const Recipe& recipe, std::string_view file) {
-  return method_of(recipe, file).and_then([](const std::optional<Method>& method) {
-    return method ? family_of_method(*method) : Expected<const FamilyInfo*>(nullptr);
+Expected<std::shared_ptr<const FamilyInfo>> family_named(const Recipe& recipe, std::string_view file) {
+  using Family = std::shared_ptr<const FamilyInfo>;
+  return method_of(recipe, file).and_then([](std::optional<Method> stated) -> Expected<Family> {
+    if (!stated) return Family();
+    const auto method = std::make_shared<const Method>(std::move(*stated));  // whose rows the family may be made of
+    return family_of_method(*method).map([&](const FamilyInfo* family) { return Family(method, family); });
   });
 }
 

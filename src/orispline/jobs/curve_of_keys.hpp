@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -66,7 +67,8 @@ using Shaping = std::function<Expected<Method>(Method method, NamedBy by)>;
 
 /// The family of the method that the keys of a file are for; null where they name none. Error (bad_data): a recipe that
 /// cannot be read.
-[[nodiscard]] ORISPLINE_EXPORT Expected<const FamilyInfo*> family_named(const Recipe& recipe, std::string_view file);
+[[nodiscard]] ORISPLINE_EXPORT Expected<std::shared_ptr<const FamilyInfo>> family_named(const Recipe& recipe,
+                                                                                        std::string_view file);
 
 /// The family of a method that was understood.
 [[nodiscard]] ORISPLINE_EXPORT const FamilyInfo& family_of(const Method& method);
