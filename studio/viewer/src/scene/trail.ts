@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines as wide in pixels as they are to be, broken where there are gaps.
-import { BufferGeometry, Color, Group, InterleavedBuffer, InterleavedBufferAttribute, LinearSRGBColorSpace, Mesh, Vector4, type GreaterDepth, type WebGLProgramParametersWithUniforms, type WebGLRenderer } from 'three';
+import { BufferGeometry, Color, Group, InterleavedBuffer, InterleavedBufferAttribute, LinearSRGBColorSpace, Mesh, Vector4, type BufferAttribute, type GreaterDepth, type WebGLProgramParametersWithUniforms, type WebGLRenderer } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import type { Colours } from '../look/theme';
@@ -31,6 +31,23 @@ function segmentsOf(points: Float32Array): Float32Array {
     length += 6;
   }
   return segments.subarray(0, length);
+}
+
+const smooth = 0.985; // cosine of a bend at which no gap is seen
+
+/** Whether a segment goes on where the one before it ended, with hardly a bend. */
+function goesOn(segments: Float32Array, i: number): boolean {
+  if (i === 0 || 6 * i >= segments.length) return false;
+  const [from, at, to] = [6 * i - 6, 6 * i, 6 * i + 3];
+  let [along, before, after] = [0, 0, 0];
+  for (let k = 0; k < 3; ++k) {
+    if (segments[from + 3 + k] !== segments[at + k]) return false;
+    const [one, next] = [segments[at + k] - segments[from + k], segments[to + k] - segments[at + k]];
+    along += one * next;
+    before += one * one;
+    after += next * next;
+  }
+  return along > smooth * Math.sqrt(before * after);
 }
 
 /** In the fog's colour alone, a line would veil what is behind it. */
@@ -84,7 +101,21 @@ export class Trail {
     const { data } = geometry.getAttribute('instanceStart') as InterleavedBufferAttribute;
     for (let i = 0; i < corners * segments.length; ++i) data.array[i] = segments[6 * Math.floor(i / 6 / corners) + (i % 6)];
     data.needsUpdate = true;
-    geometry.setDrawRange(0, count * segment.index!.count);
+    geometry.setDrawRange(0, this.join(segments, geometry.index!));
+  }
+
+  /** Ends of segments are round where these do not go on in each other. The number of corners of all triangles. */
+  private join(segments: Float32Array, index: BufferAttribute): number {
+    const [end, middle, start] = [0, 6, 12].map((first) => segment.index!.array.slice(first, first + 6));
+    let length = 0;
+    const add = (part: typeof end, i: number) => part.forEach((corner) => (index.array[length++] = corners * i + corner));
+    for (let i = 0; 6 * i < segments.length; ++i) {
+      add(middle, i);
+      if (!goesOn(segments, i)) add(start, i);
+      if (!goesOn(segments, i + 1)) add(end, i);
+    }
+    index.needsUpdate = true;
+    return length;
   }
 
   private makeRoom(room: number): void {
