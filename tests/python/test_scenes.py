@@ -262,6 +262,8 @@ def test_the_page_of_a_scene_is_that_of_inspect(arm, tmp_path):
     mine, other = shown(tmp_path / "mine.html"), shown(tmp_path / "by_command.html")
     assert mine["title"] == "arm.bvh: 3 joints, 1 clip"
     assert mine["skeleton"] == other["skeleton"] and mine["skeleton"]["after"] == "" and mine["notes"] == other["notes"]
+    arm.clips[0].report(tmp_path / "clip.html")
+    assert shown(tmp_path / "clip.html")["skeleton"] == mine["skeleton"], "it is the only clip"
     small, reduction = ori.reduce_scene(arm, "1deg")
     reduction.report(tmp_path / "reduced.html")
     assert shown(tmp_path / "reduced.html")["skeleton"]["after"] == "reduced"
@@ -271,6 +273,15 @@ def test_the_page_of_a_scene_is_that_of_inspect(arm, tmp_path):
     assert shown_keys == [[keys, 0] for keys in [*kept, 0]]
     with pytest.raises(ori.AccessError, match="none"):
         arm.report(tmp_path / "none" / "page.html")
+
+
+def test_the_page_of_a_clip_has_no_other(tmp_path):
+    nodes = [{"name": "bone"}]
+    scene = ori.read_scene(gltf(tmp_path / "two.gltf", nodes, [animation(), animation()]))
+    scene.clips[1].report(tmp_path / "second.html")
+    scene.report(tmp_path / "both.html")
+    one, both = (shown(tmp_path / name)["skeleton"]["clips"] for name in ("second.html", "both.html"))
+    assert (len(one), len(both)) == (1, 2) and one[0]["joints"] == both[1]["joints"]
 
 
 def test_what_is_wrong_is_named(arm, tmp_path):

@@ -68,7 +68,7 @@ def smoothed_scene(tmp_path):
 
 RESULTS = {"curve": lambda _: CURVE, "comparison": lambda _: ori.compare(RECORDING, ["slerp", "auto"]),
            "smoothing": lambda _: ori.smooth(RECORDING), "reduction": lambda _: ori.reduce(RECORDING, "2deg"),
-           "retiming": lambda _: ori.retime(CURVE.keys, max_rate=1), "skeleton": reduced_scene, "scene": scene, "smoothed scene": smoothed_scene}
+           "retiming": lambda _: ori.retime(CURVE.keys, max_rate=1), "skeleton": reduced_scene, "scene": scene, "clip": lambda folder: scene(folder).clips[0], "smoothed scene": smoothed_scene}
 
 
 @pytest.mark.parametrize("name", RESULTS)

@@ -226,9 +226,12 @@ jobs::MotionFile motion_of(const SharedScene& shared) {
           .has_no_unit = has_no_unit(scene)};
 }
 
-nb::bytes page_of_scene(const SharedScene& shared, const std::string& date) {
+/// Of all clips, or of one.
+nb::bytes page_of_scene(const SharedScene& shared, const std::string& date, std::optional<std::size_t> clip) {
   return bytes_of([&] {
-    const auto outcome = jobs::inspect_scene({.file = motion_of(shared)});
+    jobs::MotionFile file = motion_of(shared);
+    if (clip) file.clips = {clip_of(shared, *clip)};
+    const auto outcome = jobs::inspect_scene({.file = std::move(file)});
     return report::skeleton_document(page_of(outcome, pages::PageHead{.date = date}));
   });
 }
@@ -266,7 +269,7 @@ void add_scenes(nb::module_& module) {
       .def_prop_ro("skeleton", &skeleton_of)
       .def_prop_ro("clips", &clips_of)
       .def("channels", &channels_of, "clip"_a)
-      .def("page", &page_of_scene, "date"_a)
+      .def("page", &page_of_scene, "date"_a, "clip"_a = nb::none())
       .def("shell_distances", &shell_distances, "second"_a, "shell"_a)
       .def("reduced", &reduce_scene, "method"_a, "options"_a, "closed"_a, "position_scale"_a.none(), "threads"_a)
       .def("smoothed", &smooth_scene, "options"_a, "threads"_a)

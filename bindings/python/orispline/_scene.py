@@ -90,8 +90,8 @@ class Channel:
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Clip:
-    """One animation of a skeleton.
+class Clip(Viewed):
+    """One animation of a skeleton. Its page shows the skeleton as it moves.
 
     Attributes
     ----------
@@ -115,6 +115,10 @@ class Clip:
         return tuple(Channel(self._names[joint], joint, kind, interpolation, times, *(
             _ordered(rows, kind == "rotation" and self._scalar_first) for rows in arrays))
             for joint, kind, interpolation, times, *arrays in self._core.channels(self._index))
+
+    def _page(self) -> bytes:
+        """The skeleton as this clip moves it."""
+        return bytes(self._core.page(now(), self._index))
 
     def __repr__(self) -> str:
         return f"Clip({self.name!r}, {self.start:g} … {self.end:g} s)"
