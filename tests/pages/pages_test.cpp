@@ -298,7 +298,7 @@ TEST(ComparePage, DrawsTheLargestErrorOfEveryFewSamplesOfAllMethodsAtTheSameTime
                                                  .measures = measures_of({MeasureGroup::distance}),
                                                  .gap = 1.0},
                                                 head);
-  EXPECT_EQ(page.notes.back(), "A drawn error is the largest of 5 samples. The table counts all samples.");
+  EXPECT_EQ(page.notes.back(), "A drawn error is the largest of about 5 samples. The table counts all samples.");
   for (const report::PageMethod& method : page.methods) {
     const auto& [t, errors] = std::pair(method.samples.error_times, method.samples.errors);
     EXPECT_EQ(t, page.methods[0].samples.error_times);

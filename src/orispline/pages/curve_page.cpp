@@ -117,8 +117,8 @@ report::Covers covers_of(std::span<const double> times, std::optional<double> ga
 
 std::vector<std::string> notes_on_samples(std::size_t samples, std::size_t drawn) {
   if (samples <= drawn) return {};
-  return {formatted("A drawn error is the largest of {:.3g} samples. The table counts all samples.",
-                    static_cast<double>(samples) / static_cast<double>(drawn))};
+  return {formatted("A drawn error is the largest of about {} samples. The table counts all samples.",
+                    (samples + drawn / 2) / drawn)};
 }
 
 report::PageMethod with_errors(report::PageMethod method, const report::PageErrors& errors,
