@@ -13,8 +13,8 @@ import sys
 
 HEAD = """The library, the command and the Python package of orispline hold compiled code of the packages below. The
 library's page of the reports and the package's widget of notebooks hold that of three.js and uPlot. The WebAssembly of the npm package holds
-that of Eigen, fmt, tl::expected, SIMDe, libc++, compiler-rt, wasi-libc, musl and cloudlibc; where it has files, of fast_float and
-nlohmann-json too. The licences stand once, behind all packages.
+that of Eigen, fmt, tl::expected, SIMDe, libc++, libc++abi, compiler-rt, wasi-libc, musl, cloudlibc and dlmalloc; where it has files, of
+fast_float and nlohmann-json too. The licences stand once, behind all packages.
 Written by tools/make_third_party.py.
 """
 
@@ -33,22 +33,27 @@ NOTICES = {
         "Copyright (c) 2017-2022 University of Cincinnati, developed by Henry Schreiner under NSF AWARD 1414736. All rights reserved.",)),
     "cloudlibc": Notice("https://github.com/NuxiNL/cloudlibc", "BSD-2-Clause", ("Copyright (c) 2015-2017 Nuxi (https://nuxi.nl/) and contributors",)),
     "compiler-rt": Notice("https://compiler-rt.llvm.org", "Apache-2.0-LLVM", ("Copyright (c) 2009-2019 the LLVM project's contributors",)),
+    "dlmalloc": Notice("https://gee.cs.oswego.edu/dl/html/malloc.html", "CC0-1.0", ("Written by Doug Lea",)),
     "Eigen": Notice("https://gitlab.com/libeigen/eigen", "MPL-2.0", (
         "Copyright (C) 2006-2013 Benoit Jacob", "Copyright (C) 2008-2013 Gael Guennebaud", "and other authors, named in its source",)),
     "fast_float": Notice("https://github.com/fastfloat/fast_float", "MIT", ("Copyright (c) 2021 The fast_float authors",)),
     "fmt": Notice("https://github.com/fmtlib/fmt", "MIT", ("Copyright (c) 2012 - present, Victor Zverovich and {fmt} contributors",)),
     "libc++": Notice("https://libcxx.llvm.org", "Apache-2.0-LLVM", ("Copyright (c) 2009-2019 the LLVM project's contributors",)),
+    "libc++abi": Notice("https://libcxxabi.llvm.org", "Apache-2.0-LLVM", ("Copyright (c) 2009-2019 the LLVM project's contributors",)),
     "musl": Notice("https://musl.libc.org", "MIT", ("Copyright (c) 2005-2020 Rich Felker, et al.",)),
     "nanobind": Notice("https://github.com/wjakob/nanobind", "BSD-3-Clause", (
         "Copyright (c) 2022 Wenzel Jakob <wenzel.jakob@epfl.ch>, All rights reserved.",)),
     "nlohmann-json": Notice("https://github.com/nlohmann/json", "MIT", (
         "Copyright (c) 2013-2022 Niels Lohmann", "Copyright (c) 2009 Florian Loitsch (its Grisu2)",
         "Copyright (c) 2008-2009 Bjoern Hoehrmann (its decoder of UTF-8)")),
-    "SIMDe": Notice("https://github.com/simd-everywhere/simde", "MIT", ("Copyright (c) 2013-2021 Evan Nemerson <evan@nemerson.com>", "and other authors, named in its source")),
+    "SIMDe": Notice("https://github.com/simd-everywhere/simde", "MIT", (
+        "Copyright (c) 2013-2021 Evan Nemerson <evan@nemerson.com>", "Copyright (c) 2015-2017 John W. Ratcliff <jratcliffscarab@gmail.com>",
+        "Copyright (c) 2015 Brandon Rowlett <browlett@nvidia.com>", "Copyright (c) 2015 Ken Fast <kfast@gdeb.com>",
+        "Copyright (c) 2017 Hasindu Gamaarachchi <hasindu@unsw.edu.au>", "Copyright (c) 2018 Jeff Daily <jeff.daily@amd.com>")),
     "three.js": Notice("https://threejs.org", "MIT", ("Copyright (c) 2010-2026 three.js authors",)),
     "tl::expected": Notice("https://github.com/TartanLlama/expected", "CC0-1.0", ("Written in 2017 by Simon Brand",)),
     "uPlot": Notice("https://github.com/leeoniya/uPlot", "MIT", ("Copyright (c) 2022 Leon Sorokin",)),
-    "wasi-libc": Notice("https://github.com/WebAssembly/wasi-libc", "CC0-1.0", ("Copyright (c) 2018-2020 Dan Gohman <sunfish@mozilla.com>", "and its contributors")),
+    "wasi-libc": Notice("https://github.com/WebAssembly/wasi-libc", "Apache-2.0-LLVM", ("Copyright (c) 2018-2020 Dan Gohman <sunfish@mozilla.com>", "and its contributors")),
 }
 
 

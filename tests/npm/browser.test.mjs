@@ -69,10 +69,11 @@ test('the player plays in a page', async () => {
   assert.deepEqual(there, (await entry('player')).player(JSON.parse(file)).at(17.3));
 });
 
-test('a file that is not there is told in one sentence', async () => {
-  const said = await page.evaluate(`(async () => (await import('./lite.js')).load({ wasmUrl: 'no/such.file' }).catch(({ code, message }) => [code, message]))()`);
-  assert.deepEqual(said, ['bad_access', 'no/such.file: found no WebAssembly there (404), wanted the .wasm of this package: give its place as wasmUrl']);
-});
+for (const [what, wasmUrl, reason] of [['a file that is not there', 'no/such.file', '404'], ['a page in the place of the file', 'empty.html', 'text/html']])
+  test(`${what} is told in one sentence`, async () => {
+    const said = await page.evaluate(`(async () => (await import('./lite.js')).load({ wasmUrl: '${wasmUrl}' }).catch(({ code, message }) => [code, message]))()`);
+    assert.deepEqual(said, ['bad_access', `${wasmUrl}: found no WebAssembly there (${reason}), wanted the .wasm of this package: give its place as wasmUrl`]);
+  });
 
 for (const [what, code] of [
   ['wasmUrl', "import wasmUrl from './lite.wasm'; import { load } from './lite.js'; globalThis.made = load({ wasmUrl });"],

@@ -33,6 +33,9 @@ test('its version is that of the project', () => {
 
 test('it holds the licence and the notices', () => {
   for (const file of ['LICENSE', 'NOTICE', 'THIRD_PARTY', 'README.md']) assert.ok(read(folder, file).length > 100, file);
+  const linked = ['Eigen', 'fmt', 'tl::expected', 'fast_float', 'nlohmann-json', 'SIMDe', 'libc++', 'libc++abi', 'compiler-rt', 'wasi-libc', 'musl', 'cloudlibc', 'dlmalloc'];
+  const named = [...read(folder, 'THIRD_PARTY').matchAll(/^(\S+) \(https:/gm)].map(([, name]) => name);
+  assert.deepEqual(linked.filter((name) => !named.includes(name)), []);
 });
 
 test('its types are those of tests/npm/expected', () => {

@@ -15,6 +15,11 @@ const withSimd = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 1
 const noAccess = (url: URL | string, reason: unknown): OrisplineError =>
   new OrisplineError('bad_access', `${url}: found no WebAssembly there (${reason}), wanted the .wasm of this package: give its place as wasmUrl`, { option: 'wasmUrl' });
 
+const bytesOf = (source: BufferSource): Uint8Array<ArrayBuffer> =>
+  ArrayBuffer.isView(source) ? new Uint8Array(source.buffer as ArrayBuffer, source.byteOffset, source.byteLength) : new Uint8Array(source);
+
+const isWasm = (bytes: Uint8Array): boolean => [0, 97, 115, 109].every((byte, k) => bytes[k] === byte);
+
 const fetched = async (url: URL | string): Promise<BufferSource> => {
   try {
     if (String(url).startsWith('file:')) {
@@ -23,19 +28,19 @@ const fetched = async (url: URL | string): Promise<BufferSource> => {
       if (node?.getBuiltinModule) return node.getBuiltinModule('node:fs').readFileSync(new URL(url));
     }
     const response = await fetch(url);
-    if (response.ok) return await response.arrayBuffer();
-    throw response.status;
+    if (!response.ok) throw response.status;
+    const bytes = await response.arrayBuffer();
+    // Servers that know no such file may answer with a page of theirs, as that of Vite does.
+    if (!isWasm(bytesOf(bytes))) throw response.headers.get('content-type');
+    return bytes;
   } catch (reason) {
     throw noAccess(url, reason instanceof Error ? reason.message : reason);
   }
 };
 
-const bytesOf = (source: BufferSource): Uint8Array<ArrayBuffer> =>
-  ArrayBuffer.isView(source) ? new Uint8Array(source.buffer as ArrayBuffer, source.byteOffset, source.byteLength) : new Uint8Array(source);
-
 const compiled = async (source: BufferSource): Promise<WebAssembly.Module> => {
   const bytes = bytesOf(source);
-  if (bytes[0] !== 0 || bytes[1] !== 97 || bytes[2] !== 115 || bytes[3] !== 109)
+  if (!isWasm(bytes))
     throw new OrisplineError('bad_data', `found ${bytes.length} bytes that are no WebAssembly, wanted the .wasm of this package`, { option: 'wasm' });
   try {
     return await WebAssembly.compile(bytes);
