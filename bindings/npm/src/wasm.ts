@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the compiled code comes from: a file beside the script, or what the user gives.
-import { OrisplineError } from './errors.js';
+import { OrisplineError, badArgument } from './errors.js';
 
 export interface LoadOptions {
   /** The compiled code itself, its bytes or a compiled module: for places that cannot fetch. */
@@ -30,8 +30,12 @@ const fetched = async (url: URL | string): Promise<BufferSource> => {
   }
 };
 
-const bytesOf = (source: BufferSource): Uint8Array<ArrayBuffer> =>
-  ArrayBuffer.isView(source) ? new Uint8Array(source.buffer as ArrayBuffer, source.byteOffset, source.byteLength) : new Uint8Array(source);
+/** The bytes of what holds some. */
+export const bytesOf = (source: ArrayBuffer | ArrayBufferView): Uint8Array<ArrayBuffer> => {
+  if (ArrayBuffer.isView(source)) return new Uint8Array(source.buffer as ArrayBuffer, source.byteOffset, source.byteLength);
+  if (!(source?.byteLength >= 0)) throw badArgument('bytes', `found neither an ArrayBuffer nor an array of bytes, wanted one of them`);
+  return new Uint8Array(source);
+};
 
 const compiled = async (source: BufferSource): Promise<WebAssembly.Module> => {
   const bytes = bytesOf(source);
