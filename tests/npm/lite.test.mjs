@@ -194,6 +194,18 @@ test('after a trap every call says that there was one', async () => {
   curve.dispose();
 });
 
+test('where memory has run out, that is said, and not that there is a fault', async () => {
+  let library, exports;
+  const fall = () => {
+    Object.defineProperty(exports.memory, 'buffer', { value: { byteLength: 4e9 } });
+    throw new WebAssembly.RuntimeError('unreachable');
+  };
+  ({ library, exports } = await opened(lite.load, { orispline_curve_orientation: fall }));
+  const curve = library.curve('auto', three);
+  for (const call of [() => curve.at(1), () => library.curve('auto', three)])
+    assert.throws(call, { code: 'no_memory', message: /^found no memory left beside the 4000000000 bytes in use, wanted fewer curves at once/ });
+});
+
 test('an argument that is no number, or has code of its own, is no fault of the library', async () => {
   const library = await lite.load(), curve = library.curve('auto', three), same = curve.at(1);
   for (const time of [1n, Symbol('x'), { valueOf() { throw new Error('mine'); } }]) assert.equal(thrown(() => curve.at(time)).code, 'bad_argument');

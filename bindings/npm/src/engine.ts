@@ -197,7 +197,11 @@ export class Engine {
     const other = values.find((value) => typeof value !== 'number');
     if (other !== undefined && !(trap instanceof WebAssembly.RuntimeError))
       return new OrisplineError('bad_argument', `found a ${typeof other}, wanted a number`);
-    this.fault = new OrisplineError('fault', `found a fault of orispline (${this.lastWords() || (trap as Error).message}), wanted none: please report it; load() gives a sound one anew`);
+    // Compiled code that gets no memory ends too. It asks for more than is left, which is seen where much is used.
+    const used = this.memory.buffer.byteLength;
+    this.fault = used > mostMemory / 2
+      ? new OrisplineError('no_memory', `found no memory left beside the ${used} bytes in use, wanted fewer curves at once, or larger ones disposed of; load() gives a sound library anew`)
+      : new OrisplineError('fault', `found a fault of orispline (${this.lastWords() || (trap as Error).message}), wanted none: please report it; load() gives a sound one anew`);
     return this.fault;
   }
 }

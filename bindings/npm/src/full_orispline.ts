@@ -50,7 +50,7 @@ export class FullOrispline extends Orispline<WholeCurve> {
 
   /** The keys of a file in memory. Its name says what it is: `keys.csv`, `walk.bvh`. */
   read(bytes: ArrayBuffer | ArrayBufferView | string, name: string, options: Options = {}): KeyTrack {
-    const { engine } = this, content = typeof bytes === 'string' ? new TextEncoder().encode(bytes) : bytesOf(bytes);
+    const { engine } = this, content = typeof bytes === 'string' ? new TextEncoder().encode(bytes) : bytesOf('bytes', bytes);
     return this.track(engine.withBytes(content, (at) => engine.withText(name, (text) => this.withOptions(options, (list, count) =>
       engine.made('orispline_keys_read', at, content.length, text, list, count)))));
   }

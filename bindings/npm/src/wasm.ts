@@ -31,14 +31,14 @@ const fetched = async (url: URL | string): Promise<BufferSource> => {
 };
 
 /** The bytes of what holds some. */
-export const bytesOf = (source: ArrayBuffer | ArrayBufferView): Uint8Array<ArrayBuffer> => {
+export const bytesOf = (option: string, source: ArrayBuffer | ArrayBufferView): Uint8Array<ArrayBuffer> => {
   if (ArrayBuffer.isView(source)) return new Uint8Array(source.buffer as ArrayBuffer, source.byteOffset, source.byteLength);
-  if (!(source?.byteLength >= 0)) throw badArgument('bytes', `found neither an ArrayBuffer nor an array of bytes, wanted one of them`);
+  if (!(source?.byteLength >= 0)) throw badArgument(option, `found neither an ArrayBuffer nor an array of bytes, wanted one of them`);
   return new Uint8Array(source);
 };
 
 const compiled = async (source: BufferSource): Promise<WebAssembly.Module> => {
-  const bytes = bytesOf(source);
+  const bytes = bytesOf('wasm', source);
   if (bytes[0] !== 0 || bytes[1] !== 97 || bytes[2] !== 115 || bytes[3] !== 109)
     throw new OrisplineError('bad_data', `found ${bytes.length} bytes that are no WebAssembly, wanted the .wasm of this package`, { option: 'wasm' });
   try {

@@ -5,6 +5,6 @@ export interface LoadOptions {
     wasmUrl?: string | URL;
 }
 /** The bytes of what holds some. */
-export declare const bytesOf: (source: ArrayBuffer | ArrayBufferView) => Uint8Array<ArrayBuffer>;
+export declare const bytesOf: (option: string, source: ArrayBuffer | ArrayBufferView) => Uint8Array<ArrayBuffer>;
 /** The module that the user gives, else that of the file beside the script. */
 export declare const moduleOf: ({ wasm, wasmUrl }: LoadOptions, besideScript: URL) => Promise<WebAssembly.Module>;
