@@ -69,6 +69,22 @@ for (const [call, about] of [
     assert.equal(error.message.includes('\n'), false);
   });
 
+test('a file may be any bytes, and its options and names are whole', () => {
+  const bytes = new TextEncoder().encode(text), shared = new Uint8Array(new SharedArrayBuffer(bytes.length));
+  shared.set(bytes);
+  for (const content of [text, bytes, bytes.buffer, new DataView(bytes.buffer), shared]) assert.equal(ori.read(content, 'a.csv').info.count, 38);
+  for (const content of [undefined, null, 5]) assert.equal(thrown(() => ori.read(content, 'a.csv')).option, 'bytes');
+  for (const call of [() => ori.read(text, 'a.csv\0.bvh'), () => ori.read(text, 'a.csv', { 'sort\0': true }), () => ori.run('reduce', { recording: flight }, { tolerance: '1deg\0x' })])
+    assert.match(thrown(call).message, /wanted a text without a zero in it$/);
+});
+
+test('keys of another load() are refused, for their memory is another', async () => {
+  const others = (await full.load()).read(text, 'a.csv');
+  for (const call of [() => ori.write(others, 'a.csv'), () => ori.run('retime', { keys: others }, { duration: '60s' })])
+    assert.equal(thrown(call).message, 'keys: found some that another load() made, wanted those of this one');
+  assert.equal(ori.read(text, 'a.csv').info.count, 38);
+});
+
 test('keys that were disposed of say so, and leave no memory behind', async () => {
   const keys = ori.read(text, 'flight_keys.csv');
   keys.dispose();

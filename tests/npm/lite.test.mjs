@@ -103,6 +103,26 @@ for (const [call, about] of [
   [() => ori.curve('timed-c2', three, { ends: 'natral' }), { code: 'bad_argument', option: 'ends', message: "ends: timed-c2: unknown end rule 'natral'; did you mean 'natural'?" }],
   [() => ori.curve('timed-c2', three, { ends: 'a:closed' }), { code: 'bad_argument', option: 'ends', message: "ends: found 'a:closed', wanted a word or numbers" }],
   [() => ori.curve('auto', three).sample({ step: 0 }), { code: 'bad_argument', option: 'step', message: 'step: found 0, wanted times, or a step of more than 0 s' }],
+  [broken({ times: [0n, 1n, 2n] }), { code: 'bad_argument', option: 'times', message: 'times: found something else (Cannot convert a BigInt value to a number), wanted numbers' }],
+  [broken({ times: '012' }), { code: 'bad_argument', option: 'times', message: 'times: found none, wanted an array of numbers' }],
+  [broken({ times: { length: -1 }, orientations: { length: -4 } }), { code: 'bad_argument', option: 'times', message: 'times: found none, wanted an array of numbers' }],
+  [broken({ times: { length: 2 ** 29 + 1 }, orientations: { length: 2 ** 31 + 4 } }), { code: 'no_memory', message: 'found no memory for 4294967304 bytes more, wanted fewer keys or samples' }],
+  [broken({ order: 1n }), { code: 'bad_argument', option: 'order', message: "order: found 1n, wanted 'wxyz' or 'xyzw'" }],
+  [() => ori.curve('auto'), { code: 'bad_argument', option: 'keys', message: 'keys: found undefined, wanted { times, orientations, order }' }],
+  [() => ori.curve('auto', null), { code: 'bad_argument', option: 'keys', message: 'keys: found null, wanted { times, orientations, order }' }],
+  [() => ori.curve('auto\0:closed', three), { code: 'bad_argument', message: 'found "auto\\u0000:closed", wanted a text without a zero in it' }],
+  [() => ori.curve('timed-c2', three, { tension: null }), { code: 'bad_argument', option: 'tension', message: "tension: found 'null', wanted a word or numbers" }],
+  [() => ori.curve('timed-c2', three, { tension: ['0.5:closed'] }), { code: 'bad_argument', option: 'tension', message: "tension: found '0.5:closed', wanted a word or numbers" }],
+  [() => ori.curve('timed-c2', three, { 'tension=1:closed': 1 }), { code: 'bad_argument', option: 'tension=1:closed', message: "tension=1:closed: found '1', wanted a word or numbers" }],
+  [() => ori.curve('auto', three).at(1n), { code: 'bad_argument', message: 'found a bigint, wanted a number' }],
+  [() => ori.curve('auto', three).motion(Symbol('x')), { code: 'bad_argument', message: 'found a symbol, wanted a number' }],
+  [() => ori.curve('auto', three).motion(1, 'middle'), { code: 'bad_argument', option: 'side', message: 'side: found "middle", wanted \'right\' or \'left\'' }],
+  [() => ori.curve('auto', three).sample({ times: 5 }), { code: 'bad_argument', option: 'times', message: 'times: found none, wanted an array of numbers' }],
+  [() => ori.curve('auto', three).sample({ times: [0], rates: -1 }), { code: 'bad_argument', option: 'rates', message: 'rates: found -1, wanted 0, 1, 2 or 3' }],
+  [() => ori.curve('auto', three).sample({ step: Infinity }), { code: 'bad_argument', option: 'step', message: 'step: found Infinity, wanted times, or a step of more than 0 s' }],
+  [() => ori.curve('auto', three).sample({ step: 1, start: NaN, count: 3 }), { code: 'bad_argument', option: 'start', message: 'start: found NaN, wanted a time [s]' }],
+  [() => ori.curve('auto', three).sample({ step: 1, count: 2 ** 27 }), { code: 'no_memory', message: 'found no memory for 4294967296 bytes more, wanted fewer keys or samples' }],
+  [() => ori.curve('auto', three).sample({ step: 2 ** -60 }), { code: 'no_memory', message: 'found no memory for 92233720368547760000 bytes more, wanted fewer keys or samples' }],
   [() => ori.curve('auto', three).sample({ step: 1, count: 1.5 }), { code: 'bad_argument', option: 'count', message: 'count: found 1.5, wanted a whole number from 0 on' }],
 ])
   test(`it refuses: ${about.message}`, () => {
@@ -172,6 +192,35 @@ test('after a trap every call says that there was one', async () => {
   assert.throws(() => curve.at(1), fault);
   for (const call of [() => curve.at(1), () => other.motion(1), () => library.curve('auto', three)]) assert.throws(call, fault);
   curve.dispose();
+});
+
+test('where memory has run out, that is said, and not that there is a fault', async () => {
+  let library, exports;
+  const fall = () => {
+    Object.defineProperty(exports.memory, 'buffer', { value: { byteLength: 4e9 } });
+    throw new WebAssembly.RuntimeError('unreachable');
+  };
+  ({ library, exports } = await opened(lite.load, { orispline_curve_orientation: fall }));
+  const curve = library.curve('auto', three);
+  for (const call of [() => curve.at(1), () => library.curve('auto', three)])
+    assert.throws(call, { code: 'no_memory', message: /^found no memory left beside the 4000000000 bytes in use, wanted fewer curves at once/ });
+});
+
+test('an argument that is no number, or has code of its own, is no fault of the library', async () => {
+  const library = await lite.load(), curve = library.curve('auto', three), same = curve.at(1);
+  for (const time of [1n, Symbol('x'), { valueOf() { throw new Error('mine'); } }]) assert.equal(thrown(() => curve.at(time)).code, 'bad_argument');
+  assert.deepEqual(curve.at(1), same);
+  // The memory grows while the numbers are asked for.
+  const asks = new Proxy(three.orientations, { get: (numbers, name) => (name === '5' && library.curve('auto', { times: Float64Array.from({ length: 1e5 }, (_, k) => k), orientations: Float64Array.from({ length: 4e5 }, (_, k) => (k % 4 === 3 ? 1 : 0)), order: 'xyzw' }).dispose(), numbers[name]) });
+  assert.deepEqual(library.curve('auto', { ...three, orientations: asks }).at(1), same);
+});
+
+test('numbers may lie in any array, and samples from behind the end on are none', () => {
+  const shared = new Float64Array(new SharedArrayBuffer(24)), same = ori.curve('auto', three).at(1.3);
+  shared.set(three.times);
+  for (const times of [shared, Float32Array.from(three.times), new (class extends Array {})(...three.times), new (class extends Float64Array { static get [Symbol.species]() { return Array; } })(three.times)])
+    assert.deepEqual(ori.curve('auto', { ...three, times }).at(1.3), same);
+  assert.equal(ori.curve('auto', three).sample({ start: 9, step: 0.1 }).times.length, 0);
 });
 
 test('a memory that grows changes nothing that the user has', async () => {

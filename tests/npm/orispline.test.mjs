@@ -100,6 +100,26 @@ test('curves, samples and baked curves leave no memory behind', async () => {
   Error.stackTraceLimit = 10;
 });
 
+test('counts that memory cannot hold are refused, also those that 32 bits would cut', () => {
+  const curve = ori.curve('auto', three);
+  for (const count of [2 ** 27, 2 ** 27 + 1, 2 ** 32, 2 ** 32 + 1, 2 ** 53 - 1]) assert.equal(thrown(() => curve.sample({ step: 1e-9, count })).code, 'no_memory');
+  assert.equal(thrown(() => curve.sample({ step: 1e-9, count: 2 ** 26, rates: 3 })).code, 'no_memory');
+  assert.equal(thrown(() => curve.bake({ tolerance: 1n })).code, 'bad_argument');
+  assert.equal(curve.sample({ step: 0.1, count: 0 }).times.length, 0);
+});
+
+test('where there is no memory for another library, it says so', async () => {
+  const { Instance } = WebAssembly;
+  WebAssembly.Instance = function () {
+    throw new RangeError('could not allocate memory');
+  };
+  try {
+    await assert.rejects(whole.load(), { code: 'no_memory' });
+  } finally {
+    WebAssembly.Instance = Instance;
+  }
+});
+
 test('a module of another entry is refused', async () => {
   const { readFileSync } = await import('node:fs');
   const small = readFileSync(join(process.env.ORISPLINE_NPM, 'lite.wasm'));

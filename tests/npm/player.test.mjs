@@ -96,3 +96,38 @@ test('what is no baked curve is refused in one sentence', () => {
   ])
     assert.throws(() => player(given), { message: `orispline/player: found ${found}, ${wanted}` });
 });
+
+test('a file that was tampered with is refused, wherever', () => {
+  const bytes = bake(keys, 'curve.bin', '--tolerance', '1deg'), file = JSON.parse(bake(keys, 'curve.json', '--tolerance', '1deg'));
+  const changed = (change) => {
+    const copy = structuredClone(file);
+    change(copy);
+    return copy;
+  };
+  const written = (write) => {
+    const copy = Uint8Array.from(bytes);
+    write(new DataView(copy.buffer));
+    return copy;
+  };
+  const count = file.pieces.length, ends = 32, coefficients = 40 + 8 * count;
+  /** As a machine of the other order of bytes has them. */
+  const turned = (from, to, width) => written((view) => {
+    for (let at = from; at < to; at += width) new Uint8Array(view.buffer, at, width).reverse();
+  });
+  const notFinite = 'what is no finite number', notIncreasing = 'ends that do not increase', noLists = 'no lists of ends and pieces';
+  for (const [given, found] of [
+    [changed((one) => (one.order = 'wxyz')), 'the order wxyz'], [changed((one) => delete one.order), 'the order undefined'],
+    [changed((one) => delete one.pieces), noLists], [changed((one) => delete one.ends), noLists], [changed((one) => (one.ends = 'abc')), noLists],
+    [changed((one) => (one.pieces = {})), noLists], [changed((one) => delete one.epoch), notFinite], [changed((one) => (one.epoch = '5')), notFinite],
+    [changed((one) => (one.ends[3] = null)), notFinite], [changed((one) => (one.pieces[4][7] = null)), notFinite], [changed((one) => (one.pieces[4][7] = '1')), notFinite],
+    [changed((one) => (one.pieces[4][7] = 1e39)), notFinite], [changed((one) => one.ends.reverse()), notIncreasing], [changed((one) => (one.ends[3] = one.ends[2])), notIncreasing],
+    [changed((one) => one.pieces.push(one.pieces.pop().slice(1))), `${24 * count - 1} coefficients for ${count + 1} ends`],
+    [changed((one) => one.pieces[1].push(one.pieces[0].pop())), `${24 * count} coefficients for ${count + 1} ends`],
+    [changed((one) => one.pieces.push([])), `${24 * count} coefficients for ${count + 1} ends`],
+    [written((view) => view.setFloat64(16, NaN, true)), notFinite], [written((view) => view.setFloat64(ends + 8, NaN, true)), notFinite],
+    [written((view) => view.setFloat32(coefficients, Infinity, true)), notFinite], [written((view) => view.setFloat64(ends + 8, 1e9, true)), notIncreasing],
+    [turned(8, 12, 4), 'version 16777216'], [turned(ends, coefficients, 8), notIncreasing], [turned(coefficients, bytes.length, 4), notFinite],
+    [written((view) => view.setUint32(12, 0, true)).subarray(0, 40), '40 bytes for 0 pieces'],
+  ])
+    assert.throws(() => player(given), { message: `orispline/player: found ${found}, wanted version 1 of what 'orispline bake' writes` });
+});

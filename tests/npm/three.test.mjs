@@ -62,6 +62,17 @@ for (const tolerance of [1e-2, 1e-3])
     assert.deepEqual([at[0], at.at(-1)], [0, 48]);
   });
 
+test('times that a track cannot hold are refused, and those that it can are hit', () => {
+  const late = (start) => ori.curve('auto', { ...keys, times: keys.times.map((time) => start + time) });
+  assert.equal(thrown(() => bake(late(1.7e9), { tolerance: 1e-3 })).message,
+    'curve: found times from 1700000000 to 1700000002.5 s, which a track holds in steps of 128 s, wanted some that count from near 0');
+  const curve = late(1000), [times, values] = bake(curve, { tolerance: 1e-2 });
+  const clip = new THREE.AnimationClip('late', -1, [new THREE.QuaternionKeyframeTrack('.quaternion', times, values)]);
+  const fine = Array.from({ length: 500 }, (_, k) => 1000 + 0.005 * k);
+  const off = Math.max(...played(clip, fine).map(([q], k) => new THREE.Quaternion(...q).angleTo(new THREE.Quaternion(...curve.at(fine[k])))));
+  assert.ok(off <= 1e-2 + 2e-6, `${off} rad`);
+});
+
 test('a steady turn needs its two ends, and a single key itself', () => {
   const steady = { times: [0, 1, 2], orientations: [0, 0, 0, 1, 0, 0, Math.sin(0.5), Math.cos(0.5), 0, 0, Math.sin(1), Math.cos(1)], order: 'xyzw' };
   assert.equal(bake(ori.curve('slerp', steady), { tolerance: 1e-5 })[0].length, 2);

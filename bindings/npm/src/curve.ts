@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// <reference lib="esnext.disposable" preserve="true" />
 import type { Address, Engine } from './engine.js';
-import { OrisplineError, badArgument } from './errors.js';
-import { type KeyData, type Order, orderOf, withKeys } from './keys.js';
+import { OrisplineError, badArgument, shown } from './errors.js';
+import { type KeyData, type Order, checkedKeys, chosen, orderOf, withKeys } from './keys.js';
 import { type Settings, methodText } from './method.js';
+import { checkRoom, numbersOf, roomFor } from './numbers.js';
 import type { Numbers, Playable } from './playable.js';
 
 /** How the body moves at one time. */
@@ -55,20 +56,32 @@ export interface Samples {
 }
 
 /** The rates of a sample, by their order. */
-export const rateNames = ['angularVelocities', 'angularAccelerations', 'angularJerks'] as const;
+const rateNames = ['angularVelocities', 'angularAccelerations', 'angularJerks'] as const;
+
+/** Those that are asked for. */
+export const ratesOf = ({ rates = 0 }: SampleOptions): (typeof rateNames)[number][] => {
+  if (![0, 1, 2, 3].includes(rates)) throw badArgument('rates', `found ${shown(rates)}, wanted 0, 1, 2 or 3`);
+  return rateNames.slice(0, rates);
+};
+
+const sides = { right: 0, left: 1 };
 
 const checkedCount = (count: number): number => {
-  if (!Number.isInteger(count) || count < 0) throw badArgument('count', `found ${count}, wanted a whole number from 0 on`);
+  if (!Number.isInteger(count) || count < 0) throw badArgument('count', `found ${shown(count)}, wanted a whole number from 0 on`);
   return count;
 };
 
 /** The times that are asked for. */
 export const timesOf = (curve: Playable, { times, start = curve.start, step, count }: SampleOptions): Float64Array => {
-  if (times) return Float64Array.from(times);
-  if (step === undefined || !(step > 0)) throw badArgument('step', `found ${step}, wanted times, or a step of more than 0 s`);
+  if (times) return numbersOf('times', times);
+  if (!Number.isFinite(step) || !(step! > 0)) throw badArgument('step', `found ${typeof step === 'number' ? step : shown(step)}, wanted times, or a step of more than 0 s`);
+  if (!Number.isFinite(start)) throw badArgument('start', `found ${typeof start === 'number' ? start : shown(start)}, wanted a time [s]`);
   // Half a billionth of a step: what rounding takes from an end that is a multiple of it.
-  const all = checkedCount(count ?? Math.floor((curve.end - start) / step + 5e-10) + 1);
-  return Float64Array.from({ length: all }, (_, k) => k * step + start);
+  const all = checkedCount(count ?? Math.max(Math.floor((curve.end - start) / step! + 5e-10) + 1, 0));
+  checkRoom(4 * all); // of the orientations
+  const even = roomFor(all);
+  for (let k = 0; k < all; ++k) even[k] = k * step! + start;
+  return even;
 };
 
 /** A curve through keys. It is freed where it is disposed of, or some time after it was forgotten. */
@@ -85,7 +98,7 @@ export class Curve implements Playable {
   /** Of an `Orispline`, by its `curve`. */
   constructor(engine: Engine, forgotten: FinalizationRegistry<Address>, method: string, data: KeyData, settings: Settings) {
     this.engine = engine;
-    this.order = data.order;
+    this.order = checkedKeys(data).order;
     this.orderNumber = orderOf(data.order);
     const text = methodText(method, settings);
     this.address = withKeys(engine, data, (keys) => engine.withText(text, (at) => engine.made('orispline_curve_make', keys, at)));
@@ -118,7 +131,7 @@ export class Curve implements Playable {
 
   /** The motion at a time [s]; at a key where rates jump that of the segment behind it, or of the one before it. */
   motion(time: number, side: 'right' | 'left' = 'right'): Motion {
-    this.engine.check('orispline_curve_motion', this.handle, time, side === 'left' ? 1 : 0, this.orderNumber, this.engine.numbersAt);
+    this.engine.check('orispline_curve_motion', this.handle, time, chosen('side', side, sides), this.orderNumber, this.engine.numbersAt);
     const motion: Motion = {
       orientation: this.told(0, 4), angularVelocity: this.told(4, 3), angularAcceleration: this.told(7, 3), angularJerk: this.told(10, 3),
     };
@@ -128,10 +141,10 @@ export class Curve implements Playable {
 
   /** Many samples, one after another. */
   sample(options: SampleOptions): Samples {
-    const { rates = 0 } = options, times = timesOf(this, options), count = times.length;
-    const samples: Samples = { times, orientations: new Float64Array(4 * count) };
-    for (const name of rateNames.slice(0, rates)) samples[name] = new Float64Array(3 * count);
-    if (this.hasPositions) samples.positions = new Float64Array(3 * count);
+    const rates = ratesOf(options), times = timesOf(this, options), count = times.length;
+    const samples: Samples = { times, orientations: roomFor(4 * count) };
+    for (const name of rates) samples[name] = roomFor(3 * count);
+    if (this.hasPositions) samples.positions = roomFor(3 * count);
     for (let k = 0; k < count; ++k) {
       const motion = this.motion(times[k]);
       samples.orientations.set(motion.orientation, 4 * k);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The library as compiled code: its memory, its calls, its errors. The functions are those of bindings/c/orispline.h.
 import { type ErrorCode, type ErrorPlace, OrisplineError } from './errors.js';
+import { mostMemory, noMemory } from './numbers.js';
 import type { System } from './system.js';
 
 type Call = (...values: number[]) => number;
@@ -16,6 +17,9 @@ const abi = 1;
 
 /** Room for an error, a handle and the numbers of one motion. */
 const room = 16 + 8 * 32;
+
+/** The least that an engine asks for [bytes]. */
+const leastMemory = 2 ** 16;
 
 const otherModule = (): OrisplineError =>
   new OrisplineError('bad_data', 'found WebAssembly of something else, wanted the .wasm of this entry and version of the package', { option: 'wasm' });
@@ -38,8 +42,8 @@ export class Engine {
     let instance: WebAssembly.Instance;
     try {
       instance = new WebAssembly.Instance(module, system?.importsOf(module) ?? {});
-    } catch {
-      throw otherModule();
+    } catch (reason) {
+      throw reason instanceof RangeError ? noMemory(leastMemory) : otherModule();
     }
     this.calls = instance.exports as Record<string, Call>;
     this.memory = instance.exports['memory'] as WebAssembly.Memory;
@@ -70,7 +74,7 @@ export class Engine {
     try {
       return this.calls[name](...values);
     } catch (trap) {
-      throw this.failed(trap);
+      throw this.failed(trap, values);
     }
   }
 
@@ -81,7 +85,7 @@ export class Engine {
     try {
       code = this.orientationCall(curve, time, order, this.numbersAt, this.errorAt);
     } catch (trap) {
-      throw this.failed(trap);
+      throw this.failed(trap, [time]);
     }
     if (code) throw this.error();
   }
@@ -99,8 +103,8 @@ export class Engine {
 
   /** Bytes for numbers or a text, which whoever asks for them gives back. */
   memoryFor(bytes: number): Address {
-    const address = this.call('malloc', Math.max(bytes, 8)) >>> 0;
-    if (!address) throw new OrisplineError('no_memory', `found no ${bytes} bytes more of memory, wanted fewer keys or samples`);
+    const address = bytes < mostMemory ? this.call('malloc', Math.max(bytes, 8)) >>> 0 : 0;
+    if (!address) throw noMemory(bytes);
     return address;
   }
 
@@ -123,13 +127,14 @@ export class Engine {
 
   /** A text of the library, which ends in a zero. */
   text(at: Address): string {
-    const bytes = new Uint8Array(this.memory.buffer, at);
+    const bytes = new Uint8Array(this.memory.buffer, at >>> 0);
     return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
   }
 
   // In its memory, for the time of some work:
 
   withText<Result>(text: string, work: (at: Address) => Result): Result {
+    if (String(text).includes('\0')) throw new OrisplineError('bad_argument', `found ${JSON.stringify(text)}, wanted a text without a zero in it`);
     return this.withBytes(new TextEncoder().encode(`${text}\0`), work);
   }
 
@@ -137,7 +142,7 @@ export class Engine {
     return this.withRoom(bytes.length, (at) => (this.bytes(at, bytes.length).set(bytes), work(at)));
   }
 
-  withNumbers<Result>(numbers: ArrayLike<number>, work: (at: Address) => Result): Result {
+  withNumbers<Result>(numbers: Float64Array, work: (at: Address) => Result): Result {
     return this.withRoom(8 * numbers.length, (at) => (this.numbers.set(numbers, at / 8), work(at)));
   }
 
@@ -187,8 +192,16 @@ export class Engine {
     return new OrisplineError(code, `${key < 0 ? '' : `key ${key}: `}${option ? `${option}: ` : ''}${message}`, place);
   }
 
-  private failed(trap: unknown): OrisplineError {
-    this.fault = new OrisplineError('fault', `found a fault of orispline (${this.lastWords() || (trap as Error).message}), wanted none: please report it; load() gives a sound one anew`);
+  private failed(trap: unknown, values: unknown[]): OrisplineError {
+    // What is no number is made one before the library runs: where that fails, nothing has happened to it.
+    const other = values.find((value) => typeof value !== 'number');
+    if (other !== undefined && !(trap instanceof WebAssembly.RuntimeError))
+      return new OrisplineError('bad_argument', `found a ${typeof other}, wanted a number`);
+    // Compiled code that gets no memory ends too. It asks for more than is left, which is seen where much is used.
+    const used = this.memory.buffer.byteLength;
+    this.fault = used > mostMemory / 2
+      ? new OrisplineError('no_memory', `found no memory left beside the ${used} bytes in use, wanted fewer curves at once, or larger ones disposed of; load() gives a sound library anew`)
+      : new OrisplineError('fault', `found a fault of orispline (${this.lastWords() || (trap as Error).message}), wanted none: please report it; load() gives a sound one anew`);
     return this.fault;
   }
 }

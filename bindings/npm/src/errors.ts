@@ -35,6 +35,9 @@ export class OrisplineError extends Error implements ErrorPlace {
   }
 }
 
+/** What was found, for a message. */
+export const shown = (value: unknown): string => (typeof value === 'bigint' ? `${value}n` : JSON.stringify(value) ?? String(value));
+
 /** An argument that cannot be: `found 7 numbers, wanted 12`. */
 export const badArgument = (option: string, message: string): OrisplineError =>
   new OrisplineError('bad_argument', `${option}: ${message}`, { option });

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Address, Engine } from './engine.js';
-import { badArgument } from './errors.js';
+import { badArgument, shown } from './errors.js';
 import { KeyTrack } from './key_track.js';
-import { type KeyData, withKeys } from './keys.js';
+import { type KeyData, checkedKeys, withKeys } from './keys.js';
 import { Orispline } from './orispline.js';
+import { bytesOf } from './wasm.js';
 import { WholeCurve } from './whole_curve.js';
 
 /** Options by their names, as the command has them: `{ tolerance: '0.1deg', values: true }`. Those that are undefined are not stated. */
@@ -48,8 +49,8 @@ export class FullOrispline extends Orispline<WholeCurve> {
   }
 
   /** The keys of a file in memory. Its name says what it is: `keys.csv`, `walk.bvh`. */
-  read(bytes: Uint8Array | string, name: string, options: Options = {}): KeyTrack {
-    const { engine } = this, content = typeof bytes === 'string' ? new TextEncoder().encode(bytes) : bytes;
+  read(bytes: ArrayBuffer | ArrayBufferView | string, name: string, options: Options = {}): KeyTrack {
+    const { engine } = this, content = typeof bytes === 'string' ? new TextEncoder().encode(bytes) : bytesOf('bytes', bytes);
     return this.track(engine.withBytes(content, (at) => engine.withText(name, (text) => this.withOptions(options, (list, count) =>
       engine.made('orispline_keys_read', at, content.length, text, list, count)))));
   }
@@ -76,7 +77,7 @@ export class FullOrispline extends Orispline<WholeCurve> {
 
   /** Runs a task: `run('reduce', { recording }, { tolerance: '0.1deg' })`. It takes as long as it takes: where that matters, run it in a worker. */
   run(task: string, inputs: TaskInputs, options: Options = {}): Outcome {
-    const { engine } = this, given = Object.entries(inputs).flatMap(([name, keys]) => (Array.isArray(keys) ? keys : [keys]).map((one) => ({ name, keys: one })));
+    const { engine } = this, given = Object.entries(inputs ?? {}).flatMap(([name, keys]) => (Array.isArray(keys) ? keys : [keys]).map((one) => ({ name, keys: one })));
     /** Puts the inputs into memory one by one, so that each is freed again. */
     const withInputs = (k: number, rows: number[]): Address => {
       if (k < given.length)
@@ -99,14 +100,14 @@ export class FullOrispline extends Orispline<WholeCurve> {
   }
 
   private withTrack<Result>(keys: KeyData | KeyTrack, work: (track: Address) => Result): Result {
-    return keys instanceof KeyTrack ? work(keys.handle) : withKeys(this.engine, keys, work);
+    return keys instanceof KeyTrack ? work(keys.handleIn(this.engine)) : withKeys(this.engine, checkedKeys(keys), work);
   }
 
   /** Texts `name=value`, for the time of some work. */
   private withOptions<Result>(options: Options, work: (list: Address, count: number) => Result): Result {
-    const texts = Object.entries(options).flatMap(([name, value]) => {
+    const texts = Object.entries(options ?? {}).flatMap(([name, value]) => {
       if (value === undefined) return [];
-      if (!['string', 'number', 'boolean'].includes(typeof value)) throw badArgument(name, `found ${JSON.stringify(value)}, wanted a text, a number or a flag`);
+      if (!['string', 'number', 'boolean'].includes(typeof value)) throw badArgument(name, `found ${shown(value)}, wanted a text, a number or a flag`);
       return [`${name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`)}=${value}`];
     });
     const withTexts = (k: number, places: number[]): Result =>

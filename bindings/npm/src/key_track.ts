@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// <reference lib="esnext.disposable" preserve="true" />
 import type { Address, Engine } from './engine.js';
-import { OrisplineError } from './errors.js';
+import { OrisplineError, badArgument } from './errors.js';
 import { type KeyData, type Order, orderOf } from './keys.js';
 
 /** What keys are, and what reading them found: docs/c.md has all members. */
@@ -68,8 +68,13 @@ export class KeyTrack {
     this.dispose();
   }
 
-  /** For calls of the library. */
-  get handle(): Address {
+  /** For calls of the library that made them: to another one, with a memory of its own, it says nothing. */
+  handleIn(engine: Engine): Address {
+    if (engine !== this.engine) throw badArgument('keys', 'found some that another load() made, wanted those of this one');
+    return this.handle;
+  }
+
+  private get handle(): Address {
     if (!this.address) throw new OrisplineError('disposed', 'found keys that were disposed of, wanted some that were not');
     return this.address;
   }

@@ -22,8 +22,8 @@ export interface BakedFile {
 
 interface Parts {
   epoch: number;
-  ends: ArrayLike<number>;
-  coefficients: Float32Array;
+  ends: number[];
+  coefficients: number[];
 }
 
 const version = 1, perPiece = 24;
@@ -36,25 +36,32 @@ const partsOfBytes = (bytes: ArrayBuffer): Parts => {
   if (bytes.byteLength < 32 || String.fromCharCode(...new Uint8Array(bytes, 0, 8)) !== 'ORIBAKED') refuse('other bytes');
   const [found, count] = new Uint32Array(bytes, 8, 2), start = 40 + 8 * count;
   if (found !== version) refuse(`version ${found}`);
-  if (bytes.byteLength !== start + 4 * perPiece * count) refuse(`${bytes.byteLength} bytes for ${count} pieces`);
-  return { epoch: new Float64Array(bytes, 16, 1)[0], ends: new Float64Array(bytes, 32, count + 1), coefficients: new Float32Array(bytes, start) };
+  if (!count || bytes.byteLength !== start + 4 * perPiece * count) refuse(`${bytes.byteLength} bytes for ${count} pieces`);
+  return { epoch: new Float64Array(bytes, 16, 1)[0], ends: [...new Float64Array(bytes, 32, count + 1)], coefficients: [...new Float32Array(bytes, start)] };
 };
 
 const partsOfFile = (file: BakedFile): Parts => {
   if (file?.orispline !== 'baked') refuse('another object');
+  const { order, epoch, ends, pieces } = file;
   if (file.version !== version) refuse(`version ${file.version}`);
-  const coefficients = Float32Array.from(file.pieces.flat()), wanted = perPiece * (file.ends.length - 1);
-  if (!wanted || coefficients.length !== wanted) refuse(`${coefficients.length} coefficients for ${file.ends.length} ends`);
-  return { epoch: file.epoch, ends: file.ends, coefficients };
+  if (order !== 'xyzw') refuse(`the order ${order}`);
+  if (![ends, pieces].every(Array.isArray)) refuse('no lists of ends and pieces');
+  const all = pieces.flat(), wanted = perPiece * (ends.length - 1);
+  if (!wanted || all.length !== wanted || pieces.some((piece) => piece.length !== perPiece)) refuse(`${all.length} coefficients for ${ends.length} ends`);
+  return { epoch, ends, coefficients: all };
 };
 
 /** A curve that plays the content of a .json, parsed, or the bytes of a .bin. It gives x, y, z, w. */
 export const player = (file: BakedFile | ArrayBuffer | ArrayBufferView): Playable => {
   // Bytes are copied out of views: numbers of 8 bytes are read at multiples of 8.
-  const { epoch, ends, coefficients: c } =
+  const parts =
     file instanceof ArrayBuffer ? partsOfBytes(file)
     : ArrayBuffer.isView(file) ? partsOfBytes(new Uint8Array(file.buffer, file.byteOffset, file.byteLength).slice().buffer)
     : partsOfFile(file);
+  const { epoch, ends, coefficients } = parts, c = Float32Array.from(coefficients);
+  if (![epoch, ...ends, ...coefficients, ...c].every(Number.isFinite)) refuse('what is no finite number');
+  // Pieces follow each other, but for the one of a single key, which has no length.
+  if (ends.some((end, i) => (ends[2] === undefined ? end < ends[i - 1] : end <= ends[i - 1]))) refuse('ends that do not increase');
   const last = ends.length - 1;
   let piece = 0; // the one of the last time, near which the next one is
   return {

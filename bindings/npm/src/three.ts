@@ -107,13 +107,18 @@ const leastTolerance = 1e-6, mostSamples = 2 ** 16;
 /** So many spans in a row that miss the tolerance end the search for a longer one. */
 const patience = 8;
 
-/** Samples so close that what lies between two of them is nowhere farther from a slerp than an eighth of the tolerance. */
+/** How far apart the numbers are that a Float32Array holds, near one of them. */
+const floatStep = (number: number): number => 2 ** (Math.floor(Math.log2(Math.abs(number))) - 23);
+
+/** Samples at times that a track can hold, so close that what lies between two of them is nowhere farther from a slerp than an eighth of the tolerance. */
 const samplesOf = (curve: Playable, tolerance: number): { times: number[]; values: Quaternion[] } => {
   for (let count = 64; ; count *= 2) {
-    const times = Array.from({ length: 2 * count + 1 }, (_, k) => curve.start + ((curve.end - curve.start) * k) / (2 * count));
+    const times = Array.from({ length: 2 * count + 1 }, (_, k) => Math.fround(curve.start + ((curve.end - curve.start) * k) / (2 * count)));
+    if (times.some((time, k) => time <= times[k - 1]))
+      throw badArgument('curve', `found times from ${curve.start} to ${curve.end} s, which a track holds in steps of ${floatStep(curve.end)} s, wanted some that count from near 0`);
     const values = times.map((time) => [...curve.at(time)] as Quaternion);
     let most = 0;
-    for (let k = 0; k < 2 * count; k += 2) most = Math.max(most, new Slerp(values[k], values[k + 2]).angleFrom(0.5, values[k + 1]));
+    for (let k = 0; k < 2 * count; k += 2) most = Math.max(most, new Slerp(values[k], values[k + 2]).angleFrom((times[k + 1] - times[k]) / (times[k + 2] - times[k]), values[k + 1]));
     if (8 * most <= tolerance) return { times, values };
     if (count > mostSamples) throw badArgument('tolerance', `found ${tolerance} rad, wanted a larger one: ${mostSamples} keys do not keep to it`);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the compiled code comes from: a file beside the script, or what the user gives.
-import { OrisplineError } from './errors.js';
+import { OrisplineError, badArgument } from './errors.js';
 
 export interface LoadOptions {
   /** The compiled code itself, its bytes or a compiled module: for places that cannot fetch. */
@@ -15,8 +15,12 @@ const withSimd = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 1
 const noAccess = (url: URL | string, reason: unknown): OrisplineError =>
   new OrisplineError('bad_access', `${url}: found no WebAssembly there (${reason}), wanted the .wasm of this package: give its place as wasmUrl`, { option: 'wasmUrl' });
 
-const bytesOf = (source: BufferSource): Uint8Array<ArrayBuffer> =>
-  ArrayBuffer.isView(source) ? new Uint8Array(source.buffer as ArrayBuffer, source.byteOffset, source.byteLength) : new Uint8Array(source);
+/** The bytes of what holds some. */
+export const bytesOf = (option: string, source: ArrayBuffer | ArrayBufferView): Uint8Array<ArrayBuffer> => {
+  if (ArrayBuffer.isView(source)) return new Uint8Array(source.buffer as ArrayBuffer, source.byteOffset, source.byteLength);
+  if (!(source?.byteLength >= 0)) throw badArgument(option, `found neither an ArrayBuffer nor an array of bytes, wanted one of them`);
+  return new Uint8Array(source);
+};
 
 const isWasm = (bytes: Uint8Array): boolean => [0, 97, 115, 109].every((byte, k) => bytes[k] === byte);
 
@@ -31,7 +35,7 @@ const fetched = async (url: URL | string): Promise<BufferSource> => {
     if (!response.ok) throw response.status;
     const bytes = await response.arrayBuffer();
     // Servers that know no such file may answer with a page of theirs, as that of Vite does.
-    if (!isWasm(bytesOf(bytes))) throw response.headers.get('content-type');
+    if (!isWasm(new Uint8Array(bytes))) throw response.headers.get('content-type');
     return bytes;
   } catch (reason) {
     throw noAccess(url, reason instanceof Error ? reason.message : reason);
@@ -39,7 +43,7 @@ const fetched = async (url: URL | string): Promise<BufferSource> => {
 };
 
 const compiled = async (source: BufferSource): Promise<WebAssembly.Module> => {
-  const bytes = bytesOf(source);
+  const bytes = bytesOf('wasm', source);
   if (!isWasm(bytes))
     throw new OrisplineError('bad_data', `found ${bytes.length} bytes that are no WebAssembly, wanted the .wasm of this package`, { option: 'wasm' });
   try {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-import { Curve, type SampleOptions, type Samples, rateNames, timesOf } from './curve.js';
+import { Curve, type SampleOptions, type Samples, ratesOf, timesOf } from './curve.js';
 import { badArgument } from './errors.js';
+import { numbersOf } from './numbers.js';
 import type { BakedFile } from './player.js';
 
 /** How far a rate jumps at the keys. */
@@ -46,8 +47,8 @@ const asDouble = 0, asFloat = 1, position = 7;
 export class WholeCurve extends Curve {
   /** Samples in bulk, which is many times faster than one after another. */
   override sample(options: SampleOptions): Samples {
-    const { rates = 0 } = options, times = timesOf(this, options), count = times.length;
-    const wanted = [{ name: 'orientations', quantity: 0, width: 4 }, ...rateNames.slice(0, rates).map((name, k) => ({ name, quantity: k + 1, width: 3 }))];
+    const rates = ratesOf(options), times = timesOf(this, options), count = times.length;
+    const wanted = [{ name: 'orientations', quantity: 0, width: 4 }, ...rates.map((name, k) => ({ name, quantity: k + 1, width: 3 }))];
     if (this.hasPositions) wanted.push({ name: 'positions', quantity: position, width: 3 });
     const { engine } = this, inRow = wanted.reduce((sum, { width }) => sum + width, 0);
     return engine.withRoom(8 * inRow * count, (numbers) => {
@@ -79,7 +80,7 @@ export class WholeCurve extends Curve {
   peaks({ inertia }: { inertia?: ArrayLike<number> } = {}): Peaks {
     if (inertia && inertia.length !== 9) throw badArgument('inertia', `found ${inertia.length} numbers, wanted 9`);
     const { engine } = this, at = engine.numbersAt;
-    if (inertia) engine.withNumbers(inertia, (numbers) => engine.check('orispline_curve_peaks', this.handle, numbers, at));
+    if (inertia) engine.withNumbers(numbersOf('inertia', inertia), (numbers) => engine.check('orispline_curve_peaks', this.handle, numbers, at));
     else engine.check('orispline_curve_peaks', this.handle, 0, at);
     const peak = (k: number): Peak => {
       const [value, time] = engine.numbers.subarray(at / 8 + k, at / 8 + k + 2);

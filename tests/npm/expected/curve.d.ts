@@ -49,7 +49,9 @@ export interface Samples {
     positions?: Float64Array;
 }
 /** The rates of a sample, by their order. */
-export declare const rateNames: readonly ['angularVelocities', 'angularAccelerations', 'angularJerks'];
+declare const rateNames: readonly ['angularVelocities', 'angularAccelerations', 'angularJerks'];
+/** Those that are asked for. */
+export declare const ratesOf: ({ rates }: SampleOptions) => (typeof rateNames)[number][];
 /** The times that are asked for. */
 export declare const timesOf: (curve: Playable, { times, start, step, count }: SampleOptions) => Float64Array;
 /** A curve through keys. It is freed where it is disposed of, or some time after it was forgotten. */
@@ -79,3 +81,4 @@ export declare class Curve implements Playable {
     protected get handle(): Address;
     private told;
 }
+export {};

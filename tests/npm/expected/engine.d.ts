@@ -39,7 +39,7 @@ export declare class Engine {
     text(at: Address): string;
     withText<Result>(text: string, work: (at: Address) => Result): Result;
     withBytes<Result>(bytes: Uint8Array, work: (at: Address) => Result): Result;
-    withNumbers<Result>(numbers: ArrayLike<number>, work: (at: Address) => Result): Result;
+    withNumbers<Result>(numbers: Float64Array, work: (at: Address) => Result): Result;
     withWords<Result>(words: number[], work: (at: Address) => Result): Result;
     withRoom<Result>(bytes: number, work: (at: Address) => Result): Result;
     /** A text that a function makes, whose last value but the error is where it goes. */

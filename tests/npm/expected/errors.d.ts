@@ -24,5 +24,7 @@ export declare class OrisplineError extends Error implements ErrorPlace {
     readonly remedy?: string;
     constructor(code: ErrorCode, message: string, place?: ErrorPlace);
 }
+/** What was found, for a message. */
+export declare const shown: (value: unknown) => string;
 /** An argument that cannot be: `found 7 numbers, wanted 12`. */
 export declare const badArgument: (option: string, message: string) => OrisplineError;

@@ -35,7 +35,7 @@ export declare class FullOrispline extends Orispline<WholeCurve> {
     private readonly forgottenKeys;
     constructor(engine: Engine);
     /** The keys of a file in memory. Its name says what it is: `keys.csv`, `walk.bvh`. */
-    read(bytes: Uint8Array | string, name: string, options?: Options): KeyTrack;
+    read(bytes: ArrayBuffer | ArrayBufferView | string, name: string, options?: Options): KeyTrack;
     /** A file of keys, whose name says of which format. */
     write(keys: KeyData | KeyTrack, name: string, options?: Options): KeyFile;
     /** The tasks with their inputs, options and results, as `orispline tasks --json` has them. */

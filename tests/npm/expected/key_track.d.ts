@@ -30,6 +30,7 @@ export declare class KeyTrack {
     /** Frees their memory at once. It can be done twice. */
     dispose(): void;
     [Symbol.dispose](): void;
-    /** For calls of the library. */
-    get handle(): Address;
+    /** For calls of the library that made them: to another one, with a memory of its own, it says nothing. */
+    handleIn(engine: Engine): Address;
+    private get handle();
 }

@@ -20,6 +20,10 @@ export interface KeyData {
     /** Whether to go from key to key the short way round, or as the signs of the quaternions say. */
     signs?: 'shortest' | 'as-given';
 }
+/** What one of several words stands for. */
+export declare const chosen: <Word extends string>(option: string, word: Word, words: Record<Word, number>) => number;
 export declare const orderOf: (order: Order) => number;
+/** Keys that are there at all. */
+export declare const checkedKeys: (keys: KeyData) => KeyData;
 /** Keys in the memory of the library, for the time of some work. */
 export declare const withKeys: <Result>(engine: Engine, data: KeyData, work: (keys: Address) => Result) => Result;

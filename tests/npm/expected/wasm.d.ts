@@ -4,5 +4,7 @@ export interface LoadOptions {
     /** Where its bytes are, if not beside the script: for bundlers that copy no file. */
     wasmUrl?: string | URL;
 }
+/** The bytes of what holds some. */
+export declare const bytesOf: (option: string, source: ArrayBuffer | ArrayBufferView) => Uint8Array<ArrayBuffer>;
 /** The module that the user gives, else that of the file beside the script. */
 export declare const moduleOf: ({ wasm, wasmUrl }: LoadOptions, besideScript: URL) => Promise<WebAssembly.Module>;
