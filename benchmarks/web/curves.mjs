@@ -9,8 +9,8 @@ import { here, ratioOf } from './turns.mjs';
 
 const keyCount = 1000, count = 100_000, methods = ['auto', 'timed-c2'];
 
-const bytesOf = ({ orientations, angularVelocities, angularAccelerations }) =>
-  Buffer.concat([orientations, angularVelocities, angularAccelerations].filter(Boolean).map(({ buffer }) => new Uint8Array(buffer)));
+const bytesOf = ({ times, orientations, angularVelocities, angularAccelerations }) =>
+  Buffer.concat([times, orientations, angularVelocities, angularAccelerations].filter(Boolean).map(({ buffer }) => new Uint8Array(buffer)));
 
 const samplingRatio = async (ori, native, keys, method, rates) => {
   const curve = ori.curve(method, keys), { start, end } = curve, options = { start, step: (end - start) / count, count, rates };

@@ -2,7 +2,7 @@
 // The native library as the package's peer: `native KEYS` obeys the lines of its input and answers each by one line.
 //   make METHOD CALLS                processor time [s] of making so many curves
 //   sample METHOD RATES COUNT CALLS  that of so many times COUNT samples, with rates up to the order RATES
-//   write METHOD RATES COUNT FILE    `written`: the numbers of these samples, quantity after quantity
+//   write METHOD RATES COUNT FILE    `written`: the numbers of these samples, times first, quantity after quantity
 // KEYS: doubles, the times of the keys and then w, x, y, z of each.
 #include <cstdio>
 #include <cstdlib>
@@ -53,14 +53,16 @@ orispline_curve* made(const Keys& keys, const std::string& method) {
   return curve;
 }
 
-/// Even samples from the first key on, `count` of which would end at the last one.
+/// Even samples from the first key on, the `count`-th after which is the last key, with their times as the package gives
+/// them.
 std::vector<double> sampled(const Keys& keys, const orispline_curve* curve, std::size_t rates, std::size_t count) {
-  std::vector<double> numbers((4 + 3 * rates) * count);
-  std::vector<orispline_output> outputs{{ORISPLINE_ORIENTATION, ORISPLINE_DOUBLE, numbers.data(), 0}};
+  std::vector<double> numbers((5 + 3 * rates) * count);
+  std::vector<orispline_output> outputs{{ORISPLINE_ORIENTATION, ORISPLINE_DOUBLE, numbers.data() + count, 0}};
   for (std::size_t k = 0; k < rates; ++k)
     outputs.push_back({static_cast<orispline_quantity>(ORISPLINE_ANGULAR_VELOCITY + k), ORISPLINE_DOUBLE,
-                       numbers.data() + (4 + 3 * k) * count, 0});
+                       numbers.data() + (5 + 3 * k) * count, 0});
   const double start = keys.times.front(), step = (keys.times.back() - start) / static_cast<double>(count);
+  for (std::size_t k = 0; k < count; ++k) numbers[k] = static_cast<double>(k) * step + start;
   orispline_error* error = nullptr;
   check(orispline_sample_even(curve, start, step, count, ORISPLINE_WXYZ, nullptr, 1, outputs.data(), outputs.size(),
                               &error),

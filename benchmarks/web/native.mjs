@@ -33,7 +33,7 @@ export class Native {
     return Number(await this.told(`sample ${method} ${rates} ${count} ${calls}`));
   }
 
-  /** Orientations, angular velocities and angular accelerations, as far as they are asked for. */
+  /** Times, orientations, angular velocities and angular accelerations, as far as they are asked for. */
   async samples(method, rates, count) {
     const file = join(this.folder, 'samples.bin');
     await this.told(`write ${method} ${rates} ${count} ${file}`);
