@@ -39,5 +39,5 @@ export const mixerRatio = async (THREE, load, animate, method = 'auto') => {
   verify(ori, plain, tracksOf(THREE), 'slerp', 1e-10);
   verify(ori, exact, tracksOf(THREE), method, 1e-14);
   const ratio = await ratioOf(here(() => exact.mixer.update(frame)), here(() => plain.mixer.update(frame)));
-  return { what: `three.js's mixer with ${jointCount} joints by \`${method}\`, beside its slerp`, ratio, most: 1.6 };
+  return { what: `a mixer of three.js with ${jointCount} joints, \`${method}\` beside its own slerp`, ratio, most: 1.6 };
 };
