@@ -3,23 +3,22 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { brotliCompressSync, constants } from 'node:zlib';
+import { isCompiled, parts, sizesOf } from './sizes.mjs';
 
 const folder = process.env.ORISPLINE_NPM, here = import.meta.dirname;
 const manifest = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
 /** Without the compiler for WebAssembly the package has no modules. */
-const isCompiled = readdirSync(folder).some((name) => name.endsWith('.wasm'));
+const hasModules = readdirSync(folder).some((name) => name.endsWith('.wasm'));
 const read = (...path) => readFileSync(join(...path), 'utf8');
 
 test('every entry has a module and its types', () => {
   assert.ok(Object.keys(manifest.exports).length > 0);
   for (const [name, entry] of Object.entries(manifest.exports))
     for (const file of typeof entry === 'string' ? [entry] : Object.values(entry))
-      assert.ok(existsSync(join(folder, file)) || (file.endsWith('.wasm') && !isCompiled), `${name}: ${file}`);
+      assert.ok(existsSync(join(folder, file)) || (file.endsWith('.wasm') && !hasModules), `${name}: ${file}`);
 });
 
 test('it asks for nothing else', () => {
@@ -81,16 +80,9 @@ test('a strict program in TypeScript knows its types', () => {
   }
 });
 
-/** As servers send it. The best quality, 11, takes a second for 500 kB. */
-const compressed = (bytes, quality = 11) => brotliCompressSync(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: quality } }).length;
-
-for (const [part, { entry, module, quality, most }] of Object.entries(JSON.parse(read(here, 'sizes.json'))))
-  test(`${part} is at most ${most} bytes, compressed by brotli`, { skip: module && !existsSync(join(folder, module)) && 'the module was not compiled; make web compiles it' }, async () => {
-    const { build } = createRequire(join(process.env.ORISPLINE_NPM_TOOLS, 'x'))('esbuild');
-    const { outputFiles } = await build({
-      entryPoints: [join(folder, entry)], bundle: true, minify: true, format: 'esm', write: false, logLevel: 'silent', external: ['three'],
-    });
-    const sizes = [compressed(outputFiles[0].contents), module ? compressed(readFileSync(join(folder, module)), quality) : 0];
-    console.log(`${part}: ${sizes[0]} bytes of script, ${sizes[1]} of WebAssembly`);
-    assert.ok(sizes[0] + sizes[1] <= most, `${part}: found ${sizes[0] + sizes[1]} bytes, wanted at most ${most}`);
+for (const part of parts)
+  test(`${part.name} is at most ${part.most} bytes, compressed by brotli`, { skip: !isCompiled(folder, part) && 'the module was not compiled; make web compiles it' }, async () => {
+    const { script, module } = await sizesOf(folder, process.env.ORISPLINE_NPM_TOOLS, part);
+    console.log(`${part.name}: ${script} bytes of script, ${module} of WebAssembly`);
+    assert.ok(script + module <= part.most, `${part.name}: found ${script + module} bytes, wanted at most ${part.most}`);
   });

@@ -60,7 +60,8 @@ export class WholeCurve extends Curve {
       });
       const outputs = places.flatMap(({ quantity, from }) => [quantity, asDouble, from, 0]);
       engine.withWords(outputs, (at) => this.fill(options, times, at, wanted.length));
-      const found = places.map(({ name, from, length }) => [name, engine.numbers.slice(from / 8, from / 8 + length)]);
+      // Unlike slice, the constructor does not clear the memory that it is about to fill.
+      const found = places.map(({ name, from, length }) => [name, new Float64Array(engine.numbers.subarray(from / 8, from / 8 + length))]);
       return { times, ...Object.fromEntries(found) } as Samples;
     });
   }

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// The native library as the package's peer: `native KEYS` obeys the lines of its input and answers each by one line.
+//   make METHOD CALLS                processor time [s] of making so many curves
+//   sample METHOD RATES COUNT CALLS  that of so many times COUNT samples, with rates up to the order RATES
+//   write METHOD RATES COUNT FILE    `written`: the numbers of these samples, times first, quantity after quantity
+// KEYS: doubles, the times of the keys and then w, x, y, z of each.
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <orispline.h>
+
+namespace {
+
+[[noreturn]] void stop(const std::string& why) {
+  std::cerr << "native: " << why << '\n';
+  std::exit(1);
+}
+
+void check(orispline_code code, const orispline_error* error) {
+  if (code != ORISPLINE_OK) stop(orispline_error_text(error));
+}
+
+struct Keys {
+  std::vector<double> times, orientations;
+};
+
+Keys read(const char* name) {
+  std::ifstream file(name, std::ios::binary | std::ios::ate);
+  if (!file) stop(std::string("found no file ") + name + ", wanted the keys");
+  const std::size_t count = static_cast<std::size_t>(file.tellg()) / (5 * sizeof(double));
+  Keys keys{std::vector<double>(count), std::vector<double>(4 * count)};
+  file.seekg(0);
+  for (auto* column : {&keys.times, &keys.orientations})
+    file.read(reinterpret_cast<char*>(column->data()), static_cast<std::streamsize>(column->size() * sizeof(double)));
+  return keys;
+}
+
+orispline_curve* made(const Keys& keys, const std::string& method) {
+  orispline_error* error = nullptr;
+  orispline_keys* checked = nullptr;
+  orispline_curve* curve = nullptr;
+  check(orispline_keys_make(keys.times.data(), keys.orientations.data(), keys.times.size(), ORISPLINE_WXYZ,
+                            ORISPLINE_SHORTEST, nullptr, 0, &checked, &error),
+        error);
+  check(orispline_curve_make(checked, method.c_str(), &curve, &error), error);
+  orispline_keys_free(checked);
+  return curve;
+}
+
+/// Even samples from the first key on, the `count`-th after which is the last key, with their times as the package gives
+/// them.
+std::vector<double> sampled(const Keys& keys, const orispline_curve* curve, std::size_t rates, std::size_t count) {
+  std::vector<double> numbers((5 + 3 * rates) * count);
+  std::vector<orispline_output> outputs{{ORISPLINE_ORIENTATION, ORISPLINE_DOUBLE, numbers.data() + count, 0}};
+  for (std::size_t k = 0; k < rates; ++k)
+    outputs.push_back({static_cast<orispline_quantity>(ORISPLINE_ANGULAR_VELOCITY + k), ORISPLINE_DOUBLE,
+                       numbers.data() + (5 + 3 * k) * count, 0});
+  const double start = keys.times.front(), step = (keys.times.back() - start) / static_cast<double>(count);
+  for (std::size_t k = 0; k < count; ++k) numbers[k] = static_cast<double>(k) * step + start;
+  orispline_error* error = nullptr;
+  check(orispline_sample_even(curve, start, step, count, ORISPLINE_WXYZ, nullptr, 1, outputs.data(), outputs.size(),
+                              &error),
+        error);
+  return numbers;
+}
+
+template <class Work>
+double taken(int calls, const Work& work) {
+  const std::clock_t start = std::clock();
+  for (int call = 0; call < calls; ++call) work();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+void obey(const Keys& keys, const std::string& line) {
+  std::istringstream words(line);
+  std::string order, method, file;
+  std::size_t rates = 0, count = 0;
+  int calls = 0;
+  words >> order >> method;
+  if (order == "make") {
+    words >> calls;
+    std::cout << taken(calls, [&] { orispline_curve_free(made(keys, method)); }) << std::endl;
+    return;
+  }
+  words >> rates >> count;
+  orispline_curve* curve = made(keys, method);
+  if (order == "sample") {
+    words >> calls;
+    std::cout << taken(calls, [&] { sampled(keys, curve, rates, count); }) << std::endl;
+  } else if (order == "write") {
+    words >> file;
+    const std::vector<double> numbers = sampled(keys, curve, rates, count);
+    std::ofstream(file, std::ios::binary)
+        .write(reinterpret_cast<const char*>(numbers.data()),
+               static_cast<std::streamsize>(numbers.size() * sizeof(double)));
+    std::cout << "written" << std::endl;
+  } else {
+    stop("found the order '" + order + "', wanted make, sample or write");
+  }
+  orispline_curve_free(curve);
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  if (count != 2) stop("found no name, wanted that of the file of keys");
+  const Keys keys = read(words[1]);
+  for (std::string line; std::getline(std::cin, line);) obey(keys, line);
+}
