@@ -53,8 +53,8 @@ orispline_curve* made(const Keys& keys, const std::string& method) {
   return curve;
 }
 
-/// Even samples from the first key on, the `count`-th after which is the last key, with their times as the package gives
-/// them.
+/// Even samples from the first key on, the `count`-th after which is the last key, with their times as the package
+/// gives them.
 std::vector<double> sampled(const Keys& keys, const orispline_curve* curve, std::size_t rates, std::size_t count) {
   std::vector<double> numbers((5 + 3 * rates) * count);
   std::vector<orispline_output> outputs{{ORISPLINE_ORIENTATION, ORISPLINE_DOUBLE, numbers.data() + count, 0}};
