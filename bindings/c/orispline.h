@@ -292,8 +292,8 @@ ORISPLINE_C_API orispline_code orispline_curve_warnings(const orispline_curve *c
 // ---- Progress -------------------------------------------------------------------------------------------------------
 
 /// Told the share of a task that is done, from 0 to 1; any other number than 0 asks the task to stop, which then soon
-/// fails with ORISPLINE_CANCELLED. Called by one thread at a time, which need not be the caller's. `context`: as it was
-/// given.
+/// fails with ORISPLINE_CANCELLED, unless all was done. Called by one thread at a time, which need not be the caller's.
+/// `context`: as it was given.
 typedef int32_t (*orispline_progress)(double share, void *context);
 
 // ---- Baking ---------------------------------------------------------------------------------------------------------

@@ -34,7 +34,8 @@ TEST(SceneInMemory, FindsTheFilesThatAreGivenWithIt) {
 
 TEST(SceneInMemory, LooksForNoOtherFiles) {
   EXPECT_EQ(describe(read_scene(Input::in_memory("arm.gltf", with_buffer_beside)).error()),
-            "arm.gltf: buffer 0: found uri 'the%20keys.bin', and was given no file of that name");
+            "arm.gltf: buffer 0: found uri 'the%20keys.bin', which is not given, wanted the bytes within the document, "
+            "as a .glb has them");
 }
 
 TEST(SceneInMemory, HoldsTracks) {

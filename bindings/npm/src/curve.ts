@@ -74,8 +74,8 @@ const checkedCount = (count: number): number => {
 /** The times that are asked for. */
 export const timesOf = (curve: Playable, { times, start = curve.start, step, count }: SampleOptions): Float64Array => {
   if (times) return numbersOf('times', times);
-  if (!Number.isFinite(step) || !(step! > 0)) throw badArgument('step', `found ${typeof step === 'number' ? step : shown(step)}, wanted times, or a step of more than 0 s`);
-  if (!Number.isFinite(start)) throw badArgument('start', `found ${typeof start === 'number' ? start : shown(start)}, wanted a time [s]`);
+  if (!Number.isFinite(step) || !(step! > 0)) throw badArgument('step', `found ${shown(step)}, wanted times, or a step of more than 0 s`);
+  if (!Number.isFinite(start)) throw badArgument('start', `found ${shown(start)}, wanted a time [s]`);
   // Half a billionth of a step: what rounding takes from an end that is a multiple of it.
   const all = checkedCount(count ?? Math.max(Math.floor((curve.end - start) / step! + 5e-10) + 1, 0));
   checkRoom(4 * all); // of the orientations

@@ -36,7 +36,14 @@ export class OrisplineError extends Error implements ErrorPlace {
 }
 
 /** What was found, for a message. */
-export const shown = (value: unknown): string => (typeof value === 'bigint' ? `${value}n` : JSON.stringify(value) ?? String(value));
+export const shown = (value: unknown): string => {
+  if (typeof value === 'number') return String(value);
+  try {
+    return JSON.stringify(value) ?? String(value);
+  } catch {
+    return `something of the type ${typeof value}`; // a BigInt, or an object that holds one or itself
+  }
+};
 
 /** An argument that cannot be: `found 7 numbers, wanted 12`. */
 export const badArgument = (option: string, message: string): OrisplineError =>

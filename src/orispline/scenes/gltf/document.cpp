@@ -136,7 +136,8 @@ Expected<std::string> file_beside(const Object& buffer, std::string_view uri, co
     return buffer.fault(formatted("found uri {}, wanted a file beside the glTF file", in_quotes(uri)));
   if (const io::Input* const beside = from.beside(name)) return std::string(beside->bytes());
   if (from.is_in_memory())
-    return buffer.fault(formatted("found uri {}, and was given no file of that name", in_quotes(uri)));
+    return buffer.fault(formatted(
+        "found uri {}, which is not given, wanted the bytes within the document, as a .glb has them", in_quotes(uri)));
   const std::string& path = from.name();
   return file_in_folder(buffer, uri, path.substr(0, path.size() - file_name_of(path).size()), name);
 }
