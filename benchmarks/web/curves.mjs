@@ -7,12 +7,12 @@ import { keysOf } from './keys.mjs';
 import { Native } from './native.mjs';
 import { here, ratioOf } from './turns.mjs';
 
-const keyCount = 1000, count = 100_000, methods = ['auto', 'timed-c2'];
+const keyCount = 1000, count = 1_000_000, methods = ['auto', 'timed-c2'];
 
 const bytesOf = ({ times, orientations, angularVelocities, angularAccelerations }) =>
   Buffer.concat([times, orientations, angularVelocities, angularAccelerations].filter(Boolean).map(({ buffer }) => new Uint8Array(buffer)));
 
-/** The call of the compiled code that `sample` makes, without its copies and its times. */
+/** The call of the compiled code that `sample` makes, without new memory, copies and times. */
 const codeAlone = (curve, { start, step, count, rates }) => {
   const { engine, handle, orderNumber } = curve, numbers = engine.memoryFor(8 * (4 + 3 * rates) * count), outputs = engine.memoryFor(16 * (rates + 1));
   for (let k = 0; k <= rates; ++k) engine.words(outputs + 16 * k, 4).set([k, 0, numbers + (k && 8 * (1 + 3 * k) * count), 0]);
@@ -26,8 +26,10 @@ const samplingRatios = async (ori, native, keys, method, rates) => {
   const curve = ori.curve(method, keys), { start, end } = curve, options = { start, step: (end - start) / count, count, rates };
   if (!bytesOf(curve.sample(options)).equals(await native.samples(method, rates, count)))
     throw new Error(`${method}: found samples with other bits than those of the native library, wanted the same`);
-  const peer = (calls) => native.sample(method, rates, count, calls), alone = codeAlone(curve, options);
-  const found = { whole: await ratioOf(here(() => curve.sample(options)), peer), alone: await ratioOf(here(alone.run), peer) };
+  const alone = codeAlone(curve, options), found = {
+    whole: await ratioOf(here(() => curve.sample(options)), (calls) => native.sample(method, rates, count, calls)),
+    alone: await ratioOf(here(alone.run), (calls) => native.fill(method, rates, count, calls)),
+  };
   alone.free();
   curve.dispose();
   return found;
@@ -43,7 +45,7 @@ export const curveRatios = async (load, program) => {
     for (const [rates, what] of [[0, 'q'], [2, 'q, ω and α']])
       for (const method of methods) {
         const { whole, alone } = await samplingRatios(ori, native, keys, method, rates);
-        found.push({ what: `\`sample\`, ${count} times ${what}, \`${method}\``, ratio: whole, most: 2 }, { what: '… the compiled code alone', ratio: alone });
+        found.push({ what: `\`sample\`, ${count} times ${what}, \`${method}\``, ratio: whole, most: 2 }, { what: '… the compiled code alone', ratio: alone, most: 2 });
       }
     for (const method of methods) found.push({ what: `making \`${method}\`, ${keyCount} keys`, ratio: await makingRatio(ori, native, keys, method), most: 3 });
     return found;

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // The native library as the package's peer: `native KEYS` obeys the lines of its input and answers each by one line.
 //   make METHOD CALLS                processor time [s] of making so many curves
-//   sample METHOD RATES COUNT CALLS  that of so many times COUNT samples, with rates up to the order RATES
-//   write METHOD RATES COUNT FILE    `written`: the numbers of these samples, times first, quantity after quantity
+//   sample METHOD RATES COUNT CALLS  that of so many times COUNT samples, with rates up to the order RATES, and their
+//   times,
+//                                    each time into new memory
+//   fill METHOD RATES COUNT CALLS    likewise without times, into memory that was touched before
+//   write METHOD RATES COUNT FILE    `written`: the numbers of `sample`, quantity after quantity
 // KEYS: doubles, the times of the keys and then w, x, y, z of each.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -53,21 +57,47 @@ orispline_curve* made(const Keys& keys, const std::string& method) {
   return curve;
 }
 
-/// Even samples from the first key on, the `count`-th after which is the last key, with their times as the package
-/// gives them.
-std::vector<double> sampled(const Keys& keys, const orispline_curve* curve, std::size_t rates, std::size_t count) {
-  std::vector<double> numbers((5 + 3 * rates) * count);
-  std::vector<orispline_output> outputs{{ORISPLINE_ORIENTATION, ORISPLINE_DOUBLE, numbers.data() + count, 0}};
-  for (std::size_t k = 0; k < rates; ++k)
-    outputs.push_back({static_cast<orispline_quantity>(ORISPLINE_ANGULAR_VELOCITY + k), ORISPLINE_DOUBLE,
-                       numbers.data() + (5 + 3 * k) * count, 0});
-  const double start = keys.times.front(), step = (keys.times.back() - start) / static_cast<double>(count);
-  for (std::size_t k = 0; k < count; ++k) numbers[k] = static_cast<double>(k) * step + start;
-  orispline_error* error = nullptr;
-  check(orispline_sample_even(curve, start, step, count, ORISPLINE_WXYZ, nullptr, 1, outputs.data(), outputs.size(),
-                              &error),
-        error);
-  return numbers;
+/// Even samples from the first key on, the `count`-th after which is the last key.
+class Samples {
+ public:
+  Samples(const Keys& keys, std::size_t rates, std::size_t count)
+      : numbers(std::make_unique_for_overwrite<double[]>((5 + 3 * rates) * count)),
+        size((5 + 3 * rates) * count),
+        start_(keys.times.front()),
+        step_((keys.times.back() - start_) / static_cast<double>(count)),
+        count_(count),
+        outputs_{{ORISPLINE_ORIENTATION, ORISPLINE_DOUBLE, numbers.get() + count, 0}} {
+    for (std::size_t k = 0; k < rates; ++k)
+      outputs_.push_back({static_cast<orispline_quantity>(ORISPLINE_ANGULAR_VELOCITY + k), ORISPLINE_DOUBLE,
+                          numbers.get() + (5 + 3 * k) * count, 0});
+  }
+
+  void fill(const orispline_curve* curve) {
+    orispline_error* error = nullptr;
+    check(orispline_sample_even(curve, start_, step_, count_, ORISPLINE_WXYZ, nullptr, 1, outputs_.data(),
+                                outputs_.size(), &error),
+          error);
+  }
+
+  /// As the package makes them.
+  void fill_times() {
+    for (std::size_t k = 0; k < count_; ++k) numbers[k] = static_cast<double>(k) * step_ + start_;
+  }
+
+  std::unique_ptr<double[]> numbers;  ///< times, orientations, angular velocities and angular accelerations
+  std::size_t size;
+
+ private:
+  double start_, step_;  ///< [s]
+  std::size_t count_;
+  std::vector<orispline_output> outputs_;
+};
+
+Samples sampled(const Keys& keys, const orispline_curve* curve, std::size_t rates, std::size_t count) {
+  Samples samples(keys, rates, count);
+  samples.fill_times();
+  samples.fill(curve);
+  return samples;
 }
 
 template <class Work>
@@ -93,15 +123,19 @@ void obey(const Keys& keys, const std::string& line) {
   if (order == "sample") {
     words >> calls;
     std::cout << taken(calls, [&] { sampled(keys, curve, rates, count); }) << std::endl;
+  } else if (order == "fill") {
+    words >> calls;
+    Samples samples = sampled(keys, curve, rates, count);
+    std::cout << taken(calls, [&] { samples.fill(curve); }) << std::endl;
   } else if (order == "write") {
     words >> file;
-    const std::vector<double> numbers = sampled(keys, curve, rates, count);
+    const Samples samples = sampled(keys, curve, rates, count);
     std::ofstream(file, std::ios::binary)
-        .write(reinterpret_cast<const char*>(numbers.data()),
-               static_cast<std::streamsize>(numbers.size() * sizeof(double)));
+        .write(reinterpret_cast<const char*>(samples.numbers.get()),
+               static_cast<std::streamsize>(samples.size * sizeof(double)));
     std::cout << "written" << std::endl;
   } else {
-    stop("found the order '" + order + "', wanted make, sample or write");
+    stop("found the order '" + order + "', wanted make, sample, fill or write");
   }
   orispline_curve_free(curve);
 }

@@ -33,6 +33,11 @@ export class Native {
     return Number(await this.told(`sample ${method} ${rates} ${count} ${calls}`));
   }
 
+  /** Without times, and into memory that was touched before. */
+  async fill(method, rates, count, calls) {
+    return Number(await this.told(`fill ${method} ${rates} ${count} ${calls}`));
+  }
+
   /** Times, orientations, angular velocities and angular accelerations, as far as they are asked for. */
   async samples(method, rates, count) {
     const file = join(this.folder, 'samples.bin');
