@@ -4,9 +4,11 @@ import decimal
 import doctest
 import fractions
 import inspect
+import io
 import pickle
 import subprocess
 import warnings
+import zipfile
 
 import numpy as np
 import orispline as ori
@@ -280,3 +282,49 @@ def test_columns_of_numpy_files_that_may_be_others_are_warned_of(tmp_path):
     np.save(tmp_path / "mended.npy", [[1, 2, 0, 0, 0], [0, 1, 0, 0, 0], [np.nan, 1, 0, 0, 0], [1, 1, 0, 0, 0]])
     mended = ori.read(tmp_path / "mended.npy", normalise=True, sort=True, drop_invalid=True, drop_duplicates=True)
     assert len(mended) == 2 and mended.repairs["duplicates_dropped"] == mended.repairs["invalid_dropped"] == mended.repairs["normalised"] == 1
+
+
+def test_file_objects_are_read_as_files(tmp_path):
+    text = "t,qw,qx,qy,qz\n1700000000.000000001,1,0,0,0\n1700000000.5,0.8,0,0,0.6\n"
+    path = tmp_path / "keys.csv"
+    path.write_text(text, "utf-8")
+    wanted = ori.read(path)
+    with open(path, "rb") as in_bytes, open(path, encoding="utf-8") as in_text, zipfile.ZipFile(tmp_path / "keys.zip", "w") as archive:
+        archive.writestr("of/keys.csv", text)
+        with archive.open("of/keys.csv") as in_archive:
+            for source in (in_bytes, in_text, in_archive, io.BytesIO(text.encode()), io.StringIO(text)):
+                assert ori.read(source) == wanted and ori.read(path).epoch == wanted.epoch
+    named = io.BytesIO(b"1 0 0 0 0 0 0 1\n2 0 0 0 0 0 1 0\n")
+    named.name = "poses.tum"
+    assert ori.read(named).positions.shape == (2, 3)
+    array = io.BytesIO()
+    array.name = "keys.npy"
+    np.save(array, [[0, 1, 0, 0, 0], [1, 0.8, 0, 0, 0.6]])
+    array.seek(0)
+    assert len(ori.read(array)) == 2
+    both = io.StringIO("t,qw,qx,qy,qz\n" + "".join(f"{t},1,0,0,0\n" for t in [*range(100, 130), *range(20)]))
+    assert [len(keys) for keys in ori.read(both, session="all")] == [30, 20]
+    rates = ori.read_rates(io.StringIO("t,wx,wy,wz\n0,1,2,3\n1,4,5,6\n"))
+    assert rates.rates.tolist() == [[1, 2, 3], [4, 5, 6]]
+
+
+def test_what_is_wrong_in_a_file_object_is_said(tmp_path):
+    with pytest.raises(ori.DataError, match="^the file object:3:2: key 1: found 'x'"):
+        ori.read(io.StringIO("t,qw,qx,qy,qz\n0,1,0,0,0\n1,x,0,0,0\n"))
+    with pytest.raises(ori.DataError, match="^the file object: .*empty"):
+        ori.read(io.BytesIO())
+    named = io.BytesIO(b"t,qw,qx,qy,qz\n0,1,0,0,0\n0,1,0,0,0\n")
+    named.name = "mine.csv"
+    with pytest.raises(ori.DataError, match="^mine.csv:3: ") as caught:
+        ori.read(named)
+    assert (caught.value.file, caught.value.line) == ("mine.csv", 3)
+    class Odd:
+        def read(self):
+            return 3
+    with pytest.raises(TypeError, match="path: found an object whose read.. gives int, wanted bytes or text"):
+        ori.read(Odd())
+    with pytest.raises(TypeError, match="path: found int, wanted a str, a path of str, or a file object"):
+        ori.read(3)
+    named.name = "keys.txt.gltf"
+    with pytest.raises(ori.Error, match="keys.txt.gltf"):
+        ori.read_scene(named)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,9 @@ namespace orispline::python {
 
 /// Warnings, each once, as message, code and numbers.
 [[nodiscard]] nanobind::list told(const std::vector<Warning>& warnings);
+
+/// The file at a path; with bytes these, as those of a file of that name.
+[[nodiscard]] io::Input input_of(const std::string& path, const std::optional<nanobind::bytes>& bytes);
 
 /// A format by its word; null for an empty one.
 [[nodiscard]] const io::FormatInfo* format_of(std::string_view word);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/vector.h>
 
@@ -49,6 +51,11 @@ nb::list told(const std::vector<Warning>& warnings) {
   return list;
 }
 
+io::Input input_of(const std::string& path, const std::optional<nb::bytes>& bytes) {
+  if (!bytes) return path;
+  return io::Input::in_memory(path, std::string(static_cast<const char*>(bytes->data()), bytes->size()));
+}
+
 const io::FormatInfo* format_of(std::string_view word) {
   const auto found = std::ranges::find(io::formats(), word, &io::FormatInfo::id);
   return found == io::formats().end() ? nullptr : *found;
@@ -56,9 +63,9 @@ const io::FormatInfo* format_of(std::string_view word) {
 
 namespace {
 
-Expected<io::TrackFile> read_keys(const std::string& path, io::Reading reading) {
+Expected<io::TrackFile> read_keys(const io::Input& input, io::Reading reading) {
   const auto words = [](const Error& error) { return describe(in_words(error)); };
-  return io::read_whole_track(path, std::move(reading), {families_info(), jobs::family_named, words});
+  return io::read_whole_track(input, std::move(reading), {families_info(), jobs::family_named, words});
 }
 
 nb::dict repairs_of(const io::RepairReport& repairs) {
@@ -84,11 +91,12 @@ io::Reading reading_of(const io::StatedOptions& stated, const std::map<std::stri
 }
 
 nb::dict read(const std::string& path, const io::StatedOptions& stated,
-              const std::map<std::string, std::string>& columns) {
+              const std::map<std::string, std::string>& columns, const std::optional<nb::bytes>& bytes) {
   io::Reading reading = reading_of(stated, columns);
+  const io::Input input = input_of(path, bytes);
   auto file = [&] {
     const nb::gil_scoped_release release;
-    return read_keys(path, std::move(reading));
+    return read_keys(input, std::move(reading));
   }();
   if (!file) raise(in_words(std::move(file.error())));
   nb::list ignored;
@@ -103,11 +111,12 @@ nb::dict read(const std::string& path, const io::StatedOptions& stated,
 }
 
 std::size_t sessions(const std::string& path, const io::StatedOptions& stated,
-                     const std::map<std::string, std::string>& columns) {
+                     const std::map<std::string, std::string>& columns, const std::optional<nb::bytes>& bytes) {
   const io::Reading reading = reading_of(stated, columns);
+  const io::Input input = input_of(path, bytes);
   auto count = [&] {
     const nb::gil_scoped_release release;
-    return io::sessions_in(path, reading.options);
+    return io::sessions_in(input, reading.options);
   }();
   if (!count) raise(in_words(std::move(count.error())));
   return *count;
@@ -115,11 +124,12 @@ std::size_t sessions(const std::string& path, const io::StatedOptions& stated,
 
 /// The rates of a gyro: seconds since the first one, rates, the exact time of that, and warnings.
 nb::tuple read_rates(const std::string& path, const io::StatedOptions& stated,
-                     const std::map<std::string, std::string>& columns) {
+                     const std::map<std::string, std::string>& columns, const std::optional<nb::bytes>& bytes) {
   const io::Reading reading = reading_of(stated, columns);
+  io::Input input = input_of(path, bytes);
   auto rows = [&] {
     const nb::gil_scoped_release release;
-    return io::read_rates(path, reading.options);
+    return io::read_rates(std::move(input), reading.options);
   }();
   if (!rows) raise(in_words(std::move(rows.error())));
   const Decimal& first = rows->exact_times.front();
@@ -149,7 +159,7 @@ void add_files(nb::module_& module) {
   add_key_origins(module);
   add_key_writing(module);
   add_sample_writing(module);
-  module.def("read", &read, "path"_a, "stated"_a, "columns"_a);
+  module.def("read", &read, "path"_a, "stated"_a, "columns"_a, "bytes"_a.none());
   module.def(
       "check_reading",
       [](const io::StatedOptions& stated) {
@@ -157,8 +167,8 @@ void add_files(nb::module_& module) {
         value_of(io::check_frames(reading.options).map_error([](Error error) { return in_words(std::move(error)); }));
       },
       "stated"_a);
-  module.def("sessions", &sessions, "path"_a, "stated"_a, "columns"_a);
-  module.def("read_rates", &read_rates, "path"_a, "stated"_a, "columns"_a);
+  module.def("sessions", &sessions, "path"_a, "stated"_a, "columns"_a, "bytes"_a.none());
+  module.def("read_rates", &read_rates, "path"_a, "stated"_a, "columns"_a, "bytes"_a.none());
   module.def("reading_options", [] { return listed(io::reading_options()); });
   module.def("writing_options", [] { return listed(io::writing_options()); });
 }

@@ -32,10 +32,11 @@ struct SharedScene {
   explicit SharedScene(scenes::Scene made) : scene(std::make_shared<const scenes::Scene>(std::move(made))) {}
 };
 
-nb::tuple read_scene(const std::string& path, bool drop_duplicates) {
+nb::tuple read_scene(const std::string& path, bool drop_duplicates, const std::optional<nb::bytes>& bytes) {
+  const io::Input input = input_of(path, bytes);
   auto read = [&] {
     const nb::gil_scoped_release release;
-    return scenes::read_scene(path, {.drop_duplicates = drop_duplicates});
+    return scenes::read_scene(input, {.drop_duplicates = drop_duplicates});
   }();
   if (!read) raise(in_words(std::move(read.error())));
   const nb::list warnings = told(read->warnings);
@@ -282,7 +283,7 @@ void add_scenes(nb::module_& module) {
       .def_prop_ro("left", &left_by)
       .def("page", &page_of_smoothing, "date"_a);
   add_words(smoothing_class);
-  module.def("read_scene", &read_scene, "path"_a, "drop_duplicates"_a);
+  module.def("read_scene", &read_scene, "path"_a, "drop_duplicates"_a, "bytes"_a.none());
 }
 
 }  // namespace orispline::python

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import datetime
 import os
-from typing import TYPE_CHECKING, Any, List, Mapping, Tuple, Union
+from typing import IO, TYPE_CHECKING, Any, List, Mapping, Tuple, Union
 
 import numpy as np
 
@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from ._samples import Samples
 
 Path = Union[str, "os.PathLike[str]"]
+Source = Union[Path, "IO[bytes]", "IO[str]"]  # what is read
+UNNAMED = "the file object"  # in messages
 Options = List[Tuple[str, str]]  # as the command has them
 
 
@@ -91,6 +93,19 @@ def path_text(path: Path) -> str:
     except UnicodeEncodeError:
         raise ArgumentError(f"path: found {text!r}, wanted the name of a file, which has no such character") from None
     return text
+
+
+def source_of(path: Source) -> tuple[str, bytes | None]:
+    """A path as the library takes it, or the name and the content of a file object."""
+    if isinstance(path, (str, os.PathLike)):
+        return path_text(path), None
+    if not callable(read := getattr(path, "read", None)):
+        raise TypeError(f"path: found {type(path).__name__}, wanted a str, a path of str, or a file object")
+    content, name = read(), getattr(path, "name", None)
+    if not isinstance(content, (str, bytes, bytearray, memoryview)):
+        raise TypeError(f"path: found an object whose read() gives {type(content).__name__}, wanted bytes or text")
+    return (path_text(name) if isinstance(name, str) and name else UNNAMED,
+            content.encode("utf-8", "surrogateescape") if isinstance(content, str) else bytes(content))
 
 
 def printable(text: str) -> str:

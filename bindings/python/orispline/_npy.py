@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import decimal
 import fractions
+import io
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -25,12 +26,12 @@ REFUSED = {"order": "columns=['t', 'qw', …], which names the columns in their 
            **dict.fromkeys(("input_format", "epoch", "clip", "joint", "space", "ignore_recipe"), "it with files of text")}
 
 
-def read_npy(path: str, columns: Any, *, session: int | str | None, time_scale: Any, no_positions: bool, frames: Options,
+def read_npy(path: str, columns: Any, content: bytes | None, *, session: int | str | None, time_scale: Any, no_positions: bool, frames: Options,
              **options: Any) -> Keys | list[Keys]:
-    """Keys of a file, whose times count from the first one, or of each of its recordings; errors have its name. `columns` names its
-    columns in their order. `frames`: what is done with the keys."""
+    """Keys of a file, or of its content, whose times count from the first one, or of each of its recordings; errors have its name.
+    `columns` names its columns in their order. `frames`: what is done with the keys."""
     _core.check_reading([*frames, *stated({"time_scale": time_scale, "session": session})])
-    found = _columns(path, columns)
+    found = _columns(path, columns, content)
     if no_positions:
         found = {name: values for name, values in found.items() if name not in VECTORS["positions"]}
     if time_scale is not None and "t" in found:
@@ -48,9 +49,9 @@ def check_options(stated: Iterable[str]) -> None:
             raise ArgumentError(f"{option}: found it with a NumPy file, which holds numbers in columns without names, wanted {REFUSED[option]}")
 
 
-def _columns(path: str, columns: Any) -> dict[str, Any]:
+def _columns(path: str, columns: Any, content: bytes | None) -> dict[str, Any]:
     """By their names."""
-    table = _table(path)
+    table = _table(path, content)
     names = names_in_order(table.shape[1]) if columns is None else _names(columns, table.shape[1])
     if names is None:
         raise ArgumentError(f"{printable(path)}: found {table.shape[1]} columns, wanted 5, 8 or 17, or their names: columns=['t', 'qw', …]")
@@ -94,9 +95,9 @@ def _keys(path: str, columns: dict[str, Any], frames: Options, options: dict[str
     return made
 
 
-def _table(path: str) -> Any:
+def _table(path: str, content: bytes | None) -> Any:
     try:
-        table = np.load(path, allow_pickle=False)
+        table = np.load(path if content is None else io.BytesIO(content), allow_pickle=False)
     except OSError as error:
         refused = AccessError(f"{printable(path)}: cannot open: {error.strerror or error}")
         refused.file = path

@@ -8,7 +8,7 @@ from . import _core
 from ._arrays import Array, array_of, numbers
 from ._clock import SecondsSince
 from ._errors import DataError, tell
-from ._files import Path, path_text, stated
+from ._files import Source, source_of, stated
 from ._forms import rotation_text
 from ._reading import names_by_meaning
 
@@ -66,7 +66,7 @@ class Rates:
         return f"Rates({len(self)} rates)"
 
 
-def read_rates(path: Path, *, columns: Mapping[str, str] | None = None, time_scale: Number | None = None, fps: Number | None = None,
+def read_rates(path: Source, *, columns: Mapping[str, str] | None = None, time_scale: Number | None = None, fps: Number | None = None,
                epoch: str | datetime.date | np.datetime64 | None = None, world_axes: str | None = None, body_axes: str | None = None,
                world_rotation: Any = None, body_rotation: Any = None) -> Rates:
     """The rates of a gyro in a file of their own, as the command's `--gyro-file` reads them: a table with a header, the columns `t` and
@@ -76,7 +76,7 @@ def read_rates(path: Path, *, columns: Mapping[str, str] | None = None, time_sca
 
     Parameters
     ----------
-    path : str or path
+    path : str, path or file object
         `-` is standard input.
     columns, time_scale, fps, epoch, world_axes, body_axes, world_rotation, body_rotation
         As of `read`.
@@ -106,6 +106,7 @@ def read_rates(path: Path, *, columns: Mapping[str, str] | None = None, time_sca
     """
     rotations = {"world_rotation": rotation_text("world_rotation", world_rotation), "body_rotation": rotation_text("body_rotation", body_rotation)}
     options = stated({"time_scale": time_scale, "fps": fps, "epoch": epoch, "world_axes": world_axes, "body_axes": body_axes, **rotations})
-    seconds, rates, first, warnings = _core.read_rates(path_text(path), options, names_by_meaning(columns))
+    name, content = source_of(path)
+    seconds, rates, first, warnings = _core.read_rates(name, options, names_by_meaning(columns), content)
     tell(warnings)
     return Rates(SecondsSince.of(seconds, first), rates)

@@ -11,7 +11,7 @@ from . import _core
 from ._checks import flag
 from ._clock import Clock
 from ._errors import tell
-from ._files import Options, Path, explained, flags, path_text, stated
+from ._files import Options, Source, explained, flags, source_of, stated
 from ._forms import rotation_text
 from ._keys import Keys
 from ._mending import one_spelling
@@ -25,10 +25,10 @@ ALL = "all"  # recordings
 
 
 @overload
-def read(path: Path, *, session: Literal["all"], **options: Any) -> list[Keys]: ...
+def read(path: Source, *, session: Literal["all"], **options: Any) -> list[Keys]: ...
 @overload
-def read(path: Path, *, session: int | None = None, **options: Any) -> Keys: ...
-def read(path: Path, *, input_format: str | None = None,  # type: ignore[misc]  # which of the options there are is said here only
+def read(path: Source, *, session: int | None = None, **options: Any) -> Keys: ...
+def read(path: Source, *, input_format: str | None = None,  # type: ignore[misc]  # which of the options there are is said here only
          columns: Mapping[str, str] | Sequence[str] | None = None, order: str | None = None,
          input_orientation: str | None = None, euler: str | None = None, angle_unit: str | None = None,
          time_scale: Number | None = None, fps: Number | None = None,
@@ -52,8 +52,9 @@ def read(path: Path, *, input_format: str | None = None,  # type: ignore[misc]  
 
     Parameters
     ----------
-    path : str or path
-        `-` is standard input.
+    path : str, path or file object
+        `-` is standard input. A file object, open for bytes or text, is read from where it stands to its end; the extension of its
+        `name` tells the format where it has one.
     {options}
     scalar_first : bool
         The order of quaternions in all that the keys and their curves give back: w, x, y, z.
@@ -84,7 +85,7 @@ def read(path: Path, *, input_format: str | None = None,  # type: ignore[misc]  
     >>> len(ori.read(path))
     3
     """
-    name, scalar_first = path_text(path), flag("scalar_first", scalar_first)
+    (name, content), scalar_first = source_of(path), flag("scalar_first", scalar_first)
     normalise = one_spelling(normalize, normalise)
     named = {"input_format": input_format, "order": order, "input_orientation": input_orientation, "euler": euler,
              "angle_unit": angle_unit, "time_scale": time_scale, "fps": fps, "epoch": epoch, "clip": clip, "joint": joint, "space": space,
@@ -95,18 +96,18 @@ def read(path: Path, *, input_format: str | None = None,  # type: ignore[misc]  
     if name.lower().endswith(".npy") and input_format in (None, "npy"):
         frames = stated({**named, **dict.fromkeys(("input_format", "signs", "session", "time_scale"))}) + flags({**set_or_not, "no_positions": False})
         check_options(option for option, _ in frames)
-        return read_npy(name, columns, session=session, time_scale=time_scale, no_positions=no_positions, frames=frames,
+        return read_npy(name, columns, content, session=session, time_scale=time_scale, no_positions=no_positions, frames=frames,
                         signs="shortest" if signs is None else signs, scalar_first=scalar_first, **mending)
     options, names = stated(named) + flags({**set_or_not, **mending}), names_by_meaning(columns)
     if session != ALL:
-        return _read(name, options, names, scalar_first)
-    count = _core.sessions(name, options, names)
+        return _read(name, options, names, content, scalar_first)
+    count = _core.sessions(name, options, names, content)
     each = [option for option in options if option[0] != "session"]
-    return [_read(name, [*each, ("session", str(number))], names, scalar_first) for number in range(1, count + 1)]
+    return [_read(name, [*each, ("session", str(number))], names, content, scalar_first) for number in range(1, count + 1)]
 
 
-def _read(name: str, options: Options, names: dict[str, str], scalar_first: bool) -> Keys:
-    found = _core.read(name, options, names)
+def _read(name: str, options: Options, names: dict[str, str], content: bytes | None, scalar_first: bool) -> Keys:
+    found = _core.read(name, options, names, content)
     tell(found["warnings"])
     keys = Keys._of(found["keys"], Clock(), scalar_first=scalar_first)
     keys._source = {"format": found["format"], "repairs": found["repairs"], "ignored_columns": found["ignored_columns"]}

@@ -7,7 +7,7 @@ from typing import Any
 from . import _core
 from ._checks import flag
 from ._errors import ArgumentError, tell
-from ._files import Path, path_text
+from ._files import Source, source_of
 from ._methods import method_words
 from ._options import checked_threads, plain, takes, with_cutoff
 from ._scene import Scene, SceneReduction, SceneSmoothing, positive
@@ -15,12 +15,13 @@ from ._scene import Scene, SceneReduction, SceneSmoothing, positive
 TOLERANCES = ("tolerance", "position_tolerance", "world_tolerance")
 
 
-def read_scene(path: Path, *, drop_duplicates: bool = False, scalar_first: bool = False) -> Scene:
+def read_scene(path: Source, *, drop_duplicates: bool = False, scalar_first: bool = False) -> Scene:
     """The skeleton and the clips of a glTF or BVH file, in the format of its extension.
 
     Parameters
     ----------
-    path : str or path
+    path : str, path or file object
+        A file object is read to its end; its `name` tells the format. A .gltf may refer to no other file then.
     drop_duplicates : bool
         Of keys of a channel at equal times keep the first.
     scalar_first : bool
@@ -51,7 +52,8 @@ def read_scene(path: Path, *, drop_duplicates: bool = False, scalar_first: bool 
     (Channel('head', 'rotation', 'linear', 3 keys),)
     >>> scene.write(path.with_suffix(".glb"))
     """
-    core, warnings = _core.read_scene(path_text(path), flag("drop_duplicates", drop_duplicates))
+    name, content = source_of(path)
+    core, warnings = _core.read_scene(name, flag("drop_duplicates", drop_duplicates), content)
     tell(warnings)
     return Scene._of(core, flag("scalar_first", scalar_first))
 
