@@ -48,11 +48,6 @@ struct HandleOf<orispline_baked> {
 
 namespace {
 
-Expected<void> check_type(orispline_type type) {
-  if (type == ORISPLINE_DOUBLE || type == ORISPLINE_FLOAT) return {};
-  return bad_option("type", formatted("found {}, wanted ORISPLINE_DOUBLE or ORISPLINE_FLOAT", type));
-}
-
 template <class T>
 Expected<AnyBaked> baked(const HeldCurve& curve, double tolerance, const Progress& progress) {
   return jobs::check_without_gaps(*curve.track)

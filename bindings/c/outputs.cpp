@@ -15,8 +15,7 @@ namespace {
 Expected<void> check_output(const orispline_output& output, orispline_order order) {
   if (output.quantity < ORISPLINE_ORIENTATION || output.quantity > ORISPLINE_ACCELERATION)
     return bad_option("quantity", formatted("found {}, wanted an orispline_quantity", output.quantity));
-  if (output.type != ORISPLINE_DOUBLE && output.type != ORISPLINE_FLOAT)
-    return bad_option("type", formatted("found {}, wanted ORISPLINE_DOUBLE or ORISPLINE_FLOAT", output.type));
+  if (auto fits = check_type(output.type); !fits) return fits;
   if (stride_of(output) < width_of(output.quantity))
     return bad_option("stride",
                       formatted("found {}, wanted 0 or at least {}", output.stride, width_of(output.quantity)));
@@ -25,6 +24,11 @@ Expected<void> check_output(const orispline_output& output, orispline_order orde
 }
 
 }  // namespace
+
+Expected<void> check_type(orispline_type type) {
+  if (type == ORISPLINE_DOUBLE || type == ORISPLINE_FLOAT) return {};
+  return bad_option("type", formatted("found {}, wanted ORISPLINE_DOUBLE or ORISPLINE_FLOAT", type));
+}
 
 Expected<Outputs> outputs_in(const orispline_output* outputs, std::size_t output_count, orispline_order order,
                              std::size_t samples) {
