@@ -2,7 +2,6 @@
 """The mean and the median of many orientations."""
 from __future__ import annotations
 
-import copy
 import dataclasses
 from typing import TYPE_CHECKING, Any, overload
 
@@ -16,6 +15,7 @@ from ._errors import ArgumentError, DataError, tell
 from ._html import table
 from ._keys import Keys, orientations_of
 from ._options import FIELDS, plain, states, takes
+from ._told import Told
 
 if TYPE_CHECKING:
     from ._types import AngleUnit
@@ -27,7 +27,7 @@ VECTORS = ("sigma", "position_sigma")
 
 @states("Mean")
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Mean:
+class Mean(Told):
     """The middle of many orientations, of `mean`.
 
     Attributes
@@ -70,13 +70,6 @@ class Mean:
     farthest_position: int | None
     _members: dict[str, Any]
     _summary: str
-
-    def as_dict(self) -> dict[str, Any]:
-        """By name with unit, as the JSON of the command has it."""
-        return copy.deepcopy(self._members)
-
-    def __str__(self) -> str:
-        return self._summary.rstrip("\n") or repr(self)
 
     def __repr__(self) -> str:
         q = ", ".join(f"{x:.6g}" for x in self.orientation)

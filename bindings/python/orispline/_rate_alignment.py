@@ -2,7 +2,6 @@
 """What brings a gyro onto another one, or onto the orientations of the body that carries it."""
 from __future__ import annotations
 
-import copy
 import dataclasses
 from typing import Any
 
@@ -16,6 +15,7 @@ from ._html import table
 from ._keys import Keys
 from ._options import FIELDS, states
 from ._rates import Rates
+from ._told import Told
 
 Vector = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -35,7 +35,7 @@ class OpenRateDirection:
 
 @states("RateAlignment")
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class RateAlignment:
+class RateAlignment(Told):
     """What brings a recording `a` onto a recording `b`, of `align`, where one of them is of a gyro or both are: ω' = B (ω - bias),
     t' = t - offset. Where orientations are moved onto a gyro, R' = R Bᵀ.
 
@@ -72,13 +72,6 @@ class RateAlignment:
     excess: float
     _members: dict[str, Any]
     _summary: str
-
-    def as_dict(self) -> dict[str, Any]:
-        """By name with unit, as the JSON of the command has it."""
-        return copy.deepcopy(self._members)
-
-    def __str__(self) -> str:
-        return self._summary.rstrip("\n")
 
     def __repr__(self) -> str:
         q, bias = (", ".join(f"{x:.6g}" for x in vector) for vector in (self.body, self.bias))

@@ -2,7 +2,6 @@
 """What tasks find: objects that never change."""
 from __future__ import annotations
 
-import copy
 import dataclasses
 import functools
 import keyword
@@ -15,6 +14,7 @@ from . import _core
 from ._html import table
 from ._keys import Keys
 from ._options import FIELDS, checked_keys, new_keys, states
+from ._told import Told
 from ._view import Viewed, now
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ Found = TypeVar("Found", bound="Result")
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Result:
+class Result(Told):
     """What results of tasks have alike."""
 
     keys: Keys
@@ -35,10 +35,6 @@ class Result:
     _summary: str
     _core: Any
     _table: ClassVar[str]
-
-    def as_dict(self) -> dict[str, Any]:
-        """By name with unit, as the JSON of the command has it. Samples have the lines of their file, None without one."""
-        return copy.deepcopy(self._members)
 
     def _task(self) -> Any:
         """The library's own result; after pickling the work is done again, with the same numbers."""
@@ -65,9 +61,6 @@ class Result:
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: None if name == "_core" else value for name, value in self.__dict__.items() if name != "curve"}
-
-    def __str__(self) -> str:
-        return self._summary.rstrip("\n") or repr(self)
 
     def _repr_html_(self) -> str:
         """The table that a notebook shows: what was found, by name with unit, and what it means."""

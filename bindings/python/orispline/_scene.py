@@ -2,7 +2,6 @@
 """A skeleton with its clips, and what was done to it."""
 from __future__ import annotations
 
-import copy
 import dataclasses
 import functools
 from typing import Any, ClassVar
@@ -13,6 +12,7 @@ from numpy.typing import NDArray
 from ._checks import flag, real
 from ._errors import ArgumentError, tell
 from ._files import Path, path_text
+from ._told import Told
 from ._view import Viewed, now
 
 Array = NDArray[np.float64]
@@ -222,17 +222,11 @@ class Worst:
     time: float
 
 
-class _DoneToScene(Viewed):
+class _DoneToScene(Told, Viewed):
     """What a task did to a scene: its document, its summary and its page."""
 
-    _members: dict[str, Any]
-    _summary: str
     _core: Any
     _task: ClassVar[tuple[str, str]]  # what it is, and the function that gives it
-
-    def as_dict(self) -> dict[str, Any]:
-        """By name with unit, as the JSON of the command has it."""
-        return copy.deepcopy(self._members)
 
     def _page(self) -> bytes:
         """Both skeletons, before and after."""
@@ -243,9 +237,6 @@ class _DoneToScene(Viewed):
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_core": None}
-
-    def __str__(self) -> str:
-        return self._summary.rstrip("\n")
 
 
 @dataclasses.dataclass(frozen=True)
