@@ -22,8 +22,6 @@ std::string sigma_text(double sigma, std::string_view name) {
   return sigma == 0.0 ? "" : formatted(" ± {:.2g}{}", sigma, name);
 }
 
-Json rotation_json(const Eigen::Quaterniond& q) { return {{"qw", q.w()}, {"qx", q.x()}, {"qy", q.y()}, {"qz", q.z()}}; }
-
 Json vector_json(const Eigen::Vector3d& v) {
   Json list = Json::array();
   for (const double component : v) list.push_back(component);

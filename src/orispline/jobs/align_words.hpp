@@ -16,7 +16,6 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 [[nodiscard]] std::string sigmas_text(const Eigen::Vector3d& sigmas, double unit, std::string_view name);
 [[nodiscard]] std::string sigma_text(double sigma, std::string_view name);
 
-[[nodiscard]] Json rotation_json(const Eigen::Quaterniond& q);
 [[nodiscard]] Json vector_json(const Eigen::Vector3d& v);
 
 }}}  // namespace orispline::jobs

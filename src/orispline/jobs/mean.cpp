@@ -159,8 +159,7 @@ Json place_json(const MeanRequest& request, std::size_t row) {
 }
 
 Json mean_json(const Mean& found, const MeanRequest& request) {
-  const Eigen::Quaterniond& q = found.orientation;
-  Json json{{"qw", q.w()}, {"qx", q.x()}, {"qy", q.y()}, {"qz", q.z()}};
+  Json json = rotation_json(found.orientation);
   if (found.position)
     json.update({{"px", found.position->x()}, {"py", found.position->y()}, {"pz", found.position->z()}});
   const Places places{request.rows->lines};

@@ -73,6 +73,8 @@ Json findings_json(const std::optional<KeyFindings>& findings) {
           {"method_text", text_of(given)}};
 }
 
+Json rotation_json(const Eigen::Quaterniond& q) { return {{"qw", q.w()}, {"qx", q.x()}, {"qy", q.y()}, {"qz", q.z()}}; }
+
 Places places_of(const Track& track) {
   return {track.lines, [&track](std::size_t sample) { return track.time_of(sample); }};
 }

@@ -29,6 +29,9 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 /// What the keys say as JSON, with the numbers as settings of the method `measured`; null where there are none.
 [[nodiscard]] Json findings_json(const std::optional<KeyFindings>& findings);
 
+/// By the names of the components.
+[[nodiscard]] Json rotation_json(const Eigen::Quaterniond& q);
+
 /// Where the samples of a track are. It outlives them.
 [[nodiscard]] Places places_of(const Track& track);
 
