@@ -8,8 +8,9 @@ export interface Drawable {
 }
 
 const pause = 60; // [ms] where the browser does not say when it rests
+const patience = 500; // [ms] where it never says so, as Chromium does in some frames
 
-const whenIdle = (work: () => void) => ('requestIdleCallback' in window ? requestIdleCallback(work) : setTimeout(work, pause));
+const whenIdle = (work: () => void) => ('requestIdleCallback' in window ? requestIdleCallback(work, { timeout: patience }) : setTimeout(work, pause));
 
 export class Turns {
   private readonly waiting = new Set<Drawable>();
