@@ -9,11 +9,16 @@ import sys
 
 GROUND = {"data", "look", "motion", "store"}
 VIEWS = {"controls", "plots", "scene", "tables"}
-FLOORS = {  # folder of viewer/src -> what it may import besides itself; a file beside the folders may import all
-    "data": set(), "look": set(), "motion": {"data"}, "store": {"data", "look", "motion"}, "quantities": GROUND,
-    "plots": GROUND | {"quantities"}, "scene": GROUND, "tables": GROUND, "controls": GROUND, "layout": GROUND | VIEWS | {"quantities"}, "style": set()}
-PACKAGES = {"viewer": set(), "report": {"orispline-viewer"}, "widget": {"orispline-viewer"}}  # package of the studio -> those that it may import
-GUESTS = {"three": "viewer/src/scene/", "uplot": "viewer/src/plots/"}  # third party -> its only room
+EDITED = {"document", "edits", "store", "engine"}
+FLOORS = {  # package -> folder of its src -> what it may import besides itself; a file beside the folders may import all
+    "viewer": {
+        "data": set(), "look": set(), "motion": {"data"}, "store": {"data", "look", "motion"}, "quantities": GROUND,
+        "plots": GROUND | {"quantities"}, "scene": GROUND, "tables": GROUND, "controls": GROUND, "layout": GROUND | VIEWS | {"quantities"}, "style": set()},
+    "editor": {
+        "document": set(), "engine": {"document"}, "edits": {"document"}, "store": {"document", "engine"}, "file": {"document", "engine"},
+        "scene": EDITED, "timeline": EDITED, "panels": EDITED, "frame": EDITED | {"file", "scene", "timeline", "panels"}, "style": set()}}
+PACKAGES = {"viewer": set(), "report": {"orispline-viewer"}, "widget": {"orispline-viewer"}, "editor": {"orispline-viewer", "orispline"}}  # package of the studio -> those that it may import
+GUESTS = {"three": ("viewer/src/scene/", "editor/src/scene/"), "uplot": ("viewer/src/plots/",)}  # third party -> its only rooms
 FILE_LINES = 600
 SOURCES = {".ts", ".css", ".js", ".mjs"}
 BUILT = {"node_modules", "dist"}
@@ -22,9 +27,9 @@ IMPORT = re.compile(r"""^import\s+(?:[\w\s{},*]*?\bfrom\s*)?['"]([^'"]+)|^export
 
 
 def floor_of(path):
-    """The folder of viewer/src that a file of it is in; none beside the folders."""
-    folder = re.match(r"viewer/src/([^/]+)/", path)
-    return folder and folder[1]
+    """The folder of a package's src that a file of it is in, where the package has floors; none beside the folders."""
+    folder = re.match(r"([^/]+)/src/([^/]+)/", path)
+    return folder and folder[1] in FLOORS and folder[2]
 
 
 def import_breaches(path, names, targets):
@@ -32,7 +37,7 @@ def import_breaches(path, names, targets):
     for name, target in zip(names, targets):
         if target.startswith("../") or target.partition("/")[0] != package:
             yield f"{path}: wanted a package by its name, found {name}"
-        elif floor and floor_of(target) != floor and floor_of(target) not in FLOORS.get(floor, set()):
+        elif floor and floor_of(target) != floor and floor_of(target) not in FLOORS[package].get(floor, set()):
             yield f"{path}: floor {floor} must not import {name}"
 
 
@@ -41,7 +46,7 @@ def guest_breaches(path, names):
     for name in names:
         guest = name.partition("/")[0]
         if guest in GUESTS and not path.startswith(GUESTS[guest]):
-            yield f"{path}: {guest} is for {GUESTS[guest]} only"
+            yield f"{path}: {guest} is for {' and '.join(GUESTS[guest])} only"
         elif guest not in GUESTS and guest not in PACKAGES.get(package, set()):
             yield f"{path}: {package} must not import {name}"
 

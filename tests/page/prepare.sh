@@ -8,8 +8,8 @@ folder=$2
 
 "$(dirname "$0")/../npm_ci.sh" "$source" "$folder"
 cd "$folder"
-rm -rf viewer report widget tests
-for part in viewer report widget tests tsconfig.json; do
+rm -rf viewer report widget editor tests
+for part in viewer report widget editor tests tsconfig.json; do
   cp -R "$source/$part" .
 done
 rm -rf report/dist widget/dist
