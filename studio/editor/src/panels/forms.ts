@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Orientations as numbers that people type.
+import { exponential, logarithm } from 'orispline-viewer/motion/quaternion';
+import type { Quaternion } from '../document/document';
+import { bodyOrders, fromEuler, toEuler, worldOrders } from './euler';
+
+export interface Form {
+  id: string; // such as `ZYX`
+  title: string;
+  names: string[];
+  unit: string;
+  step: number; // of an arrow key
+  numbersOf: (q: Quaternion) => number[];
+  /** A sentence where the numbers are no orientation. */
+  orientationOf: (numbers: number[]) => Quaternion | string;
+}
+
+const degree = Math.PI / 180;
+const three = ([x, y, z]: number[], size: number): [number, number, number] => [x * size, y * size, z * size];
+
+const ordinals = ['first', 'second', 'third'];
+
+const euler = (order: string): Form => ({
+  id: order,
+  title: `Euler ${order}`,
+  names: [...order].map((letter, i) => `${letter}, ${ordinals[i]} turn`),
+  unit: '°',
+  step: 1,
+  numbersOf: (q) => three([...toEuler(order, q)], 1 / degree),
+  orientationOf: (numbers) => fromEuler(order, three(numbers, degree)),
+});
+
+const quaternion: Form = {
+  id: 'quaternion',
+  title: 'Quaternion',
+  names: ['qw', 'qx', 'qy', 'qz'],
+  unit: '',
+  step: 0.01,
+  numbersOf: (q) => [...q],
+  orientationOf: (numbers) => {
+    const norm = Math.hypot(...numbers);
+    if (!(norm > 0)) return 'All four numbers are 0, which is no orientation; one of them must be another number.';
+    return numbers.map((value) => value / norm) as unknown as Quaternion;
+  },
+};
+
+const rotationVector: Form = {
+  id: 'rotvec',
+  title: 'Rotation vector',
+  names: ['rx', 'ry', 'rz'],
+  unit: 'rad',
+  step: 0.01,
+  numbersOf: (q) => logarithm([...q]),
+  orientationOf: (numbers) => exponential(numbers as [number, number, number]),
+};
+
+export const groups: [title: string, forms: Form[]][] = [
+  ['Numbers of a rotation', [quaternion, rotationVector]],
+  ['Turns about the body’s axes', bodyOrders.map(euler)],
+  ['Turns about the world’s axes', worldOrders.map(euler)],
+];
+
+export const formNamed = (id: string): Form => groups.flatMap(([, forms]) => forms).find((form) => form.id === id) ?? quaternion;
+
+/** Of the two signs that of the shorter way. */
+export const nearTo = (other: Quaternion, q: Quaternion): Quaternion =>
+  q.reduce((sum, value, i) => sum + value * other[i], 0) < 0 ? (q.map((value) => -value) as unknown as Quaternion) : q;
+
