@@ -51,7 +51,7 @@ interface Hooks {
 }
 
 function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, drawn, thinned }: Hooks, width: number): uPlot.Options {
-  const { current, moveTo, moments } = store;
+  const { current, moveTo } = store;
   const { lines, colours } = drawn();
   const axis = { stroke: colours.faint, font, ticks: { stroke: colours.grid, size: 4 } };
   const before = (plot: uPlot) => {
@@ -66,7 +66,7 @@ function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, dra
     legend: { show: false },
     scales: { x: { time: false }, y: { range } },
     axes: [
-      { ...axis, grid: { show: false }, size: 28, values: (_, ticks) => moments.ticks(ticks) },
+      { ...axis, grid: { show: false }, size: 28, values: (_, ticks) => store.moments.ticks(ticks) },
       { ...axis, grid: { stroke: colours.grid, width: 1 }, size: 52, values: (_, ticks) => ticks.map(tick) },
     ],
     series: [{}, ...lines.map(({ label, colour, width, dashes }) => ({ label, stroke: colour, width, dash: dashes, spanGaps: false, points: { show: false } }))],
@@ -165,7 +165,7 @@ export class Plot {
     if (this.plot && look === this.look) this.plot.setData(data, false);
     else this.replace(data);
     this.look = look;
-    this.showWindow(state);
+    this.scale(state);
     this.showTime(state);
   }
 
@@ -192,8 +192,13 @@ export class Plot {
     return rangeOf(reach);
   }
 
-  showWindow({ window: [min, max] }: State): void {
+  private scale({ window: [min, max] }: State): void {
     this.plot?.setScale('x', { min, max });
+  }
+
+  showWindow(state: State): void {
+    const { min, max } = this.plot?.scales.x ?? {};
+    if (min !== state.window[0] || max !== state.window[1]) this.scale(state); // else its lines would be asked for, out of turn
   }
 
   showTime({ time }: State): void {
