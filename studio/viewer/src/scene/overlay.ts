@@ -49,9 +49,11 @@ export class Overlay {
     frame.append(this.svg);
   }
 
-  /** A name at a place of the scene; fainter where the unit sphere is before it. */
-  name(text: string, at: Vector3): void {
-    this.names.push({ text: textOf(this.svg, text), at });
+  /** A name at a place of the scene, which may move; fainter where the unit sphere is before it. */
+  name(text: string, at: Vector3): SVGTextElement {
+    const made = textOf(this.svg, text);
+    this.names.push({ text: made, at });
+    return made;
   }
 
   paint(colours: Colours): void {
