@@ -2,7 +2,7 @@
 // Euler angles beside products of rotation matrices, which share no formula with them.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { moduleOf } from './built.mjs';
+import { moduleOf } from './modules.mjs';
 
 const { bodyOrders, worldOrders, fromEuler, toEuler } = await moduleOf('panels/euler.ts');
 

@@ -14,10 +14,33 @@ export interface Known {
 /** A rule for both ends, or one for each: `rest`, `natural,clamped`. */
 export const endsOf = (text: string): string[] => text.split(',');
 
+const rest = '0,0,0'; // [rad/s], body
+const rateOf = ['start_rate', 'end_rate']; // of each end
+
+/** Whether the ends, first and last, have a rate that is given. */
+export function clamped({ settings: { ends } }: Choice): [start: boolean, end: boolean] {
+  const rules = typeof ends === 'string' ? endsOf(ends) : [];
+  return [rules[0] === 'clamped', rules[rules.length - 1] === 'clamped'];
+}
+
+/** A loop has no ends, and an end has a rate exactly where it is clamped. */
+function coherent(choice: Choice): Choice {
+  const { ends, ...others } = choice.settings;
+  const settings: Record<string, Setting> = others.closed === true || ends === undefined ? others : { ...others, ends };
+  clamped({ ...choice, settings }).forEach((isClamped, end) => {
+    if (isClamped) settings[rateOf[end]] ??= rest;
+    else delete settings[rateOf[end]];
+  });
+  return { ...choice, settings };
+}
+
+const isRate = (value: Setting): boolean => typeof value === 'string' && value.split(',').length === 3 && value.split(',').every((number) => number.trim() !== '' && Number.isFinite(Number(number)));
+
 /** Whether a method has such a setting, and may have this value of it. */
 export function knows(method: Known, name: string, value: Setting): boolean {
   if (name === 'closed') return method.closes && typeof value === 'boolean';
   if (name === 'ends') return typeof value === 'string' && endsOf(value).length <= 2 && endsOf(value).every((end) => method.ends.includes(end));
+  if (rateOf.includes(name)) return method.ends.includes('clamped') && isRate(value);
   const parameter = method.parameters.find((candidate) => candidate.name === name);
   if (parameter) return typeof value === 'number' && parameter.min <= value && value <= parameter.max;
   return typeof value === 'string' && (method.choices.find((candidate) => candidate.name === name)?.values.includes(value) ?? false);
@@ -28,7 +51,7 @@ export function withMethod(document: StudioDocument, which: Which, method: Known
   const choice: Choice = document[which];
   if (choice.method === method.name) return document;
   const settings = Object.fromEntries(Object.entries(choice.settings).filter(([name, value]) => knows(method, name, value)));
-  return { ...document, [which]: { method: method.name, settings } };
+  return { ...document, [which]: coherent({ method: method.name, settings }) };
 }
 
 /** One setting, or without a value the method's own again. One that the method refuses changes nothing, nor does one that keys have of their own. */
@@ -36,9 +59,9 @@ export function withSetting(document: StudioDocument, which: Which, method: Know
   const choice: Choice = document[which];
   if (choice.method !== method.name || choice.settings[name] === value) return document;
   const { [name]: _, ...others } = choice.settings;
-  if (value === undefined) return { ...document, [which]: { ...choice, settings: others } };
+  if (value === undefined) return { ...document, [which]: coherent({ ...choice, settings: others }) };
   const isOwn = document.keys.some(({ own }) => name in own);
-  return isOwn || !knows(method, name, value) ? document : { ...document, [which]: { ...choice, settings: { ...choice.settings, [name]: value } } };
+  return isOwn || !knows(method, name, value) ? document : { ...document, [which]: coherent({ ...choice, settings: { ...choice.settings, [name]: value } }) };
 }
 
 /** A and B in each other's place. */

@@ -16,7 +16,13 @@ export class Notices {
   tell(sentence: string, { actions = [], isTrouble = false }: { actions?: Action[]; isTrouble?: boolean } = {}): void {
     for (const old of [...this.element.children]) if (old.firstChild?.textContent === sentence) old.remove();
     const end = () => line.remove();
-    const buttons = actions.map(({ label, chosen }) => element('button', { type: 'button', className: 'side', onclick: () => (end(), chosen()) }, label));
+    const buttons = actions.map(({ label, chosen }) => {
+      const answer = () => {
+        end();
+        chosen();
+      };
+      return element('button', { type: 'button', className: 'side', onclick: answer }, label);
+    });
     const close = element('button', { type: 'button', className: 'close', onclick: end, attributes: { 'aria-label': 'Close this notice' } }, '✕');
     const line = element('div', { className: isTrouble ? 'notice trouble' : 'notice' }, element('span', {}, sentence), ...buttons, close);
     this.element.append(line);

@@ -33,15 +33,14 @@ export interface Item {
 
 /** A button with a menu of things to do. */
 export function menuButton(label: string, name: string, items: Item[]): HTMLElement {
-  const entries = items.map(({ label, note, chosen }) =>
-    element(
-      'button',
-      { type: 'button', className: 'entry', tabIndex: -1, attributes: { role: 'menuitem' }, onclick: () => (box.hidePopover(), chosen()) },
-      label,
-      ...(note ? [element('small', {}, note)] : []),
-    ),
-  );
-  const box = element('div', { className: 'popup menu', attributes: { role: 'menu', 'aria-label': name } }, ...entries);
+  const entries = items.map(({ label, note, chosen }) => {
+    const choose = () => {
+      box.hidePopover();
+      chosen();
+    };
+    return element('button', { type: 'button', className: 'entry', tabIndex: -1, attributes: { role: 'menuitem' }, onclick: choose }, label, ...(note ? [element('small', {}, note)] : []));
+  });
+  const box: HTMLElement = element('div', { className: 'popup menu', attributes: { role: 'menu', 'aria-label': name } }, ...entries);
   const button = element('button', { type: 'button', className: 'side', attributes: { 'aria-label': name, 'aria-haspopup': 'menu' } }, label);
   opens(button, box, () => entries[0].focus());
   box.addEventListener('keydown', (event) => {

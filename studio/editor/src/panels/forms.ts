@@ -2,6 +2,7 @@
 // Orientations as numbers that people type.
 import { exponential, logarithm } from 'orispline-viewer/motion/quaternion';
 import type { Quaternion } from '../document/document';
+import { notAQuaternion } from '../edits/reasons';
 import { bodyOrders, fromEuler, toEuler, worldOrders } from './euler';
 
 export interface Form {
@@ -10,8 +11,9 @@ export interface Form {
   names: string[];
   unit: string;
   step: number; // of an arrow key
+  keepsTyped: boolean; // several of its numbers are one orientation, so that what was typed is shown as it was
   numbersOf: (q: Quaternion) => number[];
-  /** A sentence where the numbers are no orientation. */
+  /** Of any norm; a sentence where the numbers are no orientation. */
   orientationOf: (numbers: number[]) => Quaternion | string;
 }
 
@@ -26,6 +28,7 @@ const euler = (order: string): Form => ({
   names: [...order].map((letter, i) => `${letter}, ${ordinals[i]} turn`),
   unit: '°',
   step: 1,
+  keepsTyped: true,
   numbersOf: (q) => three([...toEuler(order, q)], 1 / degree),
   orientationOf: (numbers) => fromEuler(order, three(numbers, degree)),
 });
@@ -36,12 +39,9 @@ const quaternion: Form = {
   names: ['qw', 'qx', 'qy', 'qz'],
   unit: '',
   step: 0.01,
+  keepsTyped: false,
   numbersOf: (q) => [...q],
-  orientationOf: (numbers) => {
-    const norm = Math.hypot(...numbers);
-    if (!(norm > 0)) return 'All four numbers are 0, which is no orientation; one of them must be another number.';
-    return numbers.map((value) => value / norm) as unknown as Quaternion;
-  },
+  orientationOf: (numbers) => notAQuaternion(numbers) ?? (numbers as unknown as Quaternion),
 };
 
 const rotationVector: Form = {
@@ -50,6 +50,7 @@ const rotationVector: Form = {
   names: ['rx', 'ry', 'rz'],
   unit: 'rad',
   step: 0.01,
+  keepsTyped: true,
   numbersOf: (q) => logarithm([...q]),
   orientationOf: (numbers) => exponential(numbers as [number, number, number]),
 };
@@ -61,8 +62,3 @@ export const groups: [title: string, forms: Form[]][] = [
 ];
 
 export const formNamed = (id: string): Form => groups.flatMap(([, forms]) => forms).find((form) => form.id === id) ?? quaternion;
-
-/** Of the two signs that of the shorter way. */
-export const nearTo = (other: Quaternion, q: Quaternion): Quaternion =>
-  q.reduce((sum, value, i) => sum + value * other[i], 0) < 0 ? (q.map((value) => -value) as unknown as Quaternion) : q;
-

@@ -9,7 +9,6 @@ export interface FieldOptions {
   name?: string; // what is said; else the label
   unit?: string;
   step: number;
-  isIntegral?: boolean;
   /** Takes the number, or says in a sentence why it cannot be. One gesture is one step of the history. */
   taken: (value: number, gesture: object) => string | null;
 }
@@ -23,6 +22,7 @@ export class NumberField {
   private readonly trouble = element('span', { className: 'trouble', attributes: { role: 'alert' } });
   private value = NaN;
   private gesture: object = {};
+  private isTaking = false;
 
   constructor(private readonly options: FieldOptions) {
     this.cell = new Cell(options.name ?? options.label);
@@ -46,8 +46,14 @@ export class NumberField {
   show(value: number): void {
     if (Object.is(value, this.value) && !this.trouble.hidden) return;
     this.value = value;
-    if (document.activeElement === this.input && this.cell.isTouched && this.trouble.hidden) return; // somebody types
+    if (!this.isTaking && document.activeElement === this.input && this.cell.isTouched && this.trouble.hidden) return; // somebody types
     this.cell.show(value);
+    this.refuse(null);
+  }
+
+  /** The value again, whatever was typed. */
+  reset(): void {
+    this.cell.show(this.value);
     this.refuse(null);
   }
 
@@ -61,14 +67,15 @@ export class NumberField {
   }
 
   private take(value: number, gesture: object): void {
-    const sentence = this.options.isIntegral && !Number.isInteger(value) ? `Found ${value}, wanted a whole number.` : this.options.taken(value, gesture);
-    if (sentence) return this.refuse(sentence);
-    this.cell.show(this.value = value);
-    this.refuse(null);
+    this.isTaking = true;
+    const sentence = this.options.taken(value, gesture);
+    this.isTaking = false;
+    if (sentence) this.refuse(sentence);
+    else this.reset();
   }
 
   private commit(): void {
-    if (!this.cell.isTouched) return this.refuse(null);
+    if (!this.cell.isTouched) return this.reset();
     const value = numberIn(this.input.value);
     if (value === null) this.refuse(notANumber(this.input.value));
     else this.take(value, {});
@@ -76,15 +83,13 @@ export class NumberField {
 
   private hear(event: KeyboardEvent): void {
     const { key, shiftKey, ctrlKey } = event;
-    if (key === 'Escape') {
-      this.cell.show(this.value);
-      this.refuse(null);
-    } else if (key === 'ArrowUp' || key === 'ArrowDown') {
+    if (key === 'Escape') this.reset();
+    else if (key === 'ArrowUp' || key === 'ArrowDown') {
       event.preventDefault();
       if (!event.repeat) this.gesture = {};
       const typed = numberIn(this.input.value);
       const from = this.cell.isTouched && typed !== null ? typed : this.value;
-      const step = this.options.step * (this.options.isIntegral ? 1 : shiftKey ? 10 : ctrlKey ? 0.1 : 1) * (key === 'ArrowUp' ? 1 : -1);
+      const step = this.options.step * (shiftKey ? 10 : ctrlKey ? 0.1 : 1) * (key === 'ArrowUp' ? 1 : -1);
       this.take(Number((from + step).toPrecision(12)), this.gesture);
     }
   }

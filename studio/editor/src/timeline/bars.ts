@@ -91,7 +91,7 @@ export class Bars {
   private set(id: number, value: number, gesture: object): void {
     const { store } = this.studio;
     const { which, info } = this.parameter!;
-    store.edit(withOwn(store.current().document, id, which, info, Number(value.toFixed(9))), gesture);
+    store.edit(withOwn(store.current().document, id, which, info, value), gesture);
   }
 
   private grasp(event: PointerEvent) {
@@ -121,6 +121,6 @@ export class Bars {
     event.preventDefault();
     event.stopPropagation();
     if (!event.repeat) this.gesture = {};
-    this.set(key.id, this.valueOf(key) + by * stepOf(this.reach) * stride(event), this.gesture);
+    this.set(key.id, Number((this.valueOf(key) + by * stepOf(this.reach) * stride(event)).toFixed(9)), this.gesture);
   }
 }
