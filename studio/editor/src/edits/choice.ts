@@ -14,8 +14,8 @@ export interface Known {
 /** A rule for both ends, or one for each: `rest`, `natural,clamped`. */
 export const endsOf = (text: string): string[] => text.split(',');
 
-const rest = '0,0,0'; // [rad/s], body
-const rateOf = ['start_rate', 'end_rate']; // of each end
+const rest = '0,0,0';
+export const rateNames = ['start_rate', 'end_rate']; // of each end [rad/s], body
 
 /** Whether the ends, first and last, have a rate that is given. */
 export function clamped({ settings: { ends } }: Choice): [start: boolean, end: boolean] {
@@ -28,8 +28,8 @@ function coherent(choice: Choice): Choice {
   const { ends, ...others } = choice.settings;
   const settings: Record<string, Setting> = others.closed === true || ends === undefined ? others : { ...others, ends };
   clamped({ ...choice, settings }).forEach((isClamped, end) => {
-    if (isClamped) settings[rateOf[end]] ??= rest;
-    else delete settings[rateOf[end]];
+    if (isClamped) settings[rateNames[end]] ??= rest;
+    else delete settings[rateNames[end]];
   });
   return { ...choice, settings };
 }
@@ -40,7 +40,7 @@ const isRate = (value: Setting): boolean => typeof value === 'string' && value.s
 export function knows(method: Known, name: string, value: Setting): boolean {
   if (name === 'closed') return method.closes && typeof value === 'boolean';
   if (name === 'ends') return typeof value === 'string' && endsOf(value).length <= 2 && endsOf(value).every((end) => method.ends.includes(end));
-  if (rateOf.includes(name)) return method.ends.includes('clamped') && isRate(value);
+  if (rateNames.includes(name)) return method.ends.includes('clamped') && isRate(value);
   const parameter = method.parameters.find((candidate) => candidate.name === name);
   if (parameter) return typeof value === 'number' && parameter.min <= value && value <= parameter.max;
   return typeof value === 'string' && (method.choices.find((candidate) => candidate.name === name)?.values.includes(value) ?? false);

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bar at the top: the file, what is done with it, and the methods.
+import { breakable, element, menu } from 'orispline-viewer/look/element';
+import type { BodyShape } from 'orispline-viewer/data/report';
+import type { Axis } from 'orispline-viewer/motion/quaternion';
+import { letters, type Which } from '../document/document';
+import { MethodForm } from '../panels/methodForm';
+import { methodMenu, refusal } from '../panels/methodMenu';
+import type { Studio } from '../store/studio';
+import { formButton, menuButton, type Item } from './popup';
+
+/** What the head can ask for. */
+export interface Wishes {
+  open: () => void;
+  save: () => void;
+  copies: Item[];
+  exports: Item[];
+  help: () => void;
+}
+
+const button = (label: string, title: string, onclick: () => void, className = 'side') => element('button', { type: 'button', className, title, onclick }, label);
+
+function nameOf({ store, original }: Studio): HTMLElement {
+  const dot = element('span', { className: 'unsaved', title: 'Not saved', attributes: { role: 'img', 'aria-label': 'not saved' } }, '●');
+  store.subscribe(['isSaved'], ({ isSaved }) => (dot.hidden = isSaved));
+  return element('h1', {}, ...breakable(original.name), ' ', dot);
+}
+
+function method(studio: Studio, which: Which): HTMLElement {
+  const letter = letters[which];
+  const open = element('button', { type: 'button', className: 'side sign', title: `Settings of ${letter}`, attributes: { 'aria-label': `Settings of ${letter}` } }, '⚙');
+  const form = formButton(open, `Settings of ${letter}`, new MethodForm(studio, which).element);
+  return element('span', { className: `method ${which}` }, element('span', { className: 'letter', attributes: { 'aria-hidden': 'true' } }, letter), methodMenu(studio, which), form);
+}
+
+/** How all is looked at. */
+function viewForm({ view }: Studio): HTMLElement {
+  const { choose, current, subscribe } = view;
+  const bodies: [BodyShape, string][] = [['box', 'box'], ['axes', 'axes'], ['aircraft', 'aircraft']];
+  const axes: [Axis, string][] = [['x', 'x'], ['y', 'y'], ['z', 'z']];
+  const [body, bodySelect] = menu('Body', bodies, (shape) => choose({ body: shape as BodyShape }));
+  const [axis, axisSelect] = menu('Axis on sphere', axes, (name) => choose({ axis: name as Axis }));
+  const components = element('input', { type: 'checkbox', onchange: () => choose({ components: components.checked }) });
+  const theme = button('', 'Light or dark', () => choose({ theme: current().theme === 'dark' ? 'light' : 'dark' }), 'theme');
+  subscribe(['body', 'axis', 'components', 'theme'], (state) => {
+    bodySelect.value = state.body;
+    axisSelect.value = state.axis;
+    components.checked = state.components;
+    theme.textContent = state.theme === 'dark' ? '☀ Light' : '☾ Dark';
+  });
+  const lines = [body, axis, element('label', { className: 'choice' }, element('span', {}, 'Components x, y, z of A'), components), element('div', { className: 'choice' }, element('span', {}, 'Theme'), theme)];
+  for (const line of lines) line.classList.add('setting');
+  return element('div', { className: 'method-form' }, ...lines);
+}
+
+export function headOf(studio: Studio, { open, save, copies, exports, help }: Wishes): HTMLElement {
+  const { store } = studio;
+  const undo = button('Undo', 'Undo (Ctrl+Z)', () => store.undo());
+  const redo = button('Redo', 'Redo (Ctrl+Shift+Z)', () => store.redo());
+  store.subscribe(['canUndo', 'canRedo'], ({ canUndo, canRedo }) => {
+    undo.disabled = !canUndo;
+    redo.disabled = !canRedo;
+  });
+  const view = element('button', { type: 'button', className: 'side' }, 'View');
+  const group = (...children: HTMLElement[]) => element('span', { className: 'buttons' }, ...children);
+  return element(
+    'div',
+    { className: 'bar' },
+    nameOf(studio),
+    element(
+      'div',
+      { className: 'tools' },
+      group(undo, redo),
+      group(button('Open', 'Open a file (Ctrl+O)', open), button('Save', 'Save the keys (Ctrl+S)', save), menuButton('Copy…', 'Copy', copies), menuButton('Export…', 'Export', exports)),
+      method(studio, 'first'),
+      method(studio, 'second'),
+      group(formButton(view, 'View', viewForm(studio)), element('button', { type: 'button', className: 'side sign', title: 'Keys of the keyboard (?)', onclick: help, attributes: { 'aria-label': 'Help' } }, '?')),
+    ),
+    refusal(studio, 'first'),
+    refusal(studio, 'second'),
+  );
+}
