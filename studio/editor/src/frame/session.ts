@@ -37,7 +37,7 @@ export class Session {
     const view = new ViewStore(this.shown.report(first, curves));
     view.choose({ components: false, ...(theme ? { theme } : {}) });
     this.studio = { store, view, engine, methods, original };
-    const saving = new Saving(this.studio, handle, () => this.screen.notices, () => this.screen.element);
+    const saving = new Saving(this.studio, document, handle, () => this.screen);
     const place = () => this.screen.element;
     const tell = (sentence: string) => this.screen.notices.tell(sentence);
     this.screen = new Screen(this.studio, { open, save: () => void saving.save(), copies: copiesOf(this.studio, place, tell), exports: exportsOf(this.studio, place, tell) });
