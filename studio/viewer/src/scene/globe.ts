@@ -19,7 +19,7 @@ const behind = { depthFunc: GreaterDepth, fog: false } as const;
 const faint = 0.42;
 const inFront = 20; // later than all that is behind
 const axisLength = 1.13;
-const distance = 2.8; // radii of dots, else they are one black line
+const apart = 2.8; // radii of dots, else they are one black line
 const nameAt = 1.21; // of an axis
 const unseen = 3.5e-4; // of the radius: 0.02 degrees, a twentieth of a pixel
 
@@ -116,14 +116,11 @@ export class Dots {
   private readonly meshes: Mesh<BufferGeometry, MeshBasicMaterial>[];
   private readonly geometry = new BufferGeometry();
 
-  /** So many of them at most, so many radii from one to the next at least. */
   constructor(
     private readonly radius: number,
     order: number,
-    private readonly most = mostDots,
-    private readonly apart = distance,
   ) {
-    repeat(disc, most, ['position'], this.geometry);
+    repeat(disc, mostDots, ['position'], this.geometry);
     this.meshes = [{ opacity: faint, ...behind }, {}].map((look, i) => {
       const mesh = new Mesh(this.geometry, new MeshBasicMaterial({ transparent: true, depthWrite: false, ...look }));
       mesh.frustumCulled = false;
@@ -134,7 +131,7 @@ export class Dots {
   }
 
   set(path: Path, axis: Axis): void {
-    const every = Math.ceil(path.t.length / this.most);
+    const every = Math.ceil(path.t.length / mostDots);
     const [turned, up] = [new Matrix4(), new Vector3(0, 0, 1)];
     const [last, corner] = [new Vector3(), new Vector3()];
     const places = this.geometry.getAttribute('position');
@@ -142,7 +139,7 @@ export class Dots {
     for (let i = 0; i < path.t.length; i += every) {
       if (isGap(path, i)) continue;
       const direction = new Vector3(...bodyAxis(quaternionAt(path, i), axis));
-      if (direction.distanceTo(last) < this.apart * this.radius) continue;
+      if (direction.distanceTo(last) < apart * this.radius) continue;
       last.copy(direction);
       turned.lookAt(direction, new Vector3(), Math.abs(direction.z) < 0.9 ? up : new Vector3(1, 0, 0));
       turned.scale(new Vector3(this.radius, this.radius, 1)).setPosition(direction.multiplyScalar(lift));
