@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bar at the top: the file, what is done with it, and the methods.
-import { breakable, element, menu } from 'orispline-viewer/look/element';
-import type { BodyShape } from 'orispline-viewer/data/report';
-import type { Axis } from 'orispline-viewer/motion/quaternion';
+import { breakable, element } from 'orispline-viewer/look/element';
 import { letters, type Which } from '../document/document';
 import { MethodForm } from '../panels/methodForm';
 import { methodMenu, refusal } from '../panels/methodMenu';
@@ -33,24 +31,10 @@ function method(studio: Studio, which: Which): HTMLElement {
   return element('span', { className: `method ${which}` }, element('span', { className: 'letter', attributes: { 'aria-hidden': 'true' } }, letter), methodMenu(studio, which), form);
 }
 
-/** How all is looked at. */
-function viewForm({ view }: Studio): HTMLElement {
-  const { choose, current, subscribe } = view;
-  const bodies: [BodyShape, string][] = [['box', 'box'], ['axes', 'axes'], ['aircraft', 'aircraft']];
-  const axes: [Axis, string][] = [['x', 'x'], ['y', 'y'], ['z', 'z']];
-  const [body, bodySelect] = menu('Body', bodies, (shape) => choose({ body: shape as BodyShape }));
-  const [axis, axisSelect] = menu('Axis on sphere', axes, (name) => choose({ axis: name as Axis }));
-  const components = element('input', { type: 'checkbox', onchange: () => choose({ components: components.checked }) });
+function themeButton({ view: { choose, current, subscribe } }: Studio): HTMLElement {
   const theme = button('', 'Light or dark', () => choose({ theme: current().theme === 'dark' ? 'light' : 'dark' }), 'theme');
-  subscribe(['body', 'axis', 'components', 'theme'], (state) => {
-    bodySelect.value = state.body;
-    axisSelect.value = state.axis;
-    components.checked = state.components;
-    theme.textContent = state.theme === 'dark' ? '☀ Light' : '☾ Dark';
-  });
-  const lines = [body, axis, element('label', { className: 'choice' }, element('span', {}, 'Components x, y, z of A'), components), element('div', { className: 'choice' }, element('span', {}, 'Theme'), theme)];
-  for (const line of lines) line.classList.add('setting');
-  return element('div', { className: 'method-form' }, ...lines);
+  subscribe(['theme'], (state) => (theme.textContent = state.theme === 'dark' ? '☀ Light' : '☾ Dark'));
+  return theme;
 }
 
 export function headOf(studio: Studio, { open, save, copies, exports, help }: Wishes): HTMLElement {
@@ -61,7 +45,6 @@ export function headOf(studio: Studio, { open, save, copies, exports, help }: Wi
     undo.disabled = !canUndo;
     redo.disabled = !canRedo;
   });
-  const view = element('button', { type: 'button', className: 'side' }, 'View');
   const group = (...children: HTMLElement[]) => element('span', { className: 'buttons' }, ...children);
   return element(
     'div',
@@ -74,7 +57,7 @@ export function headOf(studio: Studio, { open, save, copies, exports, help }: Wi
       group(button('Open', 'Open a file (Ctrl+O)', open), button('Save', 'Save the keys (Ctrl+S)', save), menuButton('Copy…', 'Copy', copies), menuButton('Export…', 'Export', exports)),
       method(studio, 'first'),
       method(studio, 'second'),
-      group(formButton(view, 'View', viewForm(studio)), element('button', { type: 'button', className: 'side sign', title: 'Keys of the keyboard (?)', onclick: help, attributes: { 'aria-label': 'Help' } }, '?')),
+      group(themeButton(studio), element('button', { type: 'button', className: 'side sign', title: 'Keys of the keyboard (?)', onclick: help, attributes: { 'aria-label': 'Help' } }, '?')),
     ),
     refusal(studio, 'first'),
     refusal(studio, 'second'),

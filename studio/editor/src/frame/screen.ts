@@ -3,7 +3,7 @@
 import { playbackOf } from 'orispline-viewer/controls/playback';
 import { element } from 'orispline-viewer/look/element';
 import { coloursOf, paint } from 'orispline-viewer/look/theme';
-import { showPlots, type PlottedOf } from 'orispline-viewer/plots/plots';
+import { componentsChoice, plotControls, showPlots, type PlottedOf } from 'orispline-viewer/plots/plots';
 import { methodQuantities } from 'orispline-viewer/quantities/methods';
 import { AllKeys } from '../panels/allKeys';
 import { KeyPanel } from '../panels/keyPanel';
@@ -27,10 +27,7 @@ export class Screen {
   readonly plotted: PlottedOf;
   private readonly table: KeyTable;
 
-  constructor(
-    private readonly studio: Studio,
-    wishes: Omit<Wishes, 'help'>,
-  ) {
+  constructor(studio: Studio, wishes: Omit<Wishes, 'help'>) {
     const { view } = studio;
     const { element: root, notices } = this;
     view.subscribe(['theme'], (state) => {
@@ -50,6 +47,7 @@ export class Screen {
     const scenes = element('div', { className: 'stages' }, body, sphere);
     const work = element('div', { className: 'work' }, element('div', { className: 'upper' }, element('div', { className: 'seen' }, scenes, timeline.element), this.table.element), plots);
     root.append(headOf(studio, { ...wishes, help }), work, element('div', { className: 'foot' }, playback, new KeyPanel(studio, orientations).element), notices.element);
+    plots.append(plotControls(view, componentsChoice(view)));
     const quantities = methodQuantities(view).filter(({ id }) => plotted.includes(id));
     this.plotted = showPlots(view, plots, quantities, ['first', 'second', 'components']);
     hearShortcuts(studio, root, shortcuts);
