@@ -48,7 +48,7 @@ export function headOf(studio: Studio, { open, save, copies, exports, help }: Wi
   const group = (...children: HTMLElement[]) => element('span', { className: 'buttons' }, ...children);
   return element(
     'div',
-    { className: 'bar' },
+    { className: 'top' },
     nameOf(studio),
     element(
       'div',

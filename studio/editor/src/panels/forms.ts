@@ -11,6 +11,7 @@ export interface Form {
   names: string[];
   unit: string;
   step: number; // of an arrow key
+  decimals: number; // that are shown
   keepsTyped: boolean; // several of its numbers are one orientation, so that what was typed is shown as it was
   numbersOf: (q: Quaternion) => number[];
   /** Of any norm; a sentence where the numbers are no orientation. */
@@ -28,6 +29,7 @@ const euler = (order: string): Form => ({
   names: [...order].map((letter, i) => `${letter}, ${ordinals[i]} turn`),
   unit: '°',
   step: 1,
+  decimals: 4,
   keepsTyped: true,
   numbersOf: (q) => three([...toEuler(order, q)], 1 / degree),
   orientationOf: (numbers) => fromEuler(order, three(numbers, degree)),
@@ -39,6 +41,7 @@ const quaternion: Form = {
   names: ['qw', 'qx', 'qy', 'qz'],
   unit: '',
   step: 0.01,
+  decimals: 6,
   keepsTyped: false,
   numbersOf: (q) => [...q],
   orientationOf: (numbers) => notAQuaternion(numbers) ?? (numbers as unknown as Quaternion),
@@ -50,6 +53,7 @@ const rotationVector: Form = {
   names: ['rx', 'ry', 'rz'],
   unit: 'rad',
   step: 0.01,
+  decimals: 6,
   keepsTyped: true,
   numbersOf: (q) => logarithm([...q]),
   orientationOf: (numbers) => exponential(numbers as [number, number, number]),

@@ -35,14 +35,14 @@ export class KeyFields {
       if (!why) this.studio.store.edit(movedInTime(this.document, id, t), gesture);
       return why;
     };
-    return new NumberField({ label: 't', name: this.nameOf('time'), unit: 's', step: 0.01, taken });
+    return new NumberField({ label: 't', name: this.nameOf('time'), unit: 's', step: 0.01, decimals: 6, taken });
   }
 
   /** The fields of the form that is chosen now; all of them are one orientation. */
   orientation(): NumberField[] {
     const form = this.orientations.current;
     return form.names.map(
-      (name, i) => new NumberField({ label: name.split(',')[0], name: this.nameOf(name), unit: form.unit, step: form.step, taken: (value, gesture) => this.turn(i, value, gesture) }),
+      (name, i) => new NumberField({ label: name.split(',')[0], name: this.nameOf(name), unit: form.unit, step: form.step, decimals: form.decimals, taken: (value, gesture) => this.turn(i, value, gesture) }),
     );
   }
 
@@ -69,7 +69,7 @@ export class KeyFields {
         if (this.key) this.studio.store.edit(placed(this.document, this.key.id, i as 0 | 1 | 2, value), gesture);
         return null;
       };
-      return new NumberField({ label: axis, name: this.nameOf(`position ${axis}`), unit: 'm', step: 0.01, taken });
+      return new NumberField({ label: axis, name: this.nameOf(`position ${axis}`), unit: 'm', step: 0.01, decimals: 4, taken });
     });
   }
 

@@ -9,6 +9,7 @@ export interface FieldOptions {
   name?: string; // what is said; else the label
   unit?: string;
   step: number;
+  decimals?: number; // that are shown; else six digits are
   /** Takes the number, or says in a sentence why it cannot be. One gesture is one step of the history. */
   taken: (value: number, gesture: object) => string | null;
 }
@@ -25,7 +26,8 @@ export class NumberField {
   private isTaking = false;
 
   constructor(private readonly options: FieldOptions) {
-    this.cell = new Cell(options.name ?? options.label);
+    const { name, label, decimals } = options;
+    this.cell = new Cell(name ?? label, decimals === undefined ? undefined : (value) => String(Number(value.toFixed(decimals)) + 0));
     this.input = this.cell.input;
     this.input.className = 'number';
     this.trouble.id = `orispline-trouble-${++made}`;

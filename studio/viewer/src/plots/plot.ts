@@ -13,7 +13,7 @@ import { drawBand, drawLimit, drawMarks, markKeys } from './drawings';
 import { rangeOf, shownOf, type Cut } from './range';
 import type { Turns } from './turns';
 
-const height = 190;
+const usualHeight = 190; // [px], where the style says none
 const font = '12px system-ui, sans-serif';
 const rounding = 1e-12; // of 1, or of the largest value: what is smaller is 0
 
@@ -43,6 +43,11 @@ export interface Thinned {
   marks: boolean;
 }
 
+interface Size {
+  width: number;
+  height: number;
+}
+
 interface Hooks {
   ready: () => void;
   range: () => uPlot.Range.MinMax;
@@ -50,7 +55,7 @@ interface Hooks {
   thinned: (what: keyof Thinned, is: boolean) => void;
 }
 
-function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, drawn, thinned }: Hooks, width: number): uPlot.Options {
+function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, drawn, thinned }: Hooks, { width, height }: Size): uPlot.Options {
   const { current, moveTo } = store;
   const { lines, colours } = drawn();
   const axis = { stroke: colours.faint, font, ticks: { stroke: colours.grid, size: 4 } };
@@ -124,12 +129,17 @@ export class Plot {
     this.figure = element('figure', { attributes: { 'data-quantity': quantity.id } }, this.caption, this.frame);
     place.append(this.figure); // its width is to be known
     turns.add(this);
-    store.watchSize(this.frame, () => this.plot?.setSize({ width: this.frame.clientWidth, height }));
+    store.watchSize(this.frame, () => this.plot?.setSize(this.size));
     store.atEnd(() => this.plot?.destroy());
   }
 
   get id(): string {
     return this.quantity.id;
+  }
+
+  private get size(): Size {
+    const { clientWidth, clientHeight } = this.frame;
+    return { width: clientWidth, height: clientHeight || usualHeight };
   }
 
   /** For tests, and for those who want the numbers. */
@@ -180,7 +190,7 @@ export class Plot {
         this.told();
       },
     };
-    this.plot = new uPlot(optionsOf(this.store, this.quantity, hooks, this.frame.clientWidth), data, this.frame);
+    this.plot = new uPlot(optionsOf(this.store, this.quantity, hooks, this.size), data, this.frame);
     followFinger(this.plot, this.store.moveTo);
   }
 
