@@ -18,6 +18,8 @@ export const endsOf = (text: string): string[] => text.split(',');
 export function knows(method: Known, name: string, value: Setting): boolean {
   if (name === 'closed') return method.closes && typeof value === 'boolean';
   if (name === 'ends') return typeof value === 'string' && endsOf(value).length <= 2 && endsOf(value).every((end) => method.ends.includes(end));
+  if (name === 'period') return method.closes && typeof value === 'number' && value > 0;
+  if (name === 'start_rate' || name === 'end_rate') return method.ends.includes('clamped') && typeof value === 'string';
   const parameter = method.parameters.find((candidate) => candidate.name === name);
   if (parameter) return typeof value === 'number' && parameter.min <= value && value <= parameter.max;
   return typeof value === 'string' && (method.choices.find((candidate) => candidate.name === name)?.values.includes(value) ?? false);
