@@ -23,10 +23,10 @@ export function clamped({ settings: { ends } }: Choice): [start: boolean, end: b
   return [rules[0] === 'clamped', rules[rules.length - 1] === 'clamped'];
 }
 
-/** A loop has no ends, and an end has a rate exactly where it is clamped. */
+/** A loop has a period and no ends, and an end has a rate exactly where it is clamped. */
 function coherent(choice: Choice): Choice {
-  const { ends, ...others } = choice.settings;
-  const settings: Record<string, Setting> = others.closed === true || ends === undefined ? others : { ...others, ends };
+  const settings: Record<string, Setting> = { ...choice.settings };
+  delete settings[settings.closed === true ? 'ends' : 'period'];
   clamped({ ...choice, settings }).forEach((isClamped, end) => {
     if (isClamped) settings[rateNames[end]] ??= rest;
     else delete settings[rateNames[end]];
@@ -40,6 +40,7 @@ const isRate = (value: Setting): boolean => typeof value === 'string' && value.s
 export function knows(method: Known, name: string, value: Setting): boolean {
   if (name === 'closed') return method.closes && typeof value === 'boolean';
   if (name === 'ends') return typeof value === 'string' && endsOf(value).length <= 2 && endsOf(value).every((end) => method.ends.includes(end));
+  if (name === 'period') return method.closes && typeof value === 'number' && value > 0;
   if (rateNames.includes(name)) return method.ends.includes('clamped') && isRate(value);
   const parameter = method.parameters.find((candidate) => candidate.name === name);
   if (parameter) return typeof value === 'number' && parameter.min <= value && value <= parameter.max;

@@ -58,14 +58,19 @@ function layoutOf(original: Original, before: readonly Key[], keys: readonly Key
 
 const isSame = (some: Quaternion, other: Quaternion): boolean => some.every((number, i) => number === other[i]);
 
-/** q and −q are one orientation, and the sign in the file is as good as the other. */
+/** q and −q are one orientation, and the sign in the file is as good as the other, but for the first key, after which all others take theirs. */
 const sameOrientation = (some: Quaternion, other: Quaternion): boolean => isSame(some, other) || isSame(some, other.map((number) => -number) as unknown as Quaternion);
 
+function hasOtherSign({ columns }: Layout, cells: readonly Cell[], { q }: Key): boolean {
+  const largest = q.reduce((best, number, i) => (Math.abs(number) > Math.abs(q[best]) ? i : best), 0);
+  return Number(cells[columns.q[largest]].content) * q[largest] < 0;
+}
+
 /** Texts by their columns, of what is not as it was before; of a new key of all that is known. */
-function textsOf({ columns, epoch, power, kept }: Layout, key: Key, before: Key | null): Map<number, string> {
+function textsOf({ columns, epoch, power, kept }: Layout, key: Key, before: Key | null, otherSign = false): Map<number, string> {
   const texts = new Map<number, string>();
   if (!Object.is(key.t, before?.t)) texts.set(columns.time, there(textOfTime(key.t, epoch, power)));
-  if (!before || !sameOrientation(key.q, before.q)) columns.q.forEach((index, i) => texts.set(index, numberText(key.q[i])));
+  if (!before || otherSign || !sameOrientation(key.q, before.q)) columns.q.forEach((index, i) => texts.set(index, numberText(key.q[i])));
   key.p?.forEach((value, i) => {
     if (!Object.is(value, before?.p?.[i])) texts.set(there(columns.p)[i].index, there(textInUnit(value, columns.p![i])));
   });
@@ -91,10 +96,10 @@ function reshaped(layout: Layout, cells: readonly Cell[], more: readonly string[
   return more.length > 0 ? [...without, { from: end, to: end, text: more.map((text) => table.delimiter + text).join('') }] : without;
 }
 
-function changedRow(layout: Layout, row: number, key: Key, before: Key): string {
+function changedRow(layout: Layout, row: number, key: Key, before: Key, isFirst: boolean): string {
   const line = layout.table.lines[layout.rows[row]].text;
   const cells = layout.cells[row];
-  const changes = [...textsOf(layout, key, before)].map(([index, text]) => {
+  const changes = [...textsOf(layout, key, before, isFirst && hasOtherSign(layout, cells, key))].map(([index, text]) => {
     const { from, to } = cells[index];
     return { from, to, text: line[from] === '"' ? `"${text}"` : text };
   });
@@ -134,7 +139,7 @@ function composedLines(layout: Layout, before: readonly Key[], keys: readonly Ke
     const row = rowOf.get(i);
     if (row === undefined) return [layout.columns.header && i === rows[0] ? { ...line, text: headerText(layout, line.text) } : line];
     const key = kept.get(row);
-    const itself = key ? [{ ...line, text: changedRow(layout, row, key, before[row]) }] : [];
+    const itself = key ? [{ ...line, text: changedRow(layout, row, key, before[row], key === keys[0]) }] : [];
     return [...(row === 0 ? made(-1) : []), ...itself, ...made(row)];
   });
 }
