@@ -6,7 +6,7 @@ import { build } from 'vite';
 const source = (path) => fileURLToPath(new URL(`../src/${path}`, import.meta.url));
 
 async function outputOf(entry, format, ...plugins) {
-  const lib = { entry, formats: [format], name: 'orispline' };
+  const lib = { entry, formats: [format], name: 'orispline', cssFileName: 'style' };
   const [{ output }] = await build({ configFile: false, logLevel: 'error', plugins, build: { write: false, minify: false, target: 'es2022', lib } });
   return output;
 }

@@ -57,7 +57,7 @@ export class Body {
     const { store, view: looked } = studio;
     const [shape, shapeSelect] = menu('Shape', shapes, (name) => looked.choose({ body: name as BodyShape }));
     const [space] = menu('Rings', spaces, (name) => this.gizmo.setSpace(name as Space));
-    const { figure, frame, stage } = figureWith(studio, painter, 'Body', [element('strong', {}, 'Body'), ...Object.values(this.swatches), space, shape]);
+    const { figure, frame, stage } = figureWith(studio, painter, 'Body', [...Object.values(this.swatches), space, shape]);
     this.figure = figure;
     this.stage = stage;
     this.gizmo = new Gizmo(stage, frame, { begin: () => this.begin(), turn: (by) => this.turn?.turn(by), end: () => (this.turn = undefined) });

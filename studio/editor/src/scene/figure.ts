@@ -11,12 +11,12 @@ export type Name = 'Body' | 'Sphere';
 
 const howTo = 'Arrow keys turn the chosen key about the axes of the screen by 1°, Page Up and Page Down about the line of sight; with Shift by 10°, with Ctrl by 0.1°.';
 
-const figureOf = (name: Name, ...children: HTMLElement[]) =>
-  element('figure', { className: `scene ${name.toLowerCase()}`, attributes: { role: 'group', 'aria-label': name } }, ...children);
+const figureOf = (name: Name, caption: HTMLElement[], ...children: HTMLElement[]) =>
+  element('div', { className: `scene ${name.toLowerCase()}`, attributes: { role: 'group', 'aria-label': name } }, element('div', { className: 'caption' }, element('strong', {}, name), ...caption), ...children);
 
 /** What stands in place of a scene where the browser cannot draw in space. */
 export const withoutGraphics = (name: Name): HTMLElement =>
-  figureOf(name, element('figcaption', {}, element('strong', {}, name)), element('p', { className: 'facts' }, 'This scene is not shown: this browser has no WebGL. All else works, and keys are turned by their numbers.'));
+  figureOf(name, [], element('p', { className: 'facts' }, 'This scene is not shown: this browser has no WebGL. All else works, and keys are turned by their numbers.'));
 
 export interface Figure {
   figure: HTMLElement;
@@ -24,10 +24,11 @@ export interface Figure {
   stage: Stage;
 }
 
+/** `caption`: what stands beside its name. */
 export function figureWith(studio: Studio, painter: Painter, name: Name, caption: HTMLElement[]): Figure {
   const { store, view } = studio;
   const frame = element('div', { className: 'frame' });
-  const figure = figureOf(name, element('figcaption', {}, ...caption), frame);
+  const figure = figureOf(name, caption, frame);
   const stage = new Stage(view, painter, frame);
   const hint = element('p', { className: 'hint', id: `orispline-turning-${name.toLowerCase()}` }, howTo);
   const said = element('p', { className: 'unseen', attributes: { role: 'status' } });

@@ -11,7 +11,7 @@ type Pair = readonly [before: Key | undefined, after: Key | undefined];
 
 const onPath = 0.6; // size there
 const atSide = 0.46; // likewise, of half the picture's height
-const margin = 0.62; // from the side, in sizes
+const margin = 0.72; // from the side, in sizes
 const nameBelow = 0.74; // likewise
 const opacity = 0.5;
 const least = 22; // [px] within which one is hit

@@ -2,7 +2,7 @@
 // The ways of a body axis over the unit sphere under A and B. Its keys are handles: a pull turns the key so that its axis is under the pointer.
 import type { Vector3 } from 'three';
 import type { Path } from 'orispline-viewer/data/report';
-import { element, menu } from 'orispline-viewer/look/element';
+import { menu } from 'orispline-viewer/look/element';
 import { coloursOf } from 'orispline-viewer/look/theme';
 import { isShownAt, orientationAt } from 'orispline-viewer/motion/orientation';
 import { bodyAxis, type Axis } from 'orispline-viewer/motion/quaternion';
@@ -47,7 +47,7 @@ export class Sphere {
   ) {
     const { store, view } = studio;
     const [choice, select] = menu('Body axis', axes, (axis) => view.choose({ axis: axis as Axis }));
-    const { figure, frame, stage } = figureWith(studio, painter, 'Sphere', [element('strong', {}, 'Sphere'), choice]);
+    const { figure, frame, stage } = figureWith(studio, painter, 'Sphere', [choice]);
     this.figure = figure;
     this.stage = stage;
     this.handles = new Handles(stage, frame);
