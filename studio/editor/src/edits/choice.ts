@@ -23,10 +23,13 @@ export function clamped({ settings: { ends } }: Choice): [start: boolean, end: b
   return [rules[0] === 'clamped', rules[rules.length - 1] === 'clamped'];
 }
 
-/** A loop has a period and no ends, and an end has a rate exactly where it is clamped. */
+/** Closed by its last key, or after a period. */
+export const isLoop = ({ settings }: Choice): boolean => settings.closed === true || settings.period !== undefined;
+
+/** A loop has no ends, and an end has a rate exactly where it is clamped. */
 function coherent(choice: Choice): Choice {
   const settings: Record<string, Setting> = { ...choice.settings };
-  delete settings[settings.closed === true ? 'ends' : 'period'];
+  if (isLoop(choice)) delete settings.ends;
   clamped({ ...choice, settings }).forEach((isClamped, end) => {
     if (isClamped) settings[rateNames[end]] ??= rest;
     else delete settings[rateNames[end]];

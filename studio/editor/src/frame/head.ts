@@ -45,7 +45,7 @@ export function headOf(studio: Studio, { open, save, copies, exports, help }: Wi
     undo.disabled = !canUndo;
     redo.disabled = !canRedo;
   });
-  const group = (...children: HTMLElement[]) => element('span', { className: 'buttons' }, ...children);
+  const group = (name: string, ...children: HTMLElement[]) => element('span', { className: `buttons ${name}` }, ...children);
   return element(
     'div',
     { className: 'top' },
@@ -53,11 +53,11 @@ export function headOf(studio: Studio, { open, save, copies, exports, help }: Wi
     element(
       'div',
       { className: 'tools' },
-      group(undo, redo),
-      group(button('Open', 'Open a file (Ctrl+O)', open), button('Save', 'Save the keys (Ctrl+S)', save), menuButton('Copy…', 'Copy', copies), menuButton('Export…', 'Export', exports)),
+      group('history', undo, redo),
+      group('files', button('Open', 'Open a file (Ctrl+O)', open), button('Save', 'Save the keys (Ctrl+S)', save), menuButton('Copy…', 'Copy', copies), menuButton('Export…', 'Export', exports)),
       method(studio, 'first'),
       method(studio, 'second'),
-      group(themeButton(studio), element('button', { type: 'button', className: 'side sign', title: 'Keys of the keyboard (?)', onclick: help, attributes: { 'aria-label': 'Help' } }, '?')),
+      group('looks', themeButton(studio), element('button', { type: 'button', className: 'side sign', title: 'Keys of the keyboard (?)', onclick: help, attributes: { 'aria-label': 'Help' } }, '?')),
     ),
     refusal(studio, 'first'),
     refusal(studio, 'second'),

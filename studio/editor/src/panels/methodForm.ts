@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The settings of a method, made from what the library says of it, so that another method needs no line here.
 import { element, menu } from 'orispline-viewer/look/element';
+import { angleBetween } from 'orispline-viewer/motion/quaternion';
 import { letters, type Choice, type Setting, type Which } from '../document/document';
-import { clamped, endsOf, rateNames, withSetting } from '../edits/choice';
+import { clamped, endsOf, isLoop, rateNames, withSetting } from '../edits/choice';
 import { hasOwn, valueForAll, withoutOwn, withValueForAll } from '../edits/parameters';
 import { notAValue } from '../edits/reasons';
 import type { MethodInfo, ParameterInfo } from '../engine/protocol';
@@ -10,6 +11,7 @@ import type { Studio } from '../store/studio';
 import { NumberField } from './numberField';
 
 const ends = ['Start', 'End'];
+const sameAngle = 1e-6; // [rad], [m]: what the library takes for a return
 const fineness = 20; // steps of an arrow key up to the default
 
 export class MethodForm {
@@ -44,7 +46,7 @@ export class MethodForm {
       ...parameters.map((parameter) => this.parameter(parameter)),
       ...choices.map(({ name, values, default: usual }) => this.words(name, values, usual ?? values[0])),
       ...(method.ends.length > 0 ? [this.ends(method), this.rate(0), this.rate(1)] : []),
-      ...(closes ? [this.closed()] : []),
+      ...(closes ? [this.closed(), this.period()] : []),
     ];
     const none = element('p', { className: 'facts' }, `${method.name} has no settings.`);
     this.element.replaceChildren(element('p', { className: 'about' }, element('strong', {}, `${letters[this.which]} ${method.name}`), ` ${method.title}`), ...(lines.length > 0 ? lines : [none]));
@@ -99,7 +101,7 @@ export class MethodForm {
       const found = typeof settings.ends === 'string' ? endsOf(settings.ends) : [method.ends[0]];
       menus[0][1].value = found[0];
       menus[1][1].value = found[found.length - 1];
-      box.hidden = settings.closed === true;
+      box.hidden = isLoop({ method: method.name, settings });
     });
     return box;
   }
@@ -124,8 +126,37 @@ export class MethodForm {
   }
 
   private closed(): HTMLElement {
-    const box = element('input', { type: 'checkbox', onchange: () => this.set('closed', box.checked || undefined) });
-    this.shows.push(({ settings }) => (box.checked = settings.closed === true));
+    const set = () => {
+      const gesture = {};
+      this.set('closed', box.checked || undefined, gesture);
+      this.set('period', box.checked ? this.periodWanted() : undefined, gesture);
+    };
+    const box = element('input', { type: 'checkbox', onchange: set });
+    this.shows.push((choice) => (box.checked = isLoop(choice)));
     return element('label', { className: 'setting' }, element('span', {}, 'Closed: a loop'), box);
+  }
+
+  /** From the first key to its return; none where the last key is the first one again. */
+  private periodWanted(): number | undefined {
+    const { keys } = this.document;
+    const [first, last] = [keys[0], keys[keys.length - 1]];
+    const isReturn = (angleBetween([...first.q], [...last.q]) * Math.PI) / 180 < sameAngle && Math.hypot(...(first.p ?? []).map((value, i) => value - last.p![i])) < sameAngle;
+    return isReturn ? undefined : Number((((last.t - first.t) * keys.length) / (keys.length - 1)).toPrecision(9));
+  }
+
+  private period(): HTMLElement {
+    const span = () => this.document.keys[this.document.keys.length - 1].t - this.document.keys[0].t;
+    const taken = (value: number, gesture: object) => {
+      if (value < span()) return `Found a period of ${value} s, wanted one that ends after the last key, ${span()} s or more. Give a longer one.`;
+      this.set('period', value, gesture);
+      return null;
+    };
+    const field = new NumberField({ label: 'Period', name: 'Period, s', unit: 's', step: 0.1, decimals: 6, taken });
+    const line = element('div', { className: 'setting' }, element('span', {}, 'Period, from the first key to its return'), field.element);
+    this.shows.push((choice) => {
+      line.hidden = !isLoop(choice);
+      field.show(typeof choice.settings.period === 'number' ? choice.settings.period : span());
+    });
+    return line;
   }
 }

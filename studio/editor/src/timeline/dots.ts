@@ -55,7 +55,7 @@ export class Dots {
     const state = this.studio.store.current();
     const { keys } = state.document;
     const near = keys.map((key, index) => ({ key, index, x: placeOf(scale, key.t) })).filter(({ key, x }) => (x >= 0 && x <= scale.width) || key.id === state.chosen);
-    this.ticks.replaceChildren(svg('path', { d: near.map(({ x }) => `M${x.toFixed(1)} 25v5`).join('') }));
+    this.ticks.replaceChildren(svg('path', { d: near.map(({ x }) => `M${x.toFixed(1)} 0v4`).join('') }));
     const kept = apart(near.map(({ x }) => x), closestKeys, near.findIndex(({ key }) => key.id === state.chosen)).map((i) => near[i]);
     this.shown = kept.map(({ key }) => key);
     this.places = kept.map(({ x }) => x);
