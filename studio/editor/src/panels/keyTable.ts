@@ -36,8 +36,8 @@ class Row {
     this.numbers = [
       { field: fields.time(), valueOf: ({ t }) => t },
       ...fields.orientation().map((field, i) => ({ field, valueOf: (key: Key) => orientations.numbersOf(key)[i] })),
-      ...(fields.key?.p ? fields.position().map((field, i) => ({ field, valueOf: ({ p }: Key) => p![i] })) : []),
       ...own.map((parameter) => ({ field: fields.own(parameter), valueOf: () => fields.valueOf(parameter) })),
+      ...(fields.key?.p ? fields.position().map((field, i) => ({ field, valueOf: ({ p }: Key) => p![i] })) : []),
     ];
     this.head = element('button', { type: 'button', className: 'pick-key', onclick: () => studio.store.choose(id) });
     this.element.append(element('th', { scope: 'row' }, this.head), ...this.numbers.map(({ field }) => element('td', {}, field.element)), this.reached);
@@ -118,8 +118,8 @@ export class KeyTable {
       ['Key'],
       unit('Time', 's'),
       ...form.names.map((name) => unit(name.split(',')[0], form.unit)),
-      ...(hasPositions ? ['x', 'y', 'z'].map((axis) => unit(axis, 'm')) : []),
       ...own.map(({ info }) => [info.name]),
+      ...(hasPositions ? ['x', 'y', 'z'].map((axis) => unit(axis, 'm')) : []),
       ['A reaches'],
     ];
     const made = [form.id, hasPositions, ...own.map(({ which, info }) => `${which}:${info.name}`)].join();

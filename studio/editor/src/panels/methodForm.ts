@@ -74,10 +74,8 @@ export class MethodForm {
       field.show(valueForAll(this.document, this.which, info));
       note.hidden = !hasOwn(this.document, name);
       field.element.hidden = !note.hidden;
-      label.hidden = note.hidden;
     });
-    const label = element('span', {}, name);
-    return element('div', { className: 'setting' }, label, field.element, note);
+    return element('div', { className: 'setting' }, element('span', {}, name), field.element, note);
   }
 
   private words(name: string, values: string[], usual: string): HTMLElement {

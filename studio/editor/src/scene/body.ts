@@ -5,7 +5,6 @@ import { once } from 'orispline-viewer/data/once';
 import { hasPositions, type BodyShape, type Method } from 'orispline-viewer/data/report';
 import { element, menu } from 'orispline-viewer/look/element';
 import { roundStep } from 'orispline-viewer/look/number';
-import { coloursOf } from 'orispline-viewer/look/theme';
 import { isShownAt, orientationAt } from 'orispline-viewer/motion/orientation';
 import { angleBetween } from 'orispline-viewer/motion/quaternion';
 import { FlightPath } from 'orispline-viewer/scene/flightPath';
@@ -101,7 +100,7 @@ export class Body {
   }
 
   private paint(state: ViewState): void {
-    const colours = coloursOf(state);
+    const colours = this.studio.view.colours(state);
     this.bodies.first.paint(colours.first, colours);
     this.bodies.second.paint(colours.second, colours, opacity.second);
     this.bodies.key.paint(colours.faint, colours, opacity.key);

@@ -3,7 +3,6 @@
 import type { Vector3 } from 'three';
 import type { Path } from 'orispline-viewer/data/report';
 import { menu } from 'orispline-viewer/look/element';
-import { coloursOf } from 'orispline-viewer/look/theme';
 import { isShownAt, orientationAt } from 'orispline-viewer/motion/orientation';
 import { bodyAxis, type Axis } from 'orispline-viewer/motion/quaternion';
 import { directionsOf, Globe, globeOutline, lift, nameAxes, Pointer, wayOnSphere, waysOf } from 'orispline-viewer/scene/globe';
@@ -61,14 +60,14 @@ export class Sphere {
       stage.lookAt({ eye: eyeBefore(directionsOf(pathOf(store.current().document.keys), state.axis)), points: globeOutline });
     });
     for (const which of both) subscribe([which, 'axis'], (state) => this.showWay(state, which));
-    subscribe(['theme'], (state) => this.paint(state));
+    subscribe(['theme', 'first', 'second'], (state) => this.paint(state));
     subscribe(['axis'], () => this.showKeys());
     view.atEnd(store.subscribe(['document', 'chosen'], () => this.showKeys()));
     subscribe(['first', 'second', 'axis', 'theme', 'time'], (state) => this.showTime(state));
   }
 
   private paint(state: ViewState): void {
-    const colours = coloursOf(state);
+    const colours = this.studio.view.colours(state);
     this.globe.paint(colours);
     for (const which of both) {
       this.ways[which].paint(colours[which], colours);

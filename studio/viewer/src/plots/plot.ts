@@ -5,7 +5,7 @@ import 'uplot/dist/uPlot.min.css';
 import type { Numbers } from '../data/numbers';
 import { element } from '../look/element';
 import { chosen, shown, tick } from '../look/number';
-import { coloursOf, type Colours } from '../look/theme';
+import type { Colours } from '../look/theme';
 import type { Course, Line, PlacedBand, Quantity } from '../quantities/quantity';
 import type { State, Store } from '../store/store';
 import { aligned } from './aligned';
@@ -148,7 +148,7 @@ export class Plot {
   }
 
   private drawnIn(state: State): Drawn {
-    const colours = coloursOf(state);
+    const colours = this.store.colours(state);
     return { lines: this.quantity.lines(state, colours), keys: this.quantity.keys(state), band: this.quantity.band?.(state), colours };
   }
 

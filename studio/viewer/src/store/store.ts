@@ -2,6 +2,7 @@
 // What one viewer shows, and what its user has chosen. Views subscribe to it; nothing else holds choices.
 import { hasPositions, hasSamples, type BodyShape, type Clip, type Method, type Report } from '../data/report';
 import { Moments } from '../look/moments';
+import { coloursOf, type Colours } from '../look/theme';
 import type { Axis } from '../motion/quaternion';
 import { startingTime } from '../motion/startingTime';
 
@@ -160,6 +161,13 @@ export class Store {
   moveTo = (time: number): void => this.choose({ time: clamped(time, this.state.extent) });
 
   methodNamed = (name: string | null): Method | undefined => this.methods.find((method) => method.name === name);
+
+  /** Of the theme; grey where a method has failed and is shown as it was before. */
+  colours = (state: Readonly<State>): Colours => {
+    const colours = coloursOf(state);
+    const own = (which: 'first' | 'second') => (this.methodNamed(state[which])?.failure ? colours.reference : colours[which]);
+    return { ...colours, first: own('first'), second: own('second') };
+  };
 
   /** The keys that the curve of a method goes through. */
   keysOf = (method: Method | undefined) => method?.keys ?? this.report.keys;
