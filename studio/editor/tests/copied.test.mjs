@@ -47,6 +47,7 @@ test('programs name what the method reads of the keys', () => {
   assert.match(copiedCode('C++', wantedOf({ keys: withTensions })), /\{\.rate_orders = 0, \.parameters = \{"tension"\}\}/);
   assert.match(copiedCode('JavaScript', wantedOf({ keys: withTensions })), /, keys, \{ tension: \[0\.1, 0\.6, 0, 0\.6, 0\.1\] \}\);/);
   assert.doesNotMatch(copiedCode('JavaScript', wantedOf({ keys: withTensions, choice: { method: 'shoemake', settings: {} }, method: shoemake })), /tension/);
+  for (const line of copiedCode('C++', wantedOf()).split('\n')) assert.equal(line.replace(/\\./g, '').split('"').length % 2, 1, line);
   assert.deepEqual(languages, ['command', 'C++', 'Python', 'JavaScript']);
   for (const language of languages) assert.ok(copiedCode(language, wantedOf()).endsWith('\n'));
 });

@@ -73,12 +73,12 @@ int main() {
   grid->fill(0, times);
   const auto sampled = orispline::sample_at<double>(*curve, times, {.orientations = q, .angular_velocities = w});
   if (!sampled) return failed(sampled.error());
-  std::printf("t,qx,qy,qz,qw,wx,wy,wz\n");
+  std::printf("t,qx,qy,qz,qw,wx,wy,wz\\n");
   for (std::size_t k = 0; k < count; ++k) {
     std::printf("%.17g", times[k]);
     for (std::size_t i = 4 * k; i < 4 * k + 4; ++i) std::printf(",%.17g", q[i]);
     for (std::size_t i = 3 * k; i < 3 * k + 3; ++i) std::printf(",%.17g", w[i]);
-    std::printf("\n");
+    std::printf("\\n");
   }
 }
 `;
