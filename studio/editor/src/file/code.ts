@@ -50,7 +50,9 @@ function cpp(wanted: Wanted): string {
 #include <cstdio>
 #include <orispline/files.hpp>
 #include <orispline/orispline.hpp>
+#include <orispline/sampling.hpp>
 #include <orispline/streams.hpp>
+#include <vector>
 
 int main() {
   const auto failed = [](const orispline::Error& error) { return std::fprintf(stderr, "%s\\n", describe(error).c_str()), 1; };
@@ -67,13 +69,16 @@ int main() {
   const auto [start, end] = curve->domain();
   const auto grid = orispline::SampleGrid::make({.spacing = orispline::SampleGrid::Count{count}}, start, end);
   if (!grid) return failed(grid.error());
-  std::printf("t,qw,qx,qy,qz,wx,wy,wz\\n");
+  std::vector<double> times(count), q(4 * count), w(3 * count);  // [s]; x, y, z, w; [rad/s], body
+  grid->fill(0, times);
+  const auto sampled = orispline::sample_at<double>(*curve, times, {.orientations = q, .angular_velocities = w});
+  if (!sampled) return failed(sampled.error());
+  std::printf("t,qx,qy,qz,qw,wx,wy,wz\\n");
   for (std::size_t k = 0; k < count; ++k) {
-    const double t = (*grid)[k].t;
-    const orispline::Motion motion = curve->motion(t);
-    const auto& q = motion.orientation;
-    const auto& w = motion.angular_velocity;  // [rad/s], body
-    std::printf("%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\\n", t, q.w(), q.x(), q.y(), q.z(), w.x(), w.y(), w.z());
+    std::printf("%.17g", times[k]);
+    for (std::size_t i = 4 * k; i < 4 * k + 4; ++i) std::printf(",%.17g", q[i]);
+    for (std::size_t i = 3 * k; i < 3 * k + 3; ++i) std::printf(",%.17g", w[i]);
+    std::printf("\\n");
   }
 }
 `;
