@@ -17,7 +17,7 @@ async function built() {
 
 export const engine = await built();
 export const packed = gzipSync(readFileSync(process.env.ORISPLINE_STUDIO_WASM)).toString('base64');
-const module = await engine.moduleIn(packed);
+export const module = await engine.moduleIn(packed);
 
 /** What answers the questions, with a library of its own. */
 export const answers = () => engine.answersOf(new engine.Library(module));

@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
-import { answers, bytesOf, command, engine, example, plain, sampled } from './engine.mjs';
+import { answers, bytesOf, command, engine, example, module, plain, sampled } from './engine.mjs';
 
 const ask = answers(), methods = JSON.parse(command('methods', '--json'));
 const folder = mkdtempSync(join(tmpdir(), 'orispline-engine-'));
@@ -18,8 +18,8 @@ const file = (text) => (writeFileSync(join(folder, 'keys.csv'), text), join(fold
 const troubleOf = (call) => {
   try {
     call();
-  } catch ({ message, line, key, option }) {
-    return { message, line, key, option };
+  } catch ({ message, line, column, key, option }) {
+    return { message, line, column, key, option };
   }
   return null;
 };
@@ -59,6 +59,10 @@ test('both sides of a key are drawn, and which order is reached there', () => {
   const at = first.t.indexOf(1.5);
   assert.equal(first.t[at + 1], 1.5);
   assert.notEqual(first.w[3 * at], first.w[3 * at + 3]);
+});
+
+test('the last double before a time is its neighbour', () => {
+  for (const [time, wanted] of [[1, 1 - Number.EPSILON / 2], [2, 2 - Number.EPSILON], [0, -Number.MIN_VALUE], [-1, -1 - Number.EPSILON], [0.1, 0.09999999999999999]]) assert.equal(engine.before(time), wanted);
 });
 
 test('even times are those of the command, whatever they begin with', () => {
@@ -107,7 +111,7 @@ test('what was opened is kept as it was', () => {
 
 test('bad files are refused with the sentence of the library and its place', () => {
   const nan = troubleOf(() => openedText('t,qw,qx,qy,qz\n0,1,0,0,0\n1,nan,0,0,0\n'));
-  assert.equal(nan.line, 3);
+  assert.deepEqual([nan.line, nan.column], [3, 2]);
   assert.match(troubleOf(() => openedText('t,qw,qx,qy,qz\n0,1,0,0,0\n0,1,0,0,0\n')).message, /duplicate time 0/);
   for (const text of ['', 'no header\n1,2\n', 't,qw,qx,qy,qz\n0,0,0,0,0\n', 't,qw,qx,qy,qz\n']) assert.ok(troubleOf(() => openedText(text)).message.length > 10, text);
   const wide = new Uint8Array(new Uint16Array([...'\uFEFFt,qw,qx,qy,qz\n0,1,0,0,0\n'].map((letter) => letter.charCodeAt(0))).buffer);
@@ -115,6 +119,7 @@ test('bad files are refused with the sentence of the library and its place', () 
   assert.ok(troubleOf(() => ask.open({ bytes: Uint8Array.from({ length: 500 }, (_, k) => (k * 7919) % 256), name: 'keys.csv' })).message);
   assert.match(troubleOf(() => opened('five_keys.csv', { method: 'slurp' })).message, /did you mean 'slerp'/);
   assert.match(openedText('t,qw,qx,qy,qz\n0,1,0,0,0\n').warnings[0], /one key/);
+  assert.match(openedText('# orispline: method=slerp signs=as-given\nt,qw,qx,qy,qz\n0,1,0,0,0\n1,-0.8,0.6,0,0\n').warnings[0], /short way/);
 });
 
 test('a method that refuses the keys says why, and the other one is drawn', () => {
@@ -145,6 +150,15 @@ test('keys that are written are read again, with the epoch and the method', () =
   const rates = document.keys.map((key, k) => ({ ...key, rates: [k ? [0, 0.1, 0] : [NaN, NaN, NaN]], own: { tension: 0.5 } }));
   const kept = ask.read({ text: ask.write({ keys: rates, epoch: '0', name: 'out.csv', choice: null }), name: 'out.csv' });
   assert.deepEqual(kept.map((key) => [key.rates, key.own]), rates.map((key) => [key.rates, key.own]));
+});
+
+test('a fault ends one answer, and no other', () => {
+  const answering = new engine.Answering(module), { document } = answering.answer('open', { bytes: readFileSync(example('five_keys.csv')), name: 'five_keys.csv' });
+  assert.ok(answering.answer('curves', { document, count: 10 }).first.t);
+  answering.library.engine.fault = new Error('a fault');
+  assert.throws(() => answering.answer('at', { keys: document.keys, choice: document.first, time: 1 }), /a fault/);
+  const { first, second } = answering.answer('curves', { document, count: 10 });
+  assert.ok(first.t && second.t);
 });
 
 test('one time, and what is baked', () => {
