@@ -5,7 +5,7 @@ import type { Choice, Key } from '../document/document';
 import { settingsOf } from './choices';
 import { Drawings, type Redrawn } from './drawings';
 import { dataOf } from './keys';
-import { type Library, used } from './library';
+import { Library, used } from './library';
 import { Opening } from './opening';
 import type { Given, MethodInfo, Name, Told } from './protocol';
 import { evenSamples } from './samples';
@@ -15,6 +15,31 @@ const listOf = (library: Library): MethodInfo[] =>
   (library.methods() as unknown as MethodInfo[]).map((method) => ({ ...method, choices: method.choices.map((choice) => ({ ...choice, values: choice.words })) }));
 
 type Questioned = { [N in Name]: (given: Given<N>) => N extends 'curves' ? Redrawn : Told<N> };
+
+/** Answers one question after another, by a new library where a fault has ended the last one. */
+export class Answering {
+  private readonly module: WebAssembly.Module;
+  private library!: Library;
+  private answers!: Questioned;
+
+  constructor(module: WebAssembly.Module) {
+    this.module = module;
+    this.begin();
+  }
+
+  answer<N extends Name>(name: N, given: Given<N>): unknown {
+    try {
+      return this.answers[name](given);
+    } finally {
+      if (!this.library.isSound) this.begin();
+    }
+  }
+
+  private begin(): void {
+    this.library = new Library(this.module);
+    this.answers = answersOf(this.library);
+  }
+}
 
 /** An answer to each question of the protocol. */
 export function answersOf(library: Library): Questioned {

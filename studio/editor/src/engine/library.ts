@@ -18,6 +18,15 @@ export class Library extends FullOrispline {
     super(new Engine(module, 'orispline_task_run', String, new System()));
   }
 
+  /** Whether no fault has ended it. */
+  get isSound(): boolean {
+    try {
+      return this.methodText('auto') === 'auto';
+    } catch {
+      return false;
+    }
+  }
+
   /** The text of a method as it is written, with all defaults left out; what there is not is an error. */
   methodText(text: string): string {
     return this.engine.withText(text, (at) => this.engine.toldText('orispline_method_text', at));

@@ -48,9 +48,9 @@ export class Opening {
     return used(this.library.read(bytes, name), (track) => {
       const { info } = track, original = originalOf(bytes, name, info);
       if (info.count > mostKeys) return { original, count: info.count };
-      const warnings = this.warningsOf(info), first = method ? this.choice(method) : this.choiceIn(info, warnings);
+      const keys = this.keysIn(track, true), warnings = this.warningsOf(info, keys), first = method ? this.choice(method) : this.choiceIn(info, warnings);
       const second = beside ? this.choice(beside) : besideOf(first);
-      return { original, document: documentOf(this.keysIn(track, true), first, second, this.methods), warnings };
+      return { original, document: documentOf(keys, first, second, this.methods), warnings };
     });
   }
 
@@ -86,10 +86,12 @@ export class Opening {
     }
   }
 
-  private warningsOf({ warnings, count, columns }: KeyInfo): string[] {
+  private warningsOf({ warnings, count, columns }: KeyInfo, keys: readonly Key[]): string[] {
     const said = ((warnings ?? []) as { message: string }[]).map(({ message }) => message);
     if (count === 1) said.push('The file has one key, and so the body rests; insert another key to see it turn.');
     if (columns.some(({ name }) => name.startsWith('inner_'))) said.push('The file has inner quaternions, which the studio does not use.');
+    if (keys.some(({ q }, k) => k > 0 && keys[k - 1].q.reduce((sum, x, i) => sum + x * q[i], 0) < 0))
+      said.push('The signs of the quaternions in the file say which way round the body turns; the studio turns it the short way.');
     return said;
   }
 }

@@ -7,6 +7,7 @@ export interface Trouble {
   message: string;
   key?: number; // index
   line?: number; // of the file
+  column?: number; // of its table, from 1
   option?: string;
 }
 

@@ -2,7 +2,7 @@
 import type { Samples as Rows } from 'orispline/curve';
 import type { WholeCurve } from 'orispline/whole_curve';
 import type { Samples } from './protocol';
-import { evenTimes, mergedTimes } from './times';
+import { before, evenTimes, mergedTimes } from './times';
 
 const none = (): Float64Array => new Float64Array();
 
@@ -14,17 +14,11 @@ const named = ({ times, orientations, angularVelocities, angularAccelerations, a
 export const evenSamples = (curve: WholeCurve, count: number, rates: 0 | 1 | 2 | 3): Omit<Samples, 'orders'> =>
   named(curve.sample({ times: evenTimes(curve.start, curve.end, count), rates }));
 
-/** Those with all rates, and with both sides of every key between the ends. */
+/** Those with all rates, and with both sides of every key between the ends: what bulk sampling has on the left is that of the last double before. */
 export function drawnSamples(curve: WholeCurve, keyTimes: readonly number[], count: number): Samples {
   const inner = keyTimes.filter((t) => curve.start < t && t < curve.end);
   const { times, left } = mergedTimes(evenTimes(curve.start, curve.end, count), inner);
-  const samples = named(curve.sample({ times, rates: 3 }));
-  for (const k of left) {
-    const motion = curve.motion(times[k], 'left');
-    samples.q.set(motion.orientation, 4 * k);
-    samples.w.set(motion.angularVelocity, 3 * k);
-    samples.a.set(motion.angularAcceleration, 3 * k);
-    samples.j.set(motion.angularJerk, 3 * k);
-  }
-  return { ...samples, orders: curve.orders() };
+  const asked = times.slice();
+  for (const k of left) asked[k] = before(times[k]);
+  return { ...named(curve.sample({ times: asked, rates: 3 })), t: times, orders: curve.orders() };
 }

@@ -12,6 +12,13 @@ export function evenTimes(start: number, end: number, count: number): Float64Arr
   });
 }
 
+/** The last double before a time. */
+export function before(time: number): number {
+  const number = Float64Array.of(time || -0), bits = new BigInt64Array(number.buffer);
+  bits[0] += time > 0 ? -1n : 1n;
+  return number[0];
+}
+
 /** Both lists by time. Those of `inner` stand twice, for their two sides, of which `left` has the places of the first. */
 export function mergedTimes(even: Float64Array, inner: readonly number[]): { times: Float64Array; left: number[] } {
   const times: number[] = [], left: number[] = [];

@@ -3,10 +3,11 @@ import type { Trouble } from './protocol';
 
 /** What an error says, as plain data. */
 export function troubleOf(reason: unknown): Trouble {
-  const { message, key, line, option } = reason as Trouble;
+  const { message, key, line, column, option } = reason as Trouble;
   const trouble: Trouble = { message: message || String(reason) };
   if (key !== undefined) trouble.key = key;
   if (line !== undefined) trouble.line = line;
+  if (column !== undefined) trouble.column = column;
   if (option !== undefined) trouble.option = option;
   return trouble;
 }
