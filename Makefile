@@ -2,7 +2,7 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build wasm test test-more python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python bench-web docs page web format tidy clean
+.PHONY: run build wasm test test-more python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python bench-web docs page studio web format tidy clean
 .NOTPARALLEL:
 
 # How long the parts of `make test` take, in build/times.tsv: $(call timed,PART) COMMAND.
@@ -38,13 +38,15 @@ python_package = cmake --install build/release --prefix build/python/prefix > /d
 
 # One build of the library serves the command, the tests, the users' programs and the Python package, which comes last, where
 # Python's headers and the packages of its tests are to be had. Clang compiles the families, which are most templates.
+# The studio comes before the command that holds its page.
 test: build
 	tools/setup.sh build test python spark wasm
+	$(build_wasm)
+	$(build_studio)
 	cmake --preset release -DORISPLINE_TESTS=ON
 	$(call timed,the tests' build) cmake --build build/release -j $(JOBS)
 	cmake --preset clang-families
 	$(call timed,the families by Clang) cmake --build --preset clang-families -j $(JOBS)
-	$(build_wasm)
 	$(call timed,tests of the families by Clang) ctest --preset clang-families -j $(JOBS)
 	$(call timed,the tests) ctest --preset release -j $(JOBS) --output-junit junit.xml --test-output-size-passed 100000
 	$(call timed,the Python package) sh -c '$(call python_package,--test --or-skip)'
@@ -167,9 +169,17 @@ docs: build
 # Builds the page of the reports anew, which is part of the library, and the widget of notebooks, which is part of the Python package.
 page:
 	tools/setup.sh build test
-	tests/page/prepare.sh $(CURDIR)/studio $(CURDIR)/build/page
-	cp build/page/report/dist/index.html src/orispline/report/page_template.html
-	cp build/page/widget/dist/widget.* bindings/python/orispline/notebook/
+	tests/page/prepare.sh $(CURDIR)/studio $(CURDIR)/build/page/studio
+	cp build/page/studio/report/dist/index.html src/orispline/report/page_template.html
+	cp build/page/studio/widget/dist/widget.* bindings/python/orispline/notebook/
+
+# The studio: build/studio/studio.html, which the command holds once it is built again, and build/studio/site for hosts of files.
+build_studio = $(call timed,the studio) tools/build_studio.sh -j $(JOBS)
+
+studio:
+	tools/setup.sh build test wasm
+	tools/timed.py $(times) --begin
+	$(build_studio)
 
 # The npm package, ready for `npm pack`, and its tests.
 web: build

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <limits>
 
 #include <orispline/analysis.hpp>
+#include <orispline/base/formatted.hpp>
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/fields/warning_json.hpp>
 
@@ -22,6 +24,18 @@ Expected<Eigen::Matrix3d> inertia_in(const double* inertia) {
   return checked_inertia(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(inertia));
 }
 
+Seam seam_of(const HeldCurve& curve) { return curve.method.options.loop ? Seam::closed : Seam::open; }
+
+/// Of the keys at knots; at others, such as control points, no segments meet. A loop may have a knot more, its first
+/// key.
+void put_orders(std::int32_t* to, const HeldCurve& curve) {
+  const AnyCurve& orientation = curve.pose().orientation;
+  const auto keys = curve.track->keys.times(), knots = orientation.knots().times();
+  const std::vector<int> orders = orders_at_keys(orientation, seam_of(curve));
+  for (std::size_t key = 0, knot = 0; key < keys.size(); ++key)
+    to[key] = knot < knots.size() && knots[knot] == keys[key] ? orders[knot++] : 3;
+}
+
 }  // namespace
 
 }  // namespace orispline::c
@@ -33,8 +47,7 @@ orispline_code orispline_curve_continuity(const orispline_curve* curve, orisplin
                                           orispline_error** error) {
   return guarded(error, [&] {
     return check_pointer(found, "found").and_then([&] { return checked(curve); }).map([&](const HeldCurve* body) {
-      const Seam seam = body->method.options.loop ? Seam::closed : Seam::open;
-      const Continuity continuity = continuity_at_keys(body->pose().orientation, seam);
+      const Continuity continuity = continuity_at_keys(body->pose().orientation, seam_of(*body));
       *found = {.order = continuity.order(),
                 .angular_velocity = jump_of(continuity.angular_velocity),
                 .angular_acceleration = jump_of(continuity.angular_acceleration),
@@ -42,6 +55,21 @@ orispline_code orispline_curve_continuity(const orispline_curve* curve, orisplin
                 .orientation_jump = continuity.orientation.angle,
                 .orientation_jump_time = continuity.orientation.time};
     });
+  });
+}
+
+orispline_code orispline_curve_orders(const orispline_curve* curve, int32_t* orders, size_t count,
+                                      orispline_error** error) {
+  return guarded(error, [&] {
+    return check_pointer(orders, "orders")
+        .and_then([&] { return checked(curve); })
+        .and_then([&](const HeldCurve* body) {
+          const std::size_t keys = body->track->keys.size();
+          if (count != keys)
+            return Expected<void>(bad_option("count", formatted("found {}, wanted {}, as many as keys", count, keys)));
+          put_orders(orders, *body);
+          return Expected<void>();
+        });
   });
 }
 

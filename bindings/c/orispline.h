@@ -269,6 +269,12 @@ typedef struct orispline_continuity {
 ORISPLINE_C_API orispline_code orispline_curve_continuity(const orispline_curve *curve, orispline_continuity *found,
                                                           orispline_error **error);
 
+/// The order that is reached at each key, by the same measure: 3 at the ends, but for those of a loop, which are one
+/// place, and at keys where no segments meet, such as control points; -1 where the orientation jumps before the next
+/// key. `count`: of numbers that there is room for, which must be the number of keys.
+ORISPLINE_C_API orispline_code orispline_curve_orders(const orispline_curve *curve, int32_t *orders, size_t count,
+                                                      orispline_error **error);
+
 typedef struct orispline_peak {
   double value, time;  ///< in its unit, and where [s]
 } orispline_peak;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/analysis/continuity.hpp>
 
+#include <algorithm>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include <orispline/families/registry.hpp>
@@ -116,6 +119,45 @@ TEST(Continuity, FindsWhereTheOrientationItselfJumpsBetweenKeys) {
 TEST(Continuity, FindsNoJumpWhereACurveIsOnlyQuick) {
   const AnyCurve curve = make_curve("log-parabola", tumbling_keys({1.0, 1e-3, 60.0, 1e-3, 1.0})).value();
   EXPECT_EQ(continuity_at_keys(curve).orientation.angle, 0.0);
+}
+
+TEST(OrdersAtKeys, AreThoseOfEachKey) {
+  const auto keys =
+      Keyframes::make({.times = {0.0, 1.0, 2.0, 3.0, 4.0},
+                       .orientations = {about_x(0.0), about_x(0.5), about_x(1.0), about_x(1.2), about_x(1.4)}})
+          .value();
+  EXPECT_EQ(orders_at_keys(make_curve("slerp", keys).value()), (std::vector{3, 3, 0, 3, 3}));
+}
+
+TEST(OrdersAtKeys, HaveTheOrderOfTheCurveAsTheirLeast) {
+  for (const FamilyInfo& family : families_info())
+    for (const auto& spacings : {uniform_spacings, uneven_spacings}) {
+      const AnyCurve curve = make_curve(family.name, tumbling_keys(spacings)).value();
+      const std::vector<int> orders = orders_at_keys(curve);
+      ASSERT_EQ(orders.size(), curve.knots().times().size()) << family.name;
+      EXPECT_EQ(orders.front(), 3) << family.name;
+      EXPECT_EQ(orders.back(), 3) << family.name;
+      EXPECT_EQ(std::ranges::min(orders), continuity_at_keys(curve).order()) << family.name;
+    }
+}
+
+TEST(OrdersAtKeys, AreOneWhereALoopIsJoined) {
+  const auto keys = Keyframes::make({.times = {0.0, 1.0, 2.0, 3.0},
+                                     .orientations = {about_x(0.0), about_x(0.5), about_x(1.0), about_x(0.0)}})
+                        .value();
+  const AnyCurve curve = make_curve("slerp", keys).value();
+  EXPECT_EQ(orders_at_keys(curve), (std::vector{3, 3, 0, 3}));
+  EXPECT_EQ(orders_at_keys(curve, Seam::closed), (std::vector{0, 3, 0, 0}));
+}
+
+TEST(OrdersAtKeys, SayBeforeWhichKeyTheOrientationJumps) {
+  const AnyCurve curve = BrokenCurve({0.0, 1.0, 3.0, 5.0}, 1.7182818, 0.8);
+  EXPECT_EQ(orders_at_keys(curve), (std::vector{3, -1, 3, 3}));
+}
+
+TEST(OrdersAtKeys, OfOneKeyIsComplete) {
+  const auto key = Keyframes::make({.times = {4.0}, .orientations = {about_x(1.0)}}).value();
+  EXPECT_EQ(orders_at_keys(make_curve("timed-c2", key).value()), std::vector{3});
 }
 
 }}  // namespace orispline

@@ -148,6 +148,20 @@ TEST(CurveOfC, SaysWhereItIsAndWhatItIsWorth) {
   EXPECT_EQ(found.angular_velocity.key, static_cast<std::int64_t>(continuity.angular_velocity.key));
   EXPECT_EQ(found.orientation_jump, 0.0);
 
+  const std::vector<int> orders = orders_at_keys(wanted.orientation);
+  std::vector<std::int32_t> told(orders.size());
+  expect_ok(call(orispline_curve_orders, curve, told.data(), told.size()));
+  EXPECT_EQ(told, orders);
+  EXPECT_EQ(call(orispline_curve_orders, curve, told.data(), told.size() + 1).option(), "count");
+  const CurveHandle points = curve_through(keys_of(walk(7)), "bezier");
+  std::vector<std::int32_t> at_points(7);
+  expect_ok(call(orispline_curve_orders, static_cast<const orispline_curve*>(points.get()), at_points.data(),
+                 at_points.size()));
+  EXPECT_EQ(at_points, (std::vector<std::int32_t>{3, 3, 3, 0, 3, 3, 3}));
+  const CurveHandle loop = curve_through(keys_of(data), "timed-c1:period=9");
+  expect_ok(call(orispline_curve_orders, static_cast<const orispline_curve*>(loop.get()), told.data(), told.size()));
+  EXPECT_EQ(told, std::vector<std::int32_t>(data.times.size(), 1));
+
   const std::array<double, 9> inertia{1, 0, 0, 0, 2, 0, 0, 0, 2.5};
   orispline_peaks largest;
   expect_ok(call(orispline_curve_peaks, curve, inertia.data(), &largest));

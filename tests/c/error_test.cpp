@@ -157,6 +157,7 @@ TEST_F(NullPointersOfC, AreNoCurve) {
   expect_refused(orispline_curve_motion, curve, 0.0, 0, 0, &motion);
   expect_refused(orispline_curve_motion, curve, 0.0, 0, ORISPLINE_WXYZ, no(&motion));
   expect_refused(orispline_curve_continuity, curve, static_cast<orispline_continuity*>(nullptr));
+  expect_refused(orispline_curve_orders, curve, static_cast<std::int32_t*>(nullptr), std::size_t{1});
   expect_refused(orispline_curve_peaks, curve, no(&number), static_cast<orispline_peaks*>(nullptr));
   expect_refused(orispline_curve_warnings, no(curve), &text);
   EXPECT_EQ(orispline_curve_make(nullptr, nullptr, nullptr, nullptr), ORISPLINE_BAD_ARGUMENT) << "nobody asks why";

@@ -49,6 +49,11 @@ class CheckStudio(unittest.TestCase):
             self.assert_breach("viewer/src/data/report.ts", SPDX + f"{kind} '../store/store';\n", "data/report.ts: floor data must not import ../store/store")
         self.assert_breach("viewer/src/data/report.ts", SPDX + "const later = import('../store/store');\n", "floor data must not import")
 
+    def test_accepts_the_text_of_an_example_and_nothing_else_from_outside(self):
+        self.assertIsNone(report(**{"viewer/src/data/report.ts": SPDX + "import keys from '../../../../examples/data/keys.csv?raw';\n"}))
+        for outside in ("../../../../examples/data/keys.csv", "../../../../tools/keys.csv?raw"):
+            self.assert_breach("viewer/src/data/report.ts", SPDX + f"import keys from '{outside}';\n", "wanted a package by its name")
+
     def test_finds_an_import_of_a_neighbour(self):
         self.assert_breach("viewer/src/plots/plot.ts", SPDX + "import { Stage } from '../scene/stage';\n", "floor plots must not import ../scene/stage")
 

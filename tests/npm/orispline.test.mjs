@@ -37,6 +37,8 @@ test('what a curve is worth: continuity, peaks, its method', () => {
   const found = ori.curve('auto', flight).continuity(), slerp = ori.curve('slerp', flight).continuity();
   assert.equal(found.order, 2);
   assert.equal(slerp.order, 0);
+  assert.deepEqual(ori.curve('auto', flight).orders(), Int8Array.from(flight.times, (_, k) => (k % 37 ? 2 : 3)));
+  assert.equal(Math.min(...ori.curve('slerp', flight).orders()), 0);
   assert.ok(slerp.angularVelocity.largest > 0.5 && Number.isInteger(slerp.angularVelocity.key));
   const steady = ori.curve('slerp', three).peaks();
   assert.ok(Math.abs(steady.angularVelocity.value - 2 * Math.asin(0.6)) < 1e-12);
@@ -89,6 +91,7 @@ test('curves, samples and baked curves leave no memory behind', async () => {
       const curve = library.curve('quintic', three, { tension: 0.4 });
       curve.sample({ step: 0.1, count: 20, rates: 3 });
       curve.continuity();
+      curve.orders();
       curve.bake({ tolerance: 1e-3 });
       curve.dispose();
       thrown(() => library.curve('quintic', three, { tension: [1, 2] }));

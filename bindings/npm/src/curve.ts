@@ -94,6 +94,7 @@ export class Curve implements Playable {
   readonly order: Order;
   readonly hasPositions: boolean;
   protected readonly engine: Engine;
+  protected readonly keyCount: number;
   private address: Address;
   protected readonly orderNumber: number;
   private readonly forgotten: FinalizationRegistry<Address>;
@@ -105,6 +106,7 @@ export class Curve implements Playable {
     this.orderNumber = orderOf(data.order);
     const text = methodText(method, settings);
     this.address = withKeys(engine, data, (keys) => engine.withText(text, (at) => engine.made('orispline_curve_make', keys, at)));
+    this.keyCount = data.times.length;
     engine.check('orispline_curve_domain', this.address, engine.numbersAt, engine.numbersAt + 8);
     [this.start, this.end] = this.told(0, 2);
     this.hasPositions = engine.call('orispline_curve_has_positions', this.address) === 1;

@@ -182,9 +182,10 @@ export class Engine {
     const error = this.address(this.errorAt);
     const about = (part: string): string => this.text(this.call(`orispline_error_${part}`, error));
     const index = (part: string): number => (this.has(`orispline_error_${part}`) ? Number(this.call(`orispline_error_${part}`, error)) : -1);
-    const place: ErrorPlace = {}, key = index('key'), line = index('line'), option = about('option'), remedy = about('remedy');
+    const place: ErrorPlace = {}, key = index('key'), line = index('line'), column = index('column'), option = about('option'), remedy = about('remedy');
     if (key >= 0) place.key = key;
     if (line >= 0) place.line = line;
+    if (column >= 0) place.column = column;
     if (option) place.option = option;
     if (remedy) place.remedy = remedy;
     const message = this.sentence(about('message')), code = codes[this.call('orispline_error_code', error)];

@@ -13,6 +13,8 @@ export interface ErrorPlace {
   key?: number;
   /** Of the file, from 1. */
   line?: number;
+  /** Of its table, from 1. */
+  column?: number;
   /** The argument or option that is at fault. */
   option?: string;
   /** The option that would mend it. */
@@ -25,6 +27,7 @@ export class OrisplineError extends Error implements ErrorPlace {
   readonly code: ErrorCode;
   declare readonly key?: number;
   declare readonly line?: number;
+  declare readonly column?: number;
   declare readonly option?: string;
   declare readonly remedy?: string;
 

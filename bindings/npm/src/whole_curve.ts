@@ -77,6 +77,15 @@ export class WholeCurve extends Curve {
     return { order: engine.wholeNumber(at), angularVelocity: jump(1), angularAcceleration: jump(4), angularJerk: jump(7) };
   }
 
+  /** The order that is reached at each key: 3 at the ends, but for those of a loop; -1 where the orientation jumps before the next key. */
+  orders(): Int8Array {
+    const { engine } = this, count = this.keyCount;
+    return engine.withRoom(4 * count, (at) => {
+      engine.check('orispline_curve_orders', this.handle, at, count);
+      return Int8Array.from(engine.words(at, count), (order) => order | 0); // whose sign is the highest bit
+    });
+  }
+
   /** The largest rates, wherever they are; with `inertia`, the nine numbers of a symmetric matrix [kg m²], the torque too. */
   peaks({ inertia }: { inertia?: ArrayLike<number> } = {}): Peaks {
     if (inertia && inertia.length !== 9) throw badArgument('inertia', `found ${inertia.length} numbers, wanted 9`);

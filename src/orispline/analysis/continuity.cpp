@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include <orispline/analysis/direction_beside.hpp>
 #include <orispline/analysis/joints.hpp>
@@ -29,7 +30,11 @@ void widen_magnitudes(Continuity& found, const Motion& motion) {
 /// How large the rates are between the keys and beside them, to rounding, and whether the orientation jumps.
 Continuity between_keys(const AnyCurve& curve) {
   Continuity found;
-  found.orientation = look_between_keys(curve, [&](const Motion& motion) { widen_magnitudes(found, motion); });
+  look_between_keys(
+      curve, [&](const Motion& motion) { widen_magnitudes(found, motion); },
+      [&](const OrientationJump& jump) {
+        if (jump.angle > found.orientation.angle) found.orientation = jump;
+      });
   return found;
 }
 
@@ -160,6 +165,25 @@ Continuity continuity_at_keys(const AnyCurve& curve, Seam seam) {
   Continuity found = between_keys(curve);
   for_each_joint(curve, seam, [&](const SegmentJoint& joint) { compare_sides(found, joint); });
   return with_relative_jumps(found);
+}
+
+std::vector<int> orders_at_keys(const AnyCurve& curve, Seam seam) {
+  std::vector<Continuity> at_keys(curve.knots().times().size());
+  for_each_joint(curve, seam, [&](const SegmentJoint& joint) { compare_sides(at_keys[joint.key], joint); });
+  if (seam == Seam::closed) at_keys.back() = at_keys.front();
+  Continuity whole;
+  look_between_keys(
+      curve, [&](const Motion& motion) { widen_magnitudes(whole, motion); },
+      [&](const OrientationJump& jump) { at_keys[jump.key].orientation = jump; });
+  for (const auto of_rate : jumps_of_rates)
+    for (const Continuity& at_key : at_keys)
+      (whole.*of_rate).magnitude = std::max((whole.*of_rate).magnitude, (at_key.*of_rate).magnitude);
+  std::vector<int> orders;
+  for (Continuity& at_key : at_keys) {
+    for (const auto of_rate : jumps_of_rates) (at_key.*of_rate).magnitude = (whole.*of_rate).magnitude;
+    orders.push_back(with_relative_jumps(at_key).order());
+  }
+  return orders;
 }
 
 PathShape path_shape(const Motion& motion) noexcept {

@@ -58,18 +58,15 @@ class Probes {
   std::size_t count_ = 0;
 };
 
-/// Calls `look` with motions that show how fast the curve is: at the ends and at three points of each segment. Gives
-/// the largest jump of the orientation between its keys.
-template <class Look>
-[[nodiscard]] OrientationJump look_between_keys(const AnyCurve& curve, Look&& look) {
-  OrientationJump largest;
+/// Calls `look` with motions that show how fast the curve is, at the ends and at three points of each segment, and
+/// `jumped` with the jump of the orientation in a segment, where there is one.
+template <class Look, class Jumped>
+void look_between_keys(const AnyCurve& curve, Look&& look, Jumped&& jumped) {
   for (std::size_t i = 0; i < curve.knots().segments(); ++i) {
     Probes probes(curve, i);
     for (const TimedMotion& probe : probes.all()) look(probe.motion);
-    const OrientationJump found = probes.jump();
-    if (found.angle > largest.angle) largest = found;
+    if (const OrientationJump found = probes.jump(); found.angle > 0.0) jumped(found);
   }
-  return largest;
 }
 
 }}  // namespace orispline

@@ -69,6 +69,16 @@ struct TaskInfo {
 [[nodiscard]] ORISPLINE_EXPORT Expected<TaskOutcome> run_task(std::string_view name, const TaskRequest& request,
                                                               const Progress& progress = {});
 
+// What each of them is.
+[[nodiscard]] TaskInfo smooth_info();
+[[nodiscard]] TaskInfo tune_info();
+[[nodiscard]] TaskInfo reduce_info();
+[[nodiscard]] TaskInfo retime_info();
+[[nodiscard]] TaskInfo bake_info();
+[[nodiscard]] TaskInfo mean_info();
+[[nodiscard]] TaskInfo align_info();
+[[nodiscard]] TaskInfo compare_info();
+
 // How each of them is run.
 [[nodiscard]] Expected<TaskOutcome> run_smooth(const TaskRequest& request, const Progress& progress);
 [[nodiscard]] Expected<TaskOutcome> run_tune(const TaskRequest& request, const Progress& progress);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The keys in a table, where they are typed anew, added and taken away.
-import { Cell } from './cell';
+import { Cell } from 'orispline-viewer/look/cell';
 import type { Edit } from './model';
 
 const names = ['t', 'qw', 'qx', 'qy', 'qz', 'px', 'py', 'pz'];

@@ -61,6 +61,7 @@ export declare class Curve implements Playable {
     readonly order: Order;
     readonly hasPositions: boolean;
     protected readonly engine: Engine;
+    protected readonly keyCount: number;
     private address;
     protected readonly orderNumber: number;
     private readonly forgotten;

@@ -9,6 +9,8 @@ export interface ErrorPlace {
     key?: number;
     /** Of the file, from 1. */
     line?: number;
+    /** Of its table, from 1. */
+    column?: number;
     /** The argument or option that is at fault. */
     option?: string;
     /** The option that would mend it. */
@@ -20,6 +22,7 @@ export declare class OrisplineError extends Error implements ErrorPlace {
     readonly code: ErrorCode;
     readonly key?: number;
     readonly line?: number;
+    readonly column?: number;
     readonly option?: string;
     readonly remedy?: string;
     constructor(code: ErrorCode, message: string, place?: ErrorPlace);

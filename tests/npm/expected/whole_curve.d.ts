@@ -39,6 +39,8 @@ export declare class WholeCurve extends Curve {
     sample(options: SampleOptions): Samples;
     /** Which rates are continuous at the keys, and how far the others jump. */
     continuity(): Continuity;
+    /** The order that is reached at each key: 3 at the ends, but for those of a loop; -1 where the orientation jumps before the next key. */
+    orders(): Int8Array;
     /** The largest rates, wherever they are; with `inertia`, the nine numbers of a symmetric matrix [kg m²], the torque too. */
     peaks({ inertia }?: {
         inertia?: ArrayLike<number>;

@@ -7,6 +7,7 @@ export interface Trouble {
   message: string;
   key?: number; // index
   line?: number; // of the file
+  column?: number; // of its table, from 1
   option?: string;
 }
 
@@ -57,7 +58,7 @@ export interface MethodInfo {
   continuity_uneven: number;
   closes: boolean;
   parameters: ParameterInfo[];
-  choices: { name: string; values: string[]; default?: string }[];
+  choices: { name: string; words: string[]; values: string[]; default?: string }[]; // `values` are the words
   ends: string[];
   [member: string]: unknown;
 }
@@ -67,7 +68,8 @@ export const mostKeys = 1000; // that can be edited
 /** What can be asked, by name: of each what is given, and what is told. All are promises on the page; errors are `Trouble`. */
 export interface Questions {
   methods: { given: null; told: MethodInfo[] };
-  open: { given: { bytes: Uint8Array; name: string; method?: string }; told: Opened | TooMany };
+  /** `method` and `beside`: the texts of A and B; without them that which the file is for, and slerp. */
+  open: { given: { bytes: Uint8Array; name: string; method?: string; beside?: string }; told: Opened | TooMany };
   /** Of a recording that has too many keys those that are needed; the tolerance with its unit, such as `0.1deg`. */
   reduce: { given: { bytes: Uint8Array; name: string; tolerance: string }; told: Opened };
   /** Only the latest one is answered; others are never told. `count` samples at even times. */

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The document as it is edited. Nothing else writes it.
-import type { StudioDocument, Which } from '../document/document';
-import type { Curves, Trouble } from '../engine/protocol';
+import { keyWith, type StudioDocument, type Which } from '../document/document';
+import { sameDocument } from '../document/same';
+import type { Curves, Drawn, Trouble } from '../engine/protocol';
+import { History } from './history';
 
 export interface State {
   document: StudioDocument;
@@ -26,4 +28,77 @@ export interface StudioStore {
   redo: () => void;
   tellCurves: (curves: Curves) => void;
   tellSaved: () => void;
+}
+
+const troubleOf = (drawn: Drawn): Trouble | null => ('trouble' in drawn ? drawn.trouble : null);
+
+const sameTroubles = (some: State['troubles'], others: State['troubles']): boolean =>
+  (['first', 'second'] as const).every((which) => some[which]?.message === others[which]?.message && some[which]?.key === others[which]?.key);
+
+/** The store of a document; `saved`: what the file holds, where that is another one, such as before a draft. */
+export function createStore(opened: StudioDocument, saved: StudioDocument = opened): StudioStore {
+  const history = new History(opened);
+  const subscribers = new Set<{ fields: Field[]; update: (state: Readonly<State>) => void }>();
+  let file = saved;
+  let state: State = {
+    document: opened,
+    chosen: opened.keys[0]?.id ?? null,
+    canUndo: false,
+    canRedo: false,
+    isSaved: sameDocument(opened, saved),
+    curves: null,
+    troubles: { first: null, second: null },
+  };
+
+  function change(changes: Partial<State>): void {
+    const changed = (Object.keys(changes) as Field[]).filter((field) => changes[field] !== state[field]);
+    if (changed.length === 0) return;
+    state = { ...state, ...changes };
+    for (const { fields, update } of [...subscribers]) if (fields.some((field) => changed.includes(field))) update(state);
+  }
+
+  /** What follows from the history: the key that was chosen stays so while there is one. */
+  function show(): void {
+    const { now: document, canUndo, canRedo } = history;
+    const chosen = keyWith(document, state.chosen) ? state.chosen : nearest(document);
+    change({ document, chosen, canUndo, canRedo, isSaved: sameDocument(document, file) });
+  }
+
+  /** In the place of a chosen key that is no more: the one that is there by time. */
+  function nearest({ keys }: StudioDocument): number | null {
+    const t = keyWith(state.document, state.chosen)?.t;
+    if (t === undefined) return null;
+    return keys.reduce<(typeof keys)[number] | null>((best, key) => (best && Math.abs(best.t - t) <= Math.abs(key.t - t) ? best : key), null)?.id ?? null;
+  }
+
+  return {
+    current: () => state,
+    subscribe(fields, update) {
+      const subscriber = { fields, update };
+      subscribers.add(subscriber);
+      update(state);
+      return () => subscribers.delete(subscriber);
+    },
+    choose: (id) => change({ chosen: keyWith(state.document, id) ? id : null }),
+    edit(next, gesture) {
+      history.edit(next, gesture);
+      show();
+    },
+    undo() {
+      history.undo();
+      show();
+    },
+    redo() {
+      history.redo();
+      show();
+    },
+    tellCurves(curves) {
+      const troubles = { first: troubleOf(curves.first), second: troubleOf(curves.second) };
+      change({ curves, troubles: sameTroubles(troubles, state.troubles) ? state.troubles : troubles });
+    },
+    tellSaved() {
+      file = state.document;
+      change({ isSaved: true });
+    },
+  };
 }

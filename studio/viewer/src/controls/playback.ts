@@ -23,20 +23,28 @@ function run({ current, moveTo, subscribe }: Store): void {
   });
 }
 
-export function methodMenus({ methods, choose, subscribe }: Store): HTMLElement[] {
-  const names: [string, string][] = methods.map(({ name }) => [name, name]);
-  const [first, firstSelect] = menu('Method', names, (name) => choose({ first: name }));
-  const [second, secondSelect] = menu('beside', [['', 'none'], ...names], (name) => choose({ second: name || null }));
+export function methodMenus(store: Store): HTMLElement[] {
+  const { choose, subscribe } = store;
+  const [first, firstSelect] = menu('Method', [], (name) => choose({ first: name }));
+  const [second, secondSelect] = menu('beside', [], (name) => choose({ second: name || null }));
   firstSelect.classList.add('first');
   secondSelect.classList.add('second');
+  let names: string[] = [];
   subscribe(['first', 'second'], (state) => {
+    const now = store.methods.map(({ name }) => name);
+    if (now.join('\n') !== names.join('\n')) {
+      names = now;
+      firstSelect.replaceChildren(...names.map((name) => new Option(name)));
+      secondSelect.replaceChildren(new Option('none', ''), ...names.map((name) => new Option(name)));
+    }
     firstSelect.value = state.first ?? '';
     secondSelect.value = state.second ?? '';
   });
   return [first, second];
 }
 
-function timeControls({ choose, current, moveTo, subscribe, moments }: Store): HTMLElement[] {
+function timeControls(store: Store): HTMLElement[] {
+  const { choose, current, moveTo, subscribe } = store;
   const play = element('button', { type: 'button', className: 'play', onclick: () => choose({ playing: !current().playing }) });
   const scrub = element('input', {
     type: 'range',
@@ -50,15 +58,15 @@ function timeControls({ choose, current, moveTo, subscribe, moments }: Store): H
     play.textContent = playing ? '❚❚' : '▶';
     play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
   });
-  subscribe(['extent'], ({ extent: [from, to], time }) => {
+  subscribe(['extent'], ({ extent: [from, to] }) => {
     scrub.min = String(from);
     scrub.max = String(to);
-    scrub.value = String(time);
   });
-  subscribe(['time'], ({ time }) => {
+  subscribe(['time', 'extent'], ({ time }) => {
+    const text = store.moments.text(time);
     scrub.value = String(time);
-    clock.textContent = moments.text(time);
-    scrub.setAttribute('aria-valuetext', moments.text(time));
+    clock.textContent = text;
+    scrub.setAttribute('aria-valuetext', text);
   });
   subscribe(['speed'], (state) => (speedSelect.value = String(state.speed)));
   return [play, scrub, clock, speed];

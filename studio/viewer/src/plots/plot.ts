@@ -5,7 +5,7 @@ import 'uplot/dist/uPlot.min.css';
 import type { Numbers } from '../data/numbers';
 import { element } from '../look/element';
 import { chosen, shown, tick } from '../look/number';
-import { coloursOf, type Colours } from '../look/theme';
+import type { Colours } from '../look/theme';
 import type { Course, Line, PlacedBand, Quantity } from '../quantities/quantity';
 import type { State, Store } from '../store/store';
 import { aligned } from './aligned';
@@ -13,7 +13,7 @@ import { drawBand, drawLimit, drawMarks, markKeys } from './drawings';
 import { rangeOf, shownOf, type Cut } from './range';
 import type { Turns } from './turns';
 
-const height = 190;
+const usualHeight = 190; // [px], where the style says none
 const font = '12px system-ui, sans-serif';
 const rounding = 1e-12; // of 1, or of the largest value: what is smaller is 0
 
@@ -43,6 +43,11 @@ export interface Thinned {
   marks: boolean;
 }
 
+interface Size {
+  width: number;
+  height: number;
+}
+
 interface Hooks {
   ready: () => void;
   range: () => uPlot.Range.MinMax;
@@ -50,8 +55,8 @@ interface Hooks {
   thinned: (what: keyof Thinned, is: boolean) => void;
 }
 
-function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, drawn, thinned }: Hooks, width: number): uPlot.Options {
-  const { current, moveTo, moments } = store;
+function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, drawn, thinned }: Hooks, { width, height }: Size): uPlot.Options {
+  const { current, moveTo } = store;
   const { lines, colours } = drawn();
   const axis = { stroke: colours.faint, font, ticks: { stroke: colours.grid, size: 4 } };
   const before = (plot: uPlot) => {
@@ -66,7 +71,7 @@ function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, dra
     legend: { show: false },
     scales: { x: { time: false }, y: { range } },
     axes: [
-      { ...axis, grid: { show: false }, size: 28, values: (_, ticks) => moments.ticks(ticks) },
+      { ...axis, grid: { show: false }, size: 28, values: (_, ticks) => store.moments.ticks(ticks) },
       { ...axis, grid: { stroke: colours.grid, width: 1 }, size: 52, values: (_, ticks) => ticks.map(tick) },
     ],
     series: [{}, ...lines.map(({ label, colour, width, dashes }) => ({ label, stroke: colour, width, dash: dashes, spanGaps: false, points: { show: false } }))],
@@ -124,12 +129,17 @@ export class Plot {
     this.figure = element('figure', { attributes: { 'data-quantity': quantity.id } }, this.caption, this.frame);
     place.append(this.figure); // its width is to be known
     turns.add(this);
-    store.watchSize(this.frame, () => this.plot?.setSize({ width: this.frame.clientWidth, height }));
+    store.watchSize(this.frame, () => this.plot?.setSize(this.size));
     store.atEnd(() => this.plot?.destroy());
   }
 
   get id(): string {
     return this.quantity.id;
+  }
+
+  private get size(): Size {
+    const { clientWidth, clientHeight } = this.frame;
+    return { width: clientWidth, height: clientHeight || usualHeight };
   }
 
   /** For tests, and for those who want the numbers. */
@@ -138,7 +148,7 @@ export class Plot {
   }
 
   private drawnIn(state: State): Drawn {
-    const colours = coloursOf(state);
+    const colours = this.store.colours(state);
     return { lines: this.quantity.lines(state, colours), keys: this.quantity.keys(state), band: this.quantity.band?.(state), colours };
   }
 
@@ -165,7 +175,7 @@ export class Plot {
     if (this.plot && look === this.look) this.plot.setData(data, false);
     else this.replace(data);
     this.look = look;
-    this.showWindow(state);
+    this.scale(state);
     this.showTime(state);
   }
 
@@ -180,7 +190,7 @@ export class Plot {
         this.told();
       },
     };
-    this.plot = new uPlot(optionsOf(this.store, this.quantity, hooks, this.frame.clientWidth), data, this.frame);
+    this.plot = new uPlot(optionsOf(this.store, this.quantity, hooks, this.size), data, this.frame);
     followFinger(this.plot, this.store.moveTo);
   }
 
@@ -192,8 +202,13 @@ export class Plot {
     return rangeOf(reach);
   }
 
-  showWindow({ window: [min, max] }: State): void {
+  private scale({ window: [min, max] }: State): void {
     this.plot?.setScale('x', { min, max });
+  }
+
+  showWindow(state: State): void {
+    const { min, max } = this.plot?.scales.x ?? {};
+    if (min !== state.window[0] || max !== state.window[1]) this.scale(state); // else its lines would be asked for, out of turn
   }
 
   showTime({ time }: State): void {

@@ -75,9 +75,10 @@ class Quantities {
 
   angle(): Quantity {
     const angles = once((path: Path): Drawn => ({ course: lazily(() => anglesFromStart(path)), valueAt: angleFromStartAt(path) }));
-    const { reference } = this.store.report;
-    const grey = (colours: Colours): Line[] =>
-      reference && reference.t.length > 1 ? [{ label: 'reference', colour: colours.reference, width: widths.reference, ...angles(reference) }] : [];
+    const grey = (colours: Colours): Line[] => {
+      const { reference } = this.store.report;
+      return reference && reference.t.length > 1 ? [{ label: 'reference', colour: colours.reference, width: widths.reference, ...angles(reference) }] : [];
+    };
     return {
       id: 'angle',
       ...wordsOf('angle'),

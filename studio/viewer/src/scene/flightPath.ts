@@ -46,7 +46,8 @@ export class FlightPath {
     this.line = thinned(this.points(), unseen);
   }
 
-  private at = (position: Vector3) => position.sub(this.centre).multiplyScalar(this.unit);
+  /** Of a position [m], which becomes its place in the scene. */
+  at = (position: Vector3) => position.sub(this.centre).multiplyScalar(this.unit);
 
   atTime = (t: number) => this.at(new Vector3(...vectorAt(this.samples.t, this.samples.p, t)));
   atKey = (key: number) => this.at(new Vector3().fromArray(this.keys.p, 3 * key));

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is on the unit sphere. Its front half hides the other one, so that what lies behind is drawn again, thin and faint.
 import { BufferGeometry, CircleGeometry, Color, GreaterDepth, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, ShaderMaterial, SphereGeometry, Vector3 } from 'three';
+import { once } from '../data/once';
 import { isGap, type Path } from '../data/report';
 import type { Colours } from '../look/theme';
+import { wayOverSphere } from '../motion/lines';
 import { quaternionAt } from '../motion/orientation';
 import { bodyAxis, type Axis } from '../motion/quaternion';
-import { axisNames, zUp } from './overlay';
+import { axisNames, zUp, type Overlay } from './overlay';
 import { repeat } from './repeated';
+import { thinned } from './thinned';
 import { Trail } from './trail';
+import { ball } from './view';
 
 export const lift = 1.004; // paths lie on the sphere, not in it
 /** Behind the sphere's front: what was drawn before is nearer. */
@@ -16,6 +20,29 @@ const faint = 0.42;
 const inFront = 20; // later than all that is behind
 const axisLength = 1.13;
 const apart = 2.8; // radii of dots, else they are one black line
+const nameAt = 1.21; // of an axis
+const unseen = 3.5e-4; // of the radius: 0.02 degrees, a twentieth of a pixel
+
+/** What a picture of the sphere is to hold. */
+export const globeOutline = [...ball(1.02), ...Object.values(zUp).map((axis) => axis.clone().multiplyScalar(nameAt + 0.07))];
+
+export function nameAxes(overlay: Overlay): void {
+  for (const axis of axisNames) overlay.name(axis, zUp[axis].clone().multiplyScalar(nameAt));
+}
+
+const wayOf = (axis: Axis) => once((path: Path) => thinned(Float32Array.from(wayOverSphere(path, axis).values, (value) => lift * value), unseen));
+
+/** The way of a body axis, as a trail takes it. */
+export const waysOf = { x: wayOf('x'), y: wayOf('y'), z: wayOf('z') };
+
+const mostDirections = 500; // that say from where the sphere is seen best
+
+export function directionsOf(path: Path, axis: Axis): Vector3[] {
+  const directions: Vector3[] = [];
+  const every = Math.ceil(path.t.length / mostDirections);
+  for (let i = 0; i < path.t.length; i += every) if (!isGap(path, i)) directions.push(new Vector3(...bodyAxis(quaternionAt(path, i), axis)));
+  return directions;
+}
 const mostDots = 400; // of more keys some are left out, evenly
 
 /** On the sphere, full before it and faint behind. */

@@ -35,6 +35,7 @@ function textOf(parent: SVGElement, text: string): SVGTextElement {
 interface Name {
   text: SVGTextElement;
   at: Vector3; // in the scene
+  hasSphere: boolean;
 }
 
 export class Overlay {
@@ -49,9 +50,11 @@ export class Overlay {
     frame.append(this.svg);
   }
 
-  /** A name at a place of the scene; fainter where the unit sphere is before it. */
-  name(text: string, at: Vector3): void {
-    this.names.push({ text: textOf(this.svg, text), at });
+  /** A name at a place of the scene, which may move; fainter where the unit sphere is before it, if there is one. */
+  name(text: string, at: Vector3, hasSphere = true): SVGTextElement {
+    const made = textOf(this.svg, text);
+    this.names.push({ text: made, at, hasSphere });
+    return made;
   }
 
   paint(colours: Colours): void {
@@ -68,9 +71,9 @@ export class Overlay {
       place(text, label);
       this.arms.append(line, text); // what points to the eye is drawn last
     }
-    for (const { text, at } of this.names) {
+    for (const { text, at, hasSphere } of this.names) {
       const { x, y } = at.clone().project(camera);
-      place(text, { x: (width * (1 + x)) / 2, y: (height * (1 - y)) / 2, class: isBehindBall(at, camera.position) ? 'behind' : '' });
+      place(text, { x: (width * (1 + x)) / 2, y: (height * (1 - y)) / 2, class: hasSphere && isBehindBall(at, camera.position) ? 'behind' : '' });
     }
   }
 }

@@ -55,3 +55,9 @@ export class Painter {
     this.renderer.setSize(width, height, false);
   }
 }
+
+/** Nothing where the browser cannot draw in space. */
+export function painterOf(store: Store): Painter | null {
+  const context = 'OffscreenCanvas' in globalThis ? new OffscreenCanvas(1, 1).getContext('webgl2', { antialias: true }) : null;
+  return context && new Painter(store, context);
+}

@@ -5,7 +5,7 @@ import { element, menu } from '../look/element';
 import type { Axis } from '../motion/quaternion';
 import type { State, Store } from '../store/store';
 import { MotionScene } from './motionScene';
-import { Painter } from './painter';
+import { painterOf, type Painter } from './painter';
 import { Shapes } from './shapes';
 import { SphereScene } from './sphereScene';
 
@@ -42,8 +42,8 @@ const noScenes = () => element('p', { className: 'facts' }, 'The scenes in space
 
 /** What the scenes show, or a sentence instead of them. */
 export function withPainter(store: Store, show: (painter: Painter) => HTMLElement[]): HTMLElement[] {
-  const context = 'OffscreenCanvas' in globalThis ? new OffscreenCanvas(1, 1).getContext('webgl2', { antialias: true }) : null;
-  return context ? show(new Painter(store, context)) : [noScenes()];
+  const painter = painterOf(store);
+  return painter ? show(painter) : [noScenes()];
 }
 
 export const scenesOf = (store: Store): HTMLElement[] =>

@@ -1,37 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The way of a body axis over the unit sphere, for both methods, the reference and the keys.
-import { Vector3 } from 'three';
-import { once } from '../data/once';
-import { isGap, type Path } from '../data/report';
 import { element } from '../look/element';
 import { coloursOf } from '../look/theme';
-import { wayOverSphere } from '../motion/lines';
-import { isShownAt, orientationAt, ownTime, quaternionAt } from '../motion/orientation';
-import { bodyAxis, type Axis } from '../motion/quaternion';
+import { isShownAt, orientationAt, ownTime } from '../motion/orientation';
+import { bodyAxis } from '../motion/quaternion';
 import type { State, Store } from '../store/store';
-import { Dots, Globe, lift, Pointer, wayOnSphere } from './globe';
-import { axisNames, zUp } from './overlay';
+import { directionsOf, Dots, Globe, globeOutline, nameAxes, Pointer, wayOnSphere, waysOf } from './globe';
 import type { Painter } from './painter';
 import { Stage } from './stage';
-import { thinned } from './thinned';
-import { ball, eyeBefore } from './view';
+import { eyeBefore } from './view';
 
 const chosenPlaces = ['second', 'first'] as const;
-const nameAt = 1.21; // of an axis
-const outline = [...ball(1.02), ...Object.values(zUp).map((axis) => axis.clone().multiplyScalar(nameAt + 0.07))];
-
-const unseen = 3.5e-4; // of the radius: 0.02 degrees, a twentieth of a pixel
-
-const wayOf = (axis: Axis) => once((path: Path) => thinned(Float32Array.from(wayOverSphere(path, axis).values, (value) => lift * value), unseen));
-
-const mostDirections = 500; // that say from where the sphere is seen best
-
-function directionsOf(path: Path, axis: Axis): Vector3[] {
-  const directions: Vector3[] = [];
-  const every = Math.ceil(path.t.length / mostDirections);
-  for (let i = 0; i < path.t.length; i += every) if (!isGap(path, i)) directions.push(new Vector3(...bodyAxis(quaternionAt(path, i), axis)));
-  return directions;
-}
 
 export class SphereScene {
   readonly figure: HTMLElement;
@@ -43,7 +22,6 @@ export class SphereScene {
   private readonly reference = wayOnSphere(5, 1);
   private readonly ways = { second: wayOnSphere(2.5, 2), first: wayOnSphere(3, 4) };
   private readonly pointers = { second: new Pointer(), first: new Pointer() };
-  private readonly wayOf = { x: wayOf('x'), y: wayOf('y'), z: wayOf('z') };
 
   constructor(
     private readonly store: Store,
@@ -52,7 +30,7 @@ export class SphereScene {
     const frame = element('div', { className: 'frame' });
     this.figure = element('figure', { className: 'sphere' }, element('figcaption', {}, this.caption), frame);
     this.stage = new Stage(store, painter, frame);
-    for (const axis of axisNames) this.stage.overlay.name(axis, zUp[axis].clone().multiplyScalar(nameAt));
+    nameAxes(this.stage.overlay);
     const { scene } = this.stage;
     for (const part of [this.globe, this.dots, this.marks, this.reference, ...Object.values(this.ways), ...Object.values(this.pointers)]) scene.add(part.object);
     const { subscribe } = store;
@@ -67,16 +45,16 @@ export class SphereScene {
     const { report, methodNamed } = this.store;
     this.caption.textContent = `Body axis ${axis} on the unit sphere`;
     this.stage.describe(this.caption.textContent);
-    if (report.reference) this.reference.set(this.wayOf[axis](report.reference));
+    if (report.reference) this.reference.set(waysOf[axis](report.reference));
     if (report.marks) this.marks.set(report.marks, axis);
     this.marks.object.visible = report.marks !== null;
-    this.stage.lookAt({ eye: eyeBefore(directionsOf(methodNamed(first)?.samples ?? report.keys, axis)), points: outline });
+    this.stage.lookAt({ eye: eyeBefore(directionsOf(methodNamed(first)?.samples ?? report.keys, axis)), points: globeOutline });
   }
 
   private showMethod(state: State, which: (typeof chosenPlaces)[number]): void {
     const { methodNamed, keysOf } = this.store;
     const method = methodNamed(state[which]);
-    this.ways[which].set(method ? this.wayOf[state.axis](method.samples) : new Float32Array());
+    this.ways[which].set(method ? waysOf[state.axis](method.samples) : new Float32Array());
     if (which === 'first') this.dots.set(keysOf(method), state.axis);
   }
 

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // A canvas with a camera that the user turns; drawn when something has changed, not all the time.
-import { DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, type Object3D } from 'three';
+import { DirectionalLight, HemisphereLight, PerspectiveCamera, Raycaster, Scene, Vector2, type Object3D, type Ray, type Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { element } from '../look/element';
 import { coloursOf } from '../look/theme';
 import type { Store } from '../store/store';
 import { Overlay, zUp, type WorldAxes } from './overlay';
 import type { Painter, Size } from './painter';
-import { placeOf, type View } from './view';
+import { placeOf as placeOfCamera, type View } from './view';
+
+/** On the page [px], as events of a pointer have it. */
+export interface Place {
+  clientX: number;
+  clientY: number;
+}
 
 const lost = 'The browser has taken the graphics away. The scene goes on when they are back.';
 
@@ -16,7 +22,7 @@ export class Stage {
   readonly camera = new PerspectiveCamera(32, 1, 0.1, 100);
   readonly controls: OrbitControls;
   readonly overlay: Overlay;
-  private readonly canvas = element('canvas', { attributes: { role: 'img' } });
+  readonly canvas = element('canvas', { attributes: { role: 'img' } });
   private readonly size: Size = { width: 0, height: 0 };
   private awaited = false;
   private ended = false;
@@ -62,6 +68,23 @@ export class Stage {
     this.canvas.setAttribute('aria-label', text);
   }
 
+  /** From the eye through a place. */
+  rayThrough({ clientX, clientY }: Place): Ray {
+    const { left, top, width, height } = this.canvas.getBoundingClientRect();
+    this.camera.updateMatrixWorld();
+    const caster = new Raycaster();
+    caster.setFromCamera(new Vector2((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height), this.camera);
+    return caster.ray;
+  }
+
+  /** Where a point of the scene is seen. */
+  placeOf(point: Vector3): Place {
+    const { left, top, width, height } = this.canvas.getBoundingClientRect();
+    this.camera.updateMatrixWorld();
+    const { x, y } = point.clone().project(this.camera);
+    return { clientX: left + (width * (1 + x)) / 2, clientY: top + (height * (1 - y)) / 2 };
+  }
+
   /** In the next frame, once, however often it is asked for. */
   draw(): void {
     if (this.awaited) return;
@@ -78,7 +101,7 @@ export class Stage {
   /** Turns the camera to where the view is seen best, until the user turns it. */
   lookAt(view: View): void {
     this.view = view;
-    this.camera.position.copy(placeOf(view, this.camera));
+    this.camera.position.copy(placeOfCamera(view, this.camera));
     this.controls.update();
     this.draw();
   }

@@ -8,7 +8,11 @@ export class Cell {
   readonly input = document.createElement('input');
   private value = NaN;
 
-  constructor(label: string) {
+  /** `written`: how a value is shown. */
+  constructor(
+    label: string,
+    private readonly written: (value: number) => string = short,
+  ) {
     this.input.inputMode = 'decimal';
     this.input.autocomplete = 'off';
     this.input.spellcheck = false;
@@ -16,7 +20,7 @@ export class Cell {
   }
 
   get isTouched(): boolean {
-    return this.input.value !== short(this.value);
+    return this.input.value !== this.written(this.value);
   }
 
   /** What was typed, else all digits. */
@@ -30,7 +34,7 @@ export class Cell {
   }
 
   reset(): void {
-    this.input.value = short(this.value);
+    this.input.value = this.written(this.value);
     this.input.title = String(this.value);
   }
 }

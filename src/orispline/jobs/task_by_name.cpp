@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <orispline/base/suggestion.hpp>
+#include <orispline/fields/field_json.hpp>
+#include <orispline/jobs/task_list.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+
+namespace {
+
+Json words_of(const FieldInfo& field) {
+  Json words = Json::array();
+  for (const Word& word : field.words) words.push_back({{"word", word.word}, {"sentence", word.sentence}});
+  return words;
+}
+
+/// null where there is none.
+template <class T>
+Json or_null(T value, bool is_there) {
+  return is_there ? Json(value) : Json(nullptr);
+}
+
+Json field_json(const FieldInfo& field, std::string_view name) {
+  Json json{{"name", name},
+            {"type", name_of(field.type)},
+            {"unit", field.quantity ? Json(field.quantity->unit) : Json(nullptr)}};
+  if (!field.words.empty()) json["words"] = words_of(field);
+  json["absent"] = or_null(field.absent, !field.absent.empty());
+  json["sentence"] = field.sentence;
+  return json;
+}
+
+Json option_json(const FieldInfo& field) {
+  Json json = field_json(field, field.name);
+  json["default"] = default_json(field);
+  json["lowest"] = or_null(field.range.lowest, std::isfinite(field.range.lowest));
+  json["highest"] = or_null(field.range.highest, std::isfinite(field.range.highest));
+  json["range"] = text_of(field.range, nullptr);
+  json["required"] = field.is_required;
+  return json;
+}
+
+Json results_json(const std::vector<FieldInfo>& fields) {
+  Json results = Json::array();
+  for (const FieldInfo& field : fields) results.push_back(field_json(field, name_with_unit(field)));
+  return results;
+}
+
+Json task_json(const TaskInfo& task) {
+  Json options = Json::array(), inputs = Json::array(), settings = Json::array();
+  for (const FieldInfo& field : task.options) options.push_back(option_json(field));
+  for (const TaskInput& input : task.inputs)
+    inputs.push_back({{"name", input.name},
+                      {"sentence", input.sentence},
+                      {"required", input.is_required},
+                      {"several", input.takes_several}});
+  for (const TaskSetting& setting : task.settings)
+    settings.push_back({{"name", setting.name}, {"sentence", setting.sentence}});
+  Json json{{"task", task.name},
+            {"sentence", task.sentence},
+            {"options", std::move(options)},
+            {"results", results_json(task.results)},
+            {"inputs", std::move(inputs)},
+            {"settings", std::move(settings)}};
+  if (!task.results_of_gyros.empty()) json["results_of_gyros"] = results_json(task.results_of_gyros);
+  return json;
+}
+
+/// What is named must be there, and stand as often as it may.
+Expected<void> check_names(std::string_view kind, const std::vector<std::string_view>& stated,
+                           const std::vector<std::string_view>& known, const std::vector<std::string_view>& repeated) {
+  for (const std::string_view name : stated) {
+    if (std::ranges::find(known, name) == known.end()) return bad_option(name, unknown_word(kind, name, known));
+    if (std::ranges::count(stated, name) > 1 && std::ranges::find(repeated, name) == repeated.end())
+      return bad_option(name, "found it twice, wanted it once");
+  }
+  return {};
+}
+
+template <class List>
+std::vector<std::string_view> names_in(const List& stated) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, value] : stated) names.push_back(name);
+  return names;
+}
+
+Expected<void> check_inputs(const TaskInfo& task, const TaskRequest& request) {
+  std::vector<std::string_view> known, repeated;
+  for (const TaskInput& input : task.inputs) {
+    known.push_back(input.name);
+    if (input.takes_several) repeated.push_back(input.name);
+  }
+  if (auto fits = check_names("input", names_in(request.inputs), known, repeated); !fits) return fits;
+  for (const TaskInput& input : task.inputs)
+    if (input.is_required && !request.input(input.name))
+      return bad_option(input.name, "found none, wanted orientations at times");
+  return {};
+}
+
+Expected<void> check_options(const TaskInfo& task, const TaskRequest& request) {
+  std::vector<std::string_view> known;
+  for (const FieldInfo& field : task.options)
+    if (field.type != FieldType::recording) known.push_back(field.name);
+  for (const TaskSetting& setting : task.settings) known.push_back(setting.name);
+  if (auto fits = check_names("option", names_in(request.options), known, {}); !fits) return fits;
+  for (const FieldInfo& field : task.options)
+    if (field.is_required && !request.option(field.name))
+      return bad_option(field.name, "found none, wanted " + wanted_of(field));
+  return {};
+}
+
+}  // namespace
+
+Json tasks_json() {
+  Json list = Json::array();
+  for (const TaskInfo& task : tasks_info()) list.push_back(task_json(task));
+  return list;
+}
+
+std::shared_ptr<const Track> TaskRequest::input(std::string_view name) const {
+  for (const auto& [known, track] : inputs)
+    if (known == name) return track;
+  return nullptr;
+}
+
+const std::string* TaskRequest::option(std::string_view name) const {
+  for (const auto& [known, text] : options)
+    if (known == name) return &text;
+  return nullptr;
+}
+
+Expected<TaskOutcome> run_task(std::string_view name, const TaskRequest& request, const Progress& progress) {
+  const std::vector<TaskInfo> tasks = tasks_info();
+  std::vector<std::string_view> names;
+  for (const TaskInfo& task : tasks) {
+    names.push_back(task.name);
+    if (task.name != name) continue;
+    return check_inputs(task, request).and_then([&] { return check_options(task, request); }).and_then([&] {
+      return task.run(request, progress);
+    });
+  }
+  return failure(ErrorCode::bad_argument, unknown_word("task", name, names));
+}
+
+}}}  // namespace orispline::jobs

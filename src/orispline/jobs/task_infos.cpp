@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <utility>
+
+#include <orispline/align/rate_alignment.hpp>
+#include <orispline/analysis/comparison.hpp>
+#include <orispline/analysis/decimation.hpp>
+#include <orispline/jobs/bake.hpp>
+#include <orispline/jobs/task_list.hpp>
+#include <orispline/mean/mean.hpp>
+#include <orispline/reduce/reduce.hpp>
+#include <orispline/retime/retime.hpp>
+#include <orispline/smooth/smooth.hpp>
+#include <orispline/tune/tune.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+
+namespace {
+
+template <class... Structs>
+std::vector<FieldInfo> fields() {
+  std::vector<FieldInfo> all;
+  const auto append = [&](std::span<const FieldInfo> some) { all.insert(all.end(), some.begin(), some.end()); };
+  (append(fields_of<Structs>()), ...);
+  return all;
+}
+
+constexpr TaskSetting one_method{"method", "The text of the method whose curve it is about"};
+constexpr TaskSetting several_methods{"methods", "The texts of methods, with commas between them"};
+constexpr TaskSetting threads_setting{"threads", "At most so many at work; 0: one per core"};
+
+constexpr TaskInput keys_input{"keys", "The keys"}, recording_input{"recording", "The recording"};
+
+constexpr TaskInput not_required(std::string_view name, std::string_view sentence) { return {name, sentence, false}; }
+constexpr TaskInput several_of(std::string_view name, std::string_view sentence) {
+  return {name, sentence, true, true};
+}
+
+}  // namespace
+
+TaskInfo smooth_info() {
+  return {"smooth",
+          "A noisy recording as a smooth motion with rates",
+          fields<SmoothOptions>(),
+          fields<Smoothing>(),
+          {recording_input},
+          {},
+          run_smooth};
+}
+
+TaskInfo tune_info() {
+  return {
+      "tune",           "The tensions that make a curve smoothest, or nearest to a recording",    fields<TuneOptions>(),
+      fields<Tuning>(), {keys_input, not_required("reference", "The recording to come near to")}, {one_method},
+      run_tune};
+}
+
+TaskInfo reduce_info() {
+  std::vector<TaskSetting> settings{several_methods, threads_setting, {"smooth", "Smooth the recordings first"}};
+  for (const FieldInfo& field : fields_of<SmoothOptions>()) settings.push_back({field.name, field.sentence});
+  return {"reduce",
+          "The fewest keys that reproduce a recording within a tolerance",
+          fields<ReduceOptions>(),
+          fields<Reduction>(),
+          {several_of("recording", "The recording, or several")},
+          std::move(settings),
+          run_reduce};
+}
+
+TaskInfo retime_info() {
+  return {"retime",
+          "The least slowing that keeps a motion within limits",
+          fields<RetimeOptions>(),
+          fields<Retiming>(),
+          {keys_input},
+          {one_method},
+          run_retime};
+}
+
+TaskInfo bake_info() {
+  return {"bake",
+          "A curve as polynomials that players evaluate",
+          fields<BakeSettings>(),
+          fields<BakeOutcome>(),
+          {keys_input},
+          {one_method},
+          run_bake};
+}
+
+TaskInfo mean_info() {
+  return {
+      "mean",
+      "The mean or the median of many orientations",
+      fields<MeanOptions>(),
+      fields<Mean>(),
+      {several_of("rows", "The orientations, with weights where they have the setting weight; several are one set")},
+      {},
+      run_mean};
+}
+
+TaskInfo align_info() {
+  return {"align",
+          "What brings one recording onto another one of the same motion",
+          fields<AlignOptions>(),
+          fields<Alignment>(),
+          {{"moved", "The recording that is brought"}, {"fixed", "The one that it is brought onto"}},
+          {},
+          run_align,
+          fields<RateAlignment>()};
+}
+
+TaskInfo compare_info() {
+  return {"compare",
+          "How near the curves of methods come to a recording",
+          fields<Decimation, MeasureOptions>(),
+          {},
+          {{"keys", "A recording, of which some samples become keys; with a reference the keys themselves"},
+           not_required("reference", "The recording to compare with")},
+          {several_methods,
+           threads_setting,
+           {"tune", "Methods with tensions once more, tuned"},
+           {"align", "Bring the keys onto the reference first"},
+           {"sort", "The word of the measure to sort by"}},
+          run_compare};
+}
+
+}}}  // namespace orispline::jobs

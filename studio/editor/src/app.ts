@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// The studio in an element of a page: the start screen, or the document that is open.
+import './style/viewer.css';
+import './style/studio.css';
+import type { StudioDocument } from './document/document';
+import type { Curves, Engine, MethodInfo, Opened, Trouble } from './engine/protocol';
+import { hearDrops, opened as openedOf, picked, type Given } from './frame/opening';
+import { Session } from './frame/session';
+import { Start } from './frame/start';
+import { Draft } from './store/draft';
+
+export class App {
+  private readonly start: Start;
+  private methods: readonly MethodInfo[] = [];
+  private session: Session | null = null;
+  private awaited: { document: StudioDocument; told: (curves: Curves) => void } | null = null;
+
+  constructor(
+    private readonly place: HTMLElement,
+    private readonly engine: Engine,
+  ) {
+    this.start = new Start((given) => void this.open(given));
+    engine.onCurves((curves, of) => {
+      if (of === this.awaited?.document) this.awaited.told(curves);
+      this.session?.take(curves, of);
+    });
+  }
+
+  /** What is open, for tests and for those who want to look. */
+  get current(): Session | null {
+    return this.session;
+  }
+
+  async begin(given: Given | null): Promise<void> {
+    this.place.append(this.start.element);
+    try {
+      this.methods = await this.engine.ask('methods', null);
+      if (given) await this.open(given);
+    } catch (trouble) {
+      this.tell((trouble as Trouble).message);
+    }
+  }
+
+  /** What was open stays where the new one cannot be opened. */
+  async open(given: Given): Promise<void> {
+    try {
+      const opened = await openedOf(this.engine, this.front, given);
+      if (opened) await this.show(opened, given);
+    } catch (trouble) {
+      this.tell((trouble as Trouble).message);
+    }
+  }
+
+  private get front(): HTMLElement {
+    return this.session?.screen.element ?? this.start.element;
+  }
+
+  private tell(sentence: string): void {
+    if (this.session) this.session.screen.notices.tell(sentence, { isTrouble: true });
+    else this.start.tell(sentence);
+  }
+
+  private async pick(): Promise<void> {
+    try {
+      const given = await picked();
+      if (given) await this.open(given);
+    } catch (reason) {
+      this.tell((reason as Error).message);
+    }
+  }
+
+  private async show(opened: Opened, { handle }: Given): Promise<void> {
+    const { original, document } = opened;
+    const draft = new Draft({ hash: original.hash, opened: document, shelf: () => localStorage, tell: (sentence) => this.tell(sentence) });
+    const first = draft.read() ?? document;
+    const curves = await this.curvesOf(first);
+    const theme = this.session?.theme ?? null;
+    this.session?.end();
+    this.start.element.remove();
+    const setting = { engine: this.engine, methods: this.methods, theme, handle, open: () => void this.pick() };
+    this.session = new Session(opened, first, curves, draft, setting);
+    this.place.append(this.session.screen.element);
+    hearDrops(this.session.screen.element, (given) => void this.open(given));
+    window.document.title = `${original.name} – orispline studio`;
+  }
+
+  private curvesOf(document: StudioDocument): Promise<Curves> {
+    return new Promise((resolve) => {
+      this.awaited = { document, told: resolve };
+      this.engine.draw(document);
+    });
+  }
+}

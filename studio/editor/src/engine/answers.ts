@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is answered to each question. It needs no worker.
+import type { WholeCurve } from 'orispline/whole_curve';
+import type { Choice, Key } from '../document/document';
+import { settingsOf } from './choices';
+import { Drawings, type Redrawn } from './drawings';
+import { dataOf } from './keys';
+import { Library, used } from './library';
+import { Opening } from './opening';
+import type { Given, MethodInfo, Name, Told } from './protocol';
+import { evenSamples } from './samples';
+import { tableOf } from './table';
+
+const listOf = (library: Library): MethodInfo[] =>
+  (library.methods() as unknown as MethodInfo[]).map((method) => ({ ...method, choices: method.choices.map((choice) => ({ ...choice, values: choice.words })) }));
+
+type Questioned = { [N in Name]: (given: Given<N>) => N extends 'curves' ? Redrawn : Told<N> };
+
+/** Answers one question after another, by a new library where a fault has ended the last one. */
+export class Answering {
+  private readonly module: WebAssembly.Module;
+  private library!: Library;
+  private answers!: Questioned;
+
+  constructor(module: WebAssembly.Module) {
+    this.module = module;
+    this.begin();
+  }
+
+  answer<N extends Name>(name: N, given: Given<N>): unknown {
+    try {
+      return this.answers[name](given);
+    } finally {
+      if (!this.library.isSound) this.begin();
+    }
+  }
+
+  private begin(): void {
+    this.library = new Library(this.module);
+    this.answers = answersOf(this.library);
+  }
+}
+
+/** An answer to each question of the protocol. */
+export function answersOf(library: Library): Questioned {
+  const methods = listOf(library), opening = new Opening(library, methods), drawings = new Drawings(library, methods);
+  const withCurve = <Result>(keys: readonly Key[], choice: Choice, work: (curve: WholeCurve) => Result): Result =>
+    used(library.curve(choice.method, dataOf(keys), settingsOf(choice, keys, methods)), work);
+  return {
+    methods: () => methods,
+    open: (given) => opening.open(given),
+    reduce: (given) => opening.reduce(given),
+    curves: (given) => drawings.redrawn(given),
+    at: ({ keys, choice, time }) => withCurve(keys, choice, (curve) => {
+      const [w, x, y, z] = curve.at(time), p = curve.hasPositions ? curve.positionAt(time) : null;
+      return { q: [w, x, y, z], p: p && [p[0], p[1], p[2]] };
+    }),
+    write: ({ keys, epoch, name, choice }) =>
+      used(library.read(tableOf(keys, epoch, choice), 'keys.csv'), (track) => new TextDecoder().decode(library.write(track, name).bytes)),
+    read: ({ text, name }) => used(library.read(text, name), (track) => opening.keysIn(track, true)),
+    sample: ({ keys, choice, count, rates }) => withCurve(keys, choice, (curve) => evenSamples(curve, count, rates)),
+    bake: ({ keys, choice, tolerance }) => withCurve(keys, choice, (curve) => JSON.stringify(curve.bake({ tolerance }))),
+  };
+}

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// The worker as the page sees it.
+import type { StudioDocument } from '../document/document';
+import type { Redrawn } from './drawings';
+import { Latest } from './latest';
+import type { Answered, Asked } from './messages';
+import type { Curves, Drawn, Engine, Given, Name, Told, Trouble } from './protocol';
+import { troubleOf } from './trouble';
+
+type Listener = (curves: Curves, of: StudioDocument) => void;
+type Waiting = { resolve: (told: unknown) => void; reject: (trouble: Trouble) => void };
+
+/** Samples that are drawn of so many keys. */
+const countFor = (keys: number): number => Math.max(600, 4 * keys + 1);
+
+const without: Trouble = { message: 'The library cannot be started here, since this browser gives the page no worker; open the page in Chrome, Firefox or Safari.' };
+const closed: Trouble = { message: 'The library was closed, so it answers no more; load the page again.' };
+
+export class WorkerEngine implements Engine {
+  private readonly worker: Worker | null;
+  private readonly waiting = new Map<number, Waiting>();
+  private readonly listeners: Listener[] = [];
+  private readonly drawings = new Latest<StudioDocument>((document) => this.drawn(document));
+  private curves: Curves | null = null;
+  private failed: Trouble | null = null;
+  private last = 0;
+
+  /** `library`: the bytes of its .wasm, compressed by gzip and written as base64. */
+  constructor(start: () => Worker, library: string) {
+    this.worker = this.started(start);
+    this.post({ library });
+  }
+
+  ask<N extends Exclude<Name, 'curves'>>(name: N, given: Given<N>): Promise<Told<N>> {
+    return this.asked(name, given) as Promise<Told<N>>;
+  }
+
+  draw(document: StudioDocument): void {
+    this.drawings.put(document);
+  }
+
+  onCurves(listener: Listener): void {
+    this.listeners.push(listener);
+  }
+
+  close(): void {
+    this.worker?.terminate();
+    this.fail(closed);
+  }
+
+  private started(start: () => Worker): Worker | null {
+    try {
+      const worker = start();
+      worker.addEventListener('message', ({ data }: MessageEvent<Answered>) => this.take(data));
+      worker.addEventListener('error', (event) => {
+        event.preventDefault();
+        this.fail(event.message ? { message: `The worker with the library has ended: ${event.message}. Load the page again.` } : without);
+      });
+      return worker;
+    } catch {
+      this.failed = without;
+      return null;
+    }
+  }
+
+  private post(asked: Asked): void {
+    this.worker?.postMessage(asked);
+  }
+
+  private asked(name: Name, given: Given<Name>): Promise<unknown> {
+    return new Promise((resolve, reject) => {
+      if (this.failed) return reject(this.failed);
+      this.waiting.set(++this.last, { resolve, reject });
+      this.post({ number: this.last, name, given });
+    });
+  }
+
+  private take(answered: Answered): void {
+    const waiting = this.waiting.get(answered.number);
+    this.waiting.delete(answered.number);
+    if ('trouble' in answered) waiting?.reject(answered.trouble);
+    else waiting?.resolve(answered.told);
+  }
+
+  private fail(trouble: Trouble): void {
+    this.failed ??= trouble;
+    for (const { reject } of this.waiting.values()) reject(trouble);
+    this.waiting.clear();
+  }
+
+  private async drawn(document: StudioDocument): Promise<void> {
+    let curves: Curves;
+    try {
+      const told = (await this.asked('curves', { document, count: countFor(document.keys.length) })) as Redrawn;
+      const whole = (which: keyof Curves): Drawn => (told[which] === 'same' ? this.curves![which] : told[which]);
+      curves = this.curves = { first: whole('first'), second: whole('second') };
+    } catch (reason) {
+      const trouble = troubleOf(reason);
+      curves = { first: { trouble }, second: { trouble } };
+    }
+    for (const listener of this.listeners) listener(curves, document);
+  }
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// A file becomes a document.
+import type { KeyInfo, KeyTrack } from 'orispline/key_track';
+import type { Choice, Key, Original, StudioDocument } from '../document/document';
+import { choiceOf, perKey } from './choices';
+import { sha256 } from './hash';
+import { keysIn } from './keys';
+import { type Library, used } from './library';
+import { mostKeys, type Given, type MethodInfo, type Opened, type TooMany } from './protocol';
+
+/** The text of a file; '' where it is none. */
+const textIn = (bytes: Uint8Array): string => {
+  try {
+    return new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);
+  } catch {
+    return '';
+  }
+};
+
+const originalOf = (bytes: Uint8Array, name: string, { epoch }: KeyInfo): Original => ({ name, text: textIn(bytes), hash: sha256(bytes), epoch });
+
+const besideOf = ({ method }: Choice): Choice => ({ method: method === 'slerp' ? 'auto' : 'slerp', settings: {} });
+
+/** With the lists of a choice, one value for each key, as values of the keys; a choice has no setting that keys have values of. */
+function documentOf(keys: Key[], first: Choice, second: Choice, methods: readonly MethodInfo[]): StudioDocument {
+  const names = perKey(methods, first.method), settings = { ...first.settings };
+  let all: Key[] = keys;
+  for (const [name, value] of Object.entries(settings)) {
+    const values = typeof value === 'string' ? value.split(',').map(Number) : [];
+    const isList = names.has(name) && values.length === keys.length;
+    if (isList) delete settings[name];
+    if (isList) all = all.map((key, k) => ({ ...key, own: { ...key.own, [name]: values[k] } }));
+    else all = all.map((key) => ({ ...key, own: Object.fromEntries(Object.entries(key.own).filter(([one]) => one !== name)) }));
+  }
+  return { version: 1, keys: all, first: { method: first.method, settings }, second };
+}
+
+export class Opening {
+  private readonly library: Library;
+  private readonly methods: readonly MethodInfo[];
+
+  constructor(library: Library, methods: readonly MethodInfo[]) {
+    this.library = library;
+    this.methods = methods;
+  }
+
+  open({ bytes, name, method, beside }: Given<'open'>): Opened | TooMany {
+    return used(this.library.read(bytes, name), (track) => {
+      const { info } = track, original = originalOf(bytes, name, info);
+      if (info.count > mostKeys) return { original, count: info.count };
+      const keys = this.keysIn(track, true), warnings = this.warningsOf(info, keys), first = method ? this.choice(method) : this.choiceIn(info, warnings);
+      const second = beside ? this.choice(beside) : besideOf(first);
+      return { original, document: documentOf(keys, first, second, this.methods), warnings };
+    });
+  }
+
+  /** The keys that a recording needs are keys of a new file. */
+  reduce({ bytes, name, tolerance }: Given<'reduce'>): Opened {
+    const { tracks: [track], warnings } = used(this.library.read(bytes, name), (recording) => this.library.run('reduce', { recording }, { tolerance }));
+    return used(track, () => {
+      const { info } = track, original = { ...originalOf(bytes, name.replace(/(\.[^.]*)?$/, '_keys.csv'), info), text: '' };
+      if (info.count > mostKeys)
+        throw new Error(`The recording needs ${info.count} keys within ${tolerance}, and ${mostKeys} can be edited: state a larger tolerance.`);
+      const said = warnings.map(({ message }) => message), first = this.choiceIn(info, said);
+      return { original, document: documentOf(this.keysIn(track, false), first, besideOf(first), this.methods), warnings: said };
+    });
+  }
+
+  keysIn(track: KeyTrack, isOriginal: boolean): Key[] {
+    const names = perKey(this.methods);
+    const own = track.info.columns.filter(({ name, width }) => width === 1 && names.has(name)).map(({ name }) => name);
+    return keysIn(track, own, isOriginal);
+  }
+
+  private choice(text: string): Choice {
+    return choiceOf(this.library.methodText(text));
+  }
+
+  /** That which the file is for; one of its own cannot be had here. */
+  private choiceIn({ method }: KeyInfo, warnings: string[]): Choice {
+    try {
+      return this.choice(method ?? 'auto');
+    } catch (reason) {
+      warnings.push(`The file is for ${method}, which cannot be had here: ${(reason as Error).message}.`);
+      return this.choice('auto');
+    }
+  }
+
+  private warningsOf({ warnings, count, columns }: KeyInfo, keys: readonly Key[]): string[] {
+    const said = ((warnings ?? []) as { message: string }[]).map(({ message }) => message);
+    if (count === 1) said.push('The file has one key, and so the body rests; insert another key to see it turn.');
+    if (columns.some(({ name }) => name.startsWith('inner_'))) said.push('The file has inner quaternions, which the studio does not use.');
+    if (keys.some(({ q }, k) => k > 0 && keys[k - 1].q.reduce((sum, x, i) => sum + x * q[i], 0) < 0))
+      said.push('The signs of the quaternions in the file say which way round the body turns; the studio turns it the short way.');
+    return said;
+  }
+}

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Trouble } from './protocol';
+
+/** What an error says, as plain data. */
+export function troubleOf(reason: unknown): Trouble {
+  const { message, key, line, column, option } = reason as Trouble;
+  const trouble: Trouble = { message: message || String(reason) };
+  if (key !== undefined) trouble.key = key;
+  if (line !== undefined) trouble.line = line;
+  if (column !== undefined) trouble.column = column;
+  if (option !== undefined) trouble.option = option;
+  return trouble;
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bar at the top: the file, what is done with it, and the methods.
+import { breakable, element } from 'orispline-viewer/look/element';
+import { letters, type Which } from '../document/document';
+import { MethodForm } from '../panels/methodForm';
+import { methodMenu, refusal } from '../panels/methodMenu';
+import type { Studio } from '../store/studio';
+import { formButton, menuButton, type Item } from './popup';
+
+/** What the head can ask for. */
+export interface Wishes {
+  open: () => void;
+  save: () => void;
+  copies: Item[];
+  exports: Item[];
+  help: () => void;
+}
+
+const button = (label: string, title: string, onclick: () => void, className = 'side') => element('button', { type: 'button', className, title, onclick }, label);
+
+function nameOf({ store, original }: Studio): HTMLElement {
+  const dot = element('span', { className: 'unsaved', title: 'Not saved', attributes: { role: 'img', 'aria-label': 'not saved' } }, '●');
+  store.subscribe(['isSaved'], ({ isSaved }) => (dot.hidden = isSaved));
+  return element('h1', {}, ...breakable(original.name), ' ', dot);
+}
+
+function method(studio: Studio, which: Which): HTMLElement {
+  const letter = letters[which];
+  const open = element('button', { type: 'button', className: 'side sign', title: `Settings of ${letter}`, attributes: { 'aria-label': `Settings of ${letter}` } }, '⚙');
+  const form = formButton(open, `Settings of ${letter}`, new MethodForm(studio, which).element);
+  return element('span', { className: `method ${which}` }, element('span', { className: 'letter', attributes: { 'aria-hidden': 'true' } }, letter), methodMenu(studio, which), form);
+}
+
+function themeButton({ view: { choose, current, subscribe } }: Studio): HTMLElement {
+  const theme = button('', 'Light or dark', () => choose({ theme: current().theme === 'dark' ? 'light' : 'dark' }), 'theme');
+  subscribe(['theme'], (state) => (theme.textContent = state.theme === 'dark' ? '☀ Light' : '☾ Dark'));
+  return theme;
+}
+
+export function headOf(studio: Studio, { open, save, copies, exports, help }: Wishes): HTMLElement {
+  const { store } = studio;
+  const undo = button('Undo', 'Undo (Ctrl+Z)', () => store.undo());
+  const redo = button('Redo', 'Redo (Ctrl+Shift+Z)', () => store.redo());
+  store.subscribe(['canUndo', 'canRedo'], ({ canUndo, canRedo }) => {
+    undo.disabled = !canUndo;
+    redo.disabled = !canRedo;
+  });
+  const group = (name: string, ...children: HTMLElement[]) => element('span', { className: `buttons ${name}` }, ...children);
+  return element(
+    'div',
+    { className: 'top' },
+    nameOf(studio),
+    element(
+      'div',
+      { className: 'tools' },
+      group('history', undo, redo),
+      group('files', button('Open', 'Open a file (Ctrl+O)', open), button('Save', 'Save the keys (Ctrl+S)', save), menuButton('Copy…', 'Copy', copies), menuButton('Export…', 'Export', exports)),
+      method(studio, 'first'),
+      method(studio, 'second'),
+      group('looks', themeButton(studio), element('button', { type: 'button', className: 'side sign', title: 'Keys of the keyboard (?)', onclick: help, attributes: { 'aria-label': 'Help' } }, '?')),
+    ),
+    refusal(studio, 'first'),
+    refusal(studio, 'second'),
+  );
+}

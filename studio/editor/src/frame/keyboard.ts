@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keys of the keyboard that are heard everywhere. Views that give arrows a meaning of their own, such as the scenes, keep them to themselves;
+// space and arrows are the playback's.
+import { element } from 'orispline-viewer/look/element';
+import type { Studio } from '../store/studio';
+import type { Actions } from '../timeline/actions';
+import { ask } from './dialog';
+
+const isTypedInto = 'input:not([type=range], [type=checkbox]), textarea, [contenteditable]';
+
+export interface Asked {
+  open: () => void;
+  save: () => void;
+  help: () => void;
+  focus: () => void; // the chosen key on the timeline
+}
+
+interface Shortcut {
+  keys: string; // as they are listed
+  does: string;
+  is: (event: KeyboardEvent) => boolean;
+  whileTyping?: boolean;
+  act: () => void;
+}
+
+const command = (key: string, shift = false) => (event: KeyboardEvent) => (event.ctrlKey || event.metaKey) && !event.altKey && event.shiftKey === shift && event.key.toLowerCase() === key;
+const plain = (...keys: string[]) => (event: KeyboardEvent) => !event.ctrlKey && !event.metaKey && !event.altKey && keys.includes(event.key);
+
+export function shortcutsOf({ store, view }: Studio, actions: Actions, { open, save, help, focus }: Asked): Shortcut[] {
+  const redoes = [command('z', true), command('y')];
+  const step = (by: number) => {
+    const onTimeline = !!document.activeElement?.closest('.dots');
+    actions.step(by);
+    if (onTimeline) focus();
+  };
+  return [
+    { keys: 'Ctrl+Z', does: 'Undo', is: command('z'), act: () => store.undo() },
+    { keys: 'Ctrl+Shift+Z, Ctrl+Y', does: 'Redo', is: (event) => redoes.some((is) => is(event)), act: () => store.redo() },
+    { keys: 'Ctrl+S', does: 'Save the keys', is: command('s'), whileTyping: true, act: save },
+    { keys: 'Ctrl+O', does: 'Open a file', is: command('o'), whileTyping: true, act: open },
+    { keys: 'Ctrl+D', does: 'Duplicate the chosen key', is: command('d'), act: () => actions.duplicate() },
+    { keys: '[', does: 'Choose the key before', is: plain('['), act: () => step(-1) },
+    { keys: ']', does: 'Choose the next key', is: plain(']'), act: () => step(1) },
+    { keys: 'I', does: 'Insert a key on the curve at this time', is: plain('i', 'I'), act: () => void actions.insert(view.current().time) },
+    { keys: 'Delete', does: 'Delete the chosen key', is: plain('Delete', 'Backspace'), act: () => actions.remove() },
+    { keys: '?', does: 'Show this list', is: plain('?'), act: help },
+  ];
+}
+
+export function hearShortcuts({ view }: Studio, place: EventTarget, shortcuts: Shortcut[]): void {
+  view.listen(place, 'keydown', (event: KeyboardEvent) => {
+    if (event.defaultPrevented) return;
+    const isTyping = !!(event.target as Element).closest?.(isTypedInto);
+    const found = shortcuts.find(({ is, whileTyping }) => is(event) && (!isTyping || whileTyping));
+    if (!found) return;
+    event.preventDefault();
+    found.act();
+  });
+}
+
+const elsewhere: [keys: string, does: string][] = [
+  ['Space', 'Play, pause'],
+  ['← →', 'Step the time by a hundredth of what is shown, with Shift by a tenth'],
+  ['Home, End', 'Go to the first or the last moment that is shown'],
+];
+const places: [where: string, lines: [string, string][]][] = [
+  ['On a key of the timeline', [['← →', 'Move it in time, with Shift ten times as far, with Ctrl a tenth'], ['↑ ↓', 'Go to the key before, to the next one'], ['Home, End', 'Go to the first or the last key'], ['Tab', 'Go to its bar']]],
+  ['On a bar', [['↑ ↓', 'Change the value, with Shift ten times as much, with Ctrl a tenth']]],
+  ['On the body or the sphere', [['← → ↑ ↓', 'Turn the chosen key about the axes of the screen by 1°, with Shift by 10°, with Ctrl by 0.1°'], ['Page Up, Page Down', 'Turn it about the line of sight']]],
+  ['In a field', [['↑ ↓', 'Step the number, with Shift ten times as far, with Ctrl a tenth'], ['Escape', 'Take back what was typed']]],
+];
+
+export function showHelp(place: HTMLElement, shortcuts: Shortcut[]): void {
+  const list = (lines: [string, string][]) => element('dl', {}, ...lines.flatMap(([keys, does]) => [element('dt', {}, keys), element('dd', {}, does)]));
+  const everywhere = [...elsewhere, ...shortcuts.map(({ keys, does }): [string, string] => [keys, does])];
+  const parts = [['Everywhere', everywhere] as const, ...places].map(([where, lines]) => element('section', {}, element('h3', {}, where), list(lines)));
+  void ask(place, 'Keyboard', [element('div', { className: 'help' }, ...parts)], [{ label: 'Close', isFirst: true }]);
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a user opens: bytes with a name, from wherever they come.
+import { element } from 'orispline-viewer/look/element';
+import { mostKeys, type Engine, type Opened, type TooMany, type Trouble } from '../engine/protocol';
+import { ask } from './dialog';
+
+/** As browsers have it that give access to files of the disk. */
+export interface FileHandle {
+  readonly name: string;
+  getFile: () => Promise<Blob>;
+  createWritable: () => Promise<{ write: (text: string | Uint8Array) => Promise<void>; close: () => Promise<void> }>;
+}
+
+export interface Given {
+  bytes: Uint8Array;
+  name: string;
+  method?: string; // text of A
+  beside?: string;
+  handle?: FileHandle; // where it can be written again
+}
+
+type Picker = (options: object) => Promise<FileHandle[]>;
+const picker = () => (window as unknown as { showOpenFilePicker?: Picker }).showOpenFilePicker?.bind(window);
+
+export const bytesOf = async (blob: Blob): Promise<Uint8Array> => new Uint8Array(await blob.arrayBuffer());
+
+async function fromHandle(handle: FileHandle): Promise<Given> {
+  return { bytes: await bytesOf(await handle.getFile()), name: handle.name, handle };
+}
+
+/** With an input where the browser has no picker. */
+function fromInput(): Promise<Given | null> {
+  const input = element('input', { type: 'file' });
+  return new Promise((resolve) => {
+    input.addEventListener('cancel', () => resolve(null));
+    input.addEventListener('change', async () => {
+      const [file] = input.files ?? [];
+      resolve(file ? { bytes: await bytesOf(file), name: file.name } : null);
+    });
+    input.click();
+  });
+}
+
+/** What the user picks; null: nothing. */
+export async function picked(): Promise<Given | null> {
+  const pick = picker();
+  if (!pick) return fromInput();
+  try {
+    const [handle] = await pick({});
+    return await fromHandle(handle);
+  } catch (reason) {
+    if ((reason as Error).name === 'AbortError') return null;
+    if ((reason as Error).name === 'SecurityError') return fromInput();
+    throw reason;
+  }
+}
+
+async function fromTransfer({ items, files }: DataTransfer): Promise<Given | null> {
+  const item = [...items].find(({ kind }) => kind === 'file') as (DataTransferItem & { getAsFileSystemHandle?: () => Promise<FileHandle | null> }) | undefined;
+  const file = files[0];
+  const handle = await item?.getAsFileSystemHandle?.().catch(() => null);
+  if (handle && 'getFile' in handle) return fromHandle(handle);
+  return file ? { bytes: await bytesOf(file), name: file.name } : null;
+}
+
+const isTypedInto = 'input, textarea, select, [contenteditable]';
+
+/** Files dropped anywhere, and text that is pasted where nothing else takes it. */
+export function hearDrops(place: HTMLElement, given: (given: Given) => void): void {
+  const mark = (is: boolean) => place.classList.toggle('is-dropped-on', is);
+  place.addEventListener('dragover', (event) => {
+    if (!event.dataTransfer?.types.includes('Files')) return;
+    event.preventDefault();
+    mark(true);
+  });
+  place.addEventListener('dragleave', (event) => !place.contains(event.relatedTarget as Node | null) && mark(false));
+  place.addEventListener('drop', async (event) => {
+    mark(false);
+    if (!event.dataTransfer) return;
+    event.preventDefault();
+    const found = await fromTransfer(event.dataTransfer);
+    if (found) given(found);
+  });
+  place.ownerDocument.addEventListener('paste', (event) => {
+    if ((event.target as Element).closest?.(isTypedInto) || !place.isConnected) return;
+    const text = event.clipboardData?.getData('text/plain');
+    if (text) given({ bytes: new TextEncoder().encode(text), name: 'pasted.csv' });
+  });
+}
+
+const usualTolerance = '0.1deg';
+
+/** Of a recording the keys that it needs, where the user wants them. */
+async function reduced(engine: Engine, place: HTMLElement, { bytes, name }: Given, count: number): Promise<Opened | null> {
+  let [tolerance, why] = [usualTolerance, ''];
+  for (;;) {
+    const field = element('input', { value: tolerance, spellcheck: false, attributes: { 'aria-label': 'Tolerance' } });
+    const content = [
+      element('p', {}, `${name} has ${count} keys; up to ${mostKeys} can be edited. Those that are needed can be found, so that the curve through them is nowhere farther from the recording than the tolerance.`),
+      element('label', { className: 'choice' }, element('span', {}, 'Tolerance'), field),
+      element('p', { className: 'trouble', attributes: { role: 'alert' } }, why),
+    ];
+    const answer = await ask(place, 'Too many keys to edit', content, [{ label: 'Reduce to keys', isFirst: true }, { label: 'Cancel' }]);
+    if (answer !== 'Reduce to keys') return null;
+    tolerance = field.value;
+    try {
+      return await engine.ask('reduce', { bytes, name, tolerance });
+    } catch (trouble) {
+      why = (trouble as Trouble).message;
+    }
+  }
+}
+
+const isOpened = (told: Opened | TooMany): told is Opened => 'document' in told;
+
+/** A document; null where the user did not want it. Throws `Trouble`, a sentence. */
+export async function opened(engine: Engine, place: HTMLElement, given: Given): Promise<Opened | null> {
+  const { bytes, name, method, beside } = given;
+  const told = await engine.ask('open', { bytes, name, method, beside });
+  return isOpened(told) ? told : reduced(engine, place, given, told.count);
+}

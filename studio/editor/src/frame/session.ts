@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// One document that is open: its store, its view, its draft, and its curves as they come.
+import type { State as ViewState } from 'orispline-viewer/store/store';
+import { Store as ViewStore } from 'orispline-viewer/store/store';
+import { keyWith, type StudioDocument } from '../document/document';
+import type { Curves, Engine, MethodInfo, Opened } from '../engine/protocol';
+import { Draft } from '../store/draft';
+import { Shown } from '../store/shown';
+import { createStore } from '../store/store';
+import type { Studio } from '../store/studio';
+import { copiesOf } from './copying';
+import { exportsOf } from './exporting';
+import type { FileHandle } from './opening';
+import { Saving } from './saving';
+import { Screen } from './screen';
+
+export interface Setting {
+  engine: Engine;
+  methods: readonly MethodInfo[];
+  theme: ViewState['theme'] | null; // that of the session before
+  handle?: FileHandle;
+  open: () => void;
+}
+
+export class Session {
+  readonly studio: Studio;
+  readonly screen: Screen;
+  private readonly shown = new Shown();
+  private readonly asked = new WeakSet<StudioDocument>(); // documents whose curves are this session's
+  private readonly endings: (() => void)[] = [];
+  private chosen: { id: number | null; t: number } = { id: null, t: NaN };
+
+  /** `curves`: those of the document that is shown first, which is the draft's where there is one. */
+  constructor({ original, document, warnings }: Opened, first: StudioDocument, curves: Curves, draft: Draft, { engine, methods, theme, handle, open }: Setting) {
+    const store = createStore(first, document);
+    store.tellCurves(curves);
+    const view = new ViewStore(this.shown.report(first, curves));
+    view.choose({ components: false, ...(theme ? { theme } : {}) });
+    this.studio = { store, view, engine, methods, original };
+    const saving = new Saving(this.studio, document, handle, () => this.screen);
+    const place = () => this.screen.element;
+    const tell = (sentence: string) => this.screen.notices.tell(sentence);
+    this.screen = new Screen(this.studio, { open, save: () => void saving.save(), copies: copiesOf(this.studio, place, tell), exports: exportsOf(this.studio, place, tell) });
+    for (const warning of warnings) this.screen.notices.tell(warning, { isTrouble: true });
+    this.follow();
+    this.keep(draft, document, first);
+  }
+
+  get theme(): ViewState['theme'] {
+    return this.studio.view.current().theme;
+  }
+
+  /** The curves of a document that may be this session's. */
+  take(curves: Curves, of: StudioDocument): void {
+    if (!this.asked.has(of)) return;
+    this.studio.store.tellCurves(curves);
+    this.studio.view.replace(this.shown.report(of, curves));
+  }
+
+  end(): void {
+    for (const ending of this.endings) ending();
+    this.studio.view.destroy();
+  }
+
+  /** New curves for each document; the time goes where the chosen key is. */
+  private follow(): void {
+    const { store, view, engine } = this.studio;
+    this.endings.push(
+      store.subscribe(['document'], ({ document }) => {
+        this.asked.add(document);
+        engine.draw(document);
+      }),
+      store.subscribe(['document', 'chosen'], ({ document, chosen }) => {
+        const t = keyWith(document, chosen)?.t ?? NaN;
+        const isOther = chosen !== this.chosen.id || t !== this.chosen.t;
+        this.chosen = { id: chosen, t };
+        if (isOther && !Number.isNaN(t)) this.goTo(t);
+      }),
+    );
+    view.choose({ playing: false });
+  }
+
+  /** The extent follows the keys when their curves come; until then the time may be beyond it. */
+  private goTo(t: number): void {
+    const { view } = this.studio;
+    const { window: [from, to], extent } = view.current();
+    view.choose({ playing: false });
+    view.moveTo(t);
+    if (t >= from && t <= to) return;
+    const span = to - from;
+    const first = Math.min(Math.max(t - span / 2, extent[0]), extent[1] - span);
+    view.choose({ window: [first, first + span] });
+  }
+
+  private keep(draft: Draft, opened: StudioDocument, first: StudioDocument): void {
+    const { store, original } = this.studio;
+    const flush = () => draft.flush();
+    addEventListener('pagehide', flush);
+    this.endings.push(draft.follow(store), flush, () => removeEventListener('pagehide', flush));
+    if (first === opened) return;
+    const discard = () => {
+      store.edit(opened);
+      draft.drop();
+    };
+    this.screen.notices.tell(`Your edits of ${original.name} from before are here again.`, { actions: [{ label: 'Discard draft', chosen: discard }] });
+  }
+}

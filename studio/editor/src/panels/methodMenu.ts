@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The method of A or B, and why it has no curve where that is so.
+import { element } from 'orispline-viewer/look/element';
+import { letters, type Which } from '../document/document';
+import { withMethod } from '../edits/choice';
+import { textOf } from '../engine/choices';
+import type { Studio } from '../store/studio';
+
+export function methodMenu({ store, methods }: Studio, which: Which): HTMLSelectElement {
+  const options = methods.map(({ name, title }) => element('option', { value: name, title }, `${name} – ${title}`));
+  const select = element('select', { className: which, attributes: { 'aria-label': letters[which] } }, ...options);
+  select.onchange = () => {
+    const method = methods.find(({ name }) => name === select.value);
+    if (method) store.edit(withMethod(store.current().document, which, method));
+  };
+  store.subscribe(['document'], ({ document }) => {
+    select.value = document[which].method;
+    select.title = methods.find(({ name }) => name === select.value)?.title ?? '';
+  });
+  return select;
+}
+
+/** The reason, and what is seen meanwhile. */
+export function refusal({ store }: Studio, which: Which): HTMLElement {
+  const line = element('p', { className: `refusal ${which}`, attributes: { role: 'status' } });
+  store.subscribe(['troubles', 'document'], ({ troubles, document }) => {
+    const trouble = troubles[which];
+    line.textContent = trouble ? `${letters[which]} ${textOf(document[which])} cannot go through these keys: ${trouble.message} Its last good curve stays, in grey.` : '';
+    line.hidden = !trouble;
+  });
+  return line;
+}

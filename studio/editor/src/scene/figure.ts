@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// A figure with a scene in it that has the focus like any other control.
+import { element } from 'orispline-viewer/look/element';
+import type { Painter } from 'orispline-viewer/scene/painter';
+import { Stage } from 'orispline-viewer/scene/stage';
+import type { Studio } from '../store/studio';
+import { hearTurns } from './keyboard';
+import { keyWords } from './words';
+
+export type Name = 'Body' | 'Sphere';
+
+const howTo = 'Arrow keys turn the chosen key about the axes of the screen by 1°, Page Up and Page Down about the line of sight; with Shift by 10°, with Ctrl by 0.1°.';
+
+const figureOf = (name: Name, caption: HTMLElement[], ...children: HTMLElement[]) =>
+  element('div', { className: `scene ${name.toLowerCase()}`, attributes: { role: 'group', 'aria-label': name } }, element('div', { className: 'caption' }, element('strong', {}, name), ...caption), ...children);
+
+/** What stands in place of a scene where the browser cannot draw in space. */
+export const withoutGraphics = (name: Name): HTMLElement =>
+  figureOf(name, [], element('p', { className: 'facts' }, 'This scene is not shown: this browser has no WebGL. All else works, and keys are turned by their numbers.'));
+
+export interface Figure {
+  figure: HTMLElement;
+  frame: HTMLElement;
+  stage: Stage;
+}
+
+/** `caption`: what stands beside its name. */
+export function figureWith(studio: Studio, painter: Painter, name: Name, caption: HTMLElement[]): Figure {
+  const { store, view } = studio;
+  const frame = element('div', { className: 'frame' });
+  const figure = figureOf(name, caption, frame);
+  const stage = new Stage(view, painter, frame);
+  const hint = element('p', { className: 'hint', id: `orispline-turning-${name.toLowerCase()}` }, howTo);
+  const said = element('p', { className: 'unseen', attributes: { role: 'status' } });
+  frame.append(hint, said);
+  stage.canvas.tabIndex = 0;
+  stage.canvas.setAttribute('role', 'application');
+  stage.canvas.setAttribute('aria-describedby', hint.id);
+  const tell = () => stage.describe(keyWords(store.current(), view.moments) ?? `${name}: no key is chosen`);
+  view.atEnd(store.subscribe(['document', 'chosen'], tell));
+  hearTurns(studio, stage, () => (said.textContent = keyWords(store.current(), view.moments)));
+  return { figure, frame, stage };
+}

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+// What tests look at of the engine.
+export * from '../src/engine/answers';
+export * from '../src/engine/client';
+export * from '../src/engine/hash';
+export * from '../src/engine/latest';
+export * from '../src/engine/library';
+export * from '../src/engine/module';
+export * from '../src/engine/times';

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is saved: the text that was opened, with what was changed and nothing else.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { fileEngine, keysIn } from './library.mjs';
+import { dice, moduleOf, tension } from './modules.mjs';
+
+const edits = ['turn', 'time', 'keys', 'position', 'parameters'].map((name) => `edits/${name}.ts`);
+const { savedText, sameKeys, decimalOf, decimalText, sameMethod, methodText, ...edit } = await moduleOf('file/save.ts', 'file/methodText.ts', 'document/decimal.ts', ...edits);
+
+const originalOf = (text, epoch, name = 'keys.csv') => ({ name, text, hash: 'abc', epoch });
+const auto = { method: 'auto', settings: {} };
+const documentIn = (text, first = auto, name = 'keys.csv') => ({ version: 1, keys: keysIn(text, name), first, second: { method: 'slerp', settings: {} } });
+const examples = process.env.ORISPLINE_EXAMPLES ?? fileURLToPath(new URL('../../../examples/data', import.meta.url));
+const example = (name) => readFileSync(join(examples, name), 'utf8');
+
+/** Saves, and demands that the rows were kept. */
+async function saved(text, epoch, change, { name = 'keys.csv', first = auto, opened = documentIn(text, first, name) } = {}) {
+  const document = change(documentIn(text, first, name));
+  const result = await savedText(originalOf(text, epoch, name), document, fileEngine(), opened);
+  assert.equal(result.isWhole, false, result.text);
+  assert.ok(sameKeys(keysIn(result.text, name), document.keys));
+  return result.text;
+}
+
+const odd = [
+  '\uFEFF# keys of a camera, "as they are"',
+  '',
+  'note,t,qw , qx,qy,qz,"px",py,pz,tension,frame',
+  'a,10.50,1,0,0,0,0,0,0,0.5,1',
+  '# between',
+  '"b, c",11.0,  0.8,0.6,0,0,"1.0",0,0,0.25,2',
+  'd,12.000000000000000001,0,1,0,0,2,0,0,0.5,3',
+].join('\r\n');
+
+/** What is asked of one that has no quotes with commas in them. */
+const plain = odd.replace('"b, c"', 'b');
+
+test('a text stays as it is, byte for byte, while no key is changed', async () => {
+  for (const text of [odd.replace('"b, c"', '"b"'), `${plain}\r\n`, plain.replaceAll('\r\n', '\n'), example('five_keys.csv'), example('camera_keys.csv'), example('flight_keys.csv')]) {
+    const epoch = text.includes('10.50') ? '10.5' : '0';
+    assert.equal(await saved(text, epoch, (document) => document), text);
+  }
+});
+
+test('of a key that is turned the four numbers of its quaternion are written', async () => {
+  const text = await saved(plain, '10.5', (document) => edit.turnedTo(document, 2, [0.6, 0.8, 0, 0]));
+  assert.equal(text, plain.replace('  0.8,0.6,0,0', '  0.6,0.8,0,0'));
+});
+
+test('of a key that is moved the time is written, exactly', async () => {
+  const text = await saved(plain, '10.5', (document) => edit.movedInTime(document, 3, 1.7));
+  assert.equal(text, plain.replace('12.000000000000000001', '12.2'));
+  const first = await saved(plain, '10.5', (document) => edit.movedInTime(document, 1, -0.3));
+  assert.equal(first, plain.replace('10.50', '10.2'));
+  const late = plain.replace('10.50', '1700000000.000000001').replace('11.0', '1700000000.5').replace('12.000000000000000001', '1700000002');
+  assert.equal(await saved(late, '1700000000.000000001', (document) => edit.movedInTime(document, 2, 0.75)), late.replace('1700000000.5', '1700000000.750000001'));
+});
+
+test('times are written in the unit of their column', async () => {
+  const text = 't_ms,qw,qx,qy,qz\n1700000000000,1,0,0,0\n1700000000500,0.8,0.6,0,0\n1700000001000,0,1,0,0\n';
+  assert.equal(await saved(text, '1700000000', (document) => edit.movedInTime(document, 2, 0.2505)), text.replace('1700000000500', '1700000000250.5'));
+});
+
+test('of a position and a value of its own the cell is written that was changed', async () => {
+  const text = await saved(plain, '10.5', (document) => edit.withOwn(edit.placed(document, 2, 0, -3.5), 3, 'first', tension, 0.1));
+  assert.equal(text, plain.replace('"1.0"', '"-3.5"').replace('2,0,0,0.5,3', '2,0,0,0.1,3'));
+});
+
+test('a new key is a row at its place, with empty cells where nothing is known', async () => {
+  const text = await saved(plain, '10.5', (document) => edit.inserted(document, 0.25, { q: [1, 0, 0, 0], p: [0.5, 0, 0] }).document);
+  assert.equal(text, plain.replace('# between', ',10.75,1,0,0,0,0.5,0,0,0.375,\r\n# between'));
+  const copy = await saved(plain, '10.5', (document) => edit.duplicated(document, 3).document);
+  assert.equal(copy, `${plain}\r\n,13,0,1,0,0,2,0,0,0.5,`);
+  const before = await saved(`${plain}\r\n`, '10.5', (document) => edit.inserted(document, -1, { q: [1, 0, 0, 0], p: [0, 0, 0] }).document);
+  assert.equal(before, `${plain.replace('a,10.50', ',9.5,1,0,0,0,0,0,0,0.5,\r\na,10.50')}\r\n`);
+});
+
+test('the row of a key that is deleted goes, and comments stay', async () => {
+  const text = await saved(plain, '10.5', (document) => edit.deleted(document, 2));
+  assert.equal(text, plain.replace(/"?b"?,11\.0.*\r\n/, ''));
+  assert.equal(await saved(plain, '10.5', (document) => edit.deleted(document, 1)), plain.replace(/a,10\.50.*\r\n/, ''));
+});
+
+test('values of their own that are new are a column at the end, and those that are no more leave', async () => {
+  const five = example('five_keys.csv');
+  const text = await saved(five, '0', (document) => edit.withOwn(document, 2, 'first', tension, 0.25));
+  assert.match(text, /\nt,qw,qx,qy,qz,tension\n0\.00,[^\n]*,0\.5\n1\.00,[^\n]*,0\.25\n/);
+  assert.equal(await saved(text, '0', (document) => edit.withoutOwn(document, 'tension')), five);
+  const without = await saved(plain, '10.5', (document) => edit.withoutOwn(document, 'tension'));
+  assert.match(without, /"px",py,pz,frame\r\na,10\.50,1,0,0,0,0,0,0,1\r\n/);
+});
+
+test('TUM has blanks and no header', async () => {
+  const tum = '# ground truth\n1.5 0 0 0 0 0 0 1\n2.5  1 0 0 0 0 0.6 0.8\n3.5 2 0 0 0 0 1 0\n';
+  const how = { name: 'walk.tum' };
+  const turned = await saved(tum, '1.5', (document) => edit.turnedTo(document, 2, [0.6, 0, 0, 0.8]), how);
+  assert.equal(turned, tum.replace('0.6 0.8', '0.8 0.6'));
+  const copy = await saved(tum, '1.5', (document) => edit.duplicated(document, 2).document, how);
+  assert.equal(copy, tum.replace('3.5', '3  1  0  0  0  0  0.6  0.8\n3.5'));
+});
+
+test('rates of a new key are left free, those of a copy are written', async () => {
+  const text = 't,qw,qx,qy,qz,wx,wy,wz\n0,1,0,0,0,0.5,0,0\n1,0.8,0.6,0,0,0.5,0,0\n2,0,1,0,0,0.5,0,0\n';
+  assert.equal(await saved(text, '0', (document) => edit.inserted(document, 0.5, { q: [1, 0, 0, 0], p: null }).document), text.replace('1,0.8', '0.5,1,0,0,0,,,\n1,0.8'));
+  assert.equal(await saved(text, '0', (document) => edit.duplicated(document, 1).document), text.replace('1,0.8', '0.5,1,0,0,0,0.5,0,0\n1,0.8'));
+});
+
+test('a file that is not simple is written anew, all of it', async () => {
+  const turn = (document) => edit.turnedTo(document, 2, [0.6, 0.8, 0, 0]);
+  const document = turn(documentIn(plain));
+  for (const text of [plain.replace(',qw ,', ',w,'), plain.replace(',t,', ',moment,'), plain.replace('# between', 'x,11,1,0,0,0,0,0,0,0,0'), 'no table', '']) {
+    const engine = fileEngine();
+    const ask = engine.ask.bind(engine);
+    engine.ask = (name, given) => (name === 'read' ? Promise.resolve(keysIn(plain)) : ask(name, given));
+    const { text: written, isWhole } = await savedText(originalOf(text, '10.5'), document, engine, documentIn(plain));
+    assert.equal(isWhole, true, text);
+    assert.equal(written, 'all 3 keys anew');
+  }
+});
+
+test('what the library reads otherwise than it was meant is not saved so', async () => {
+  const engine = fileEngine();
+  let readings = 0;
+  const ask = engine.ask.bind(engine);
+  engine.ask = async (name, given) => {
+    const told = await ask(name, given);
+    return name === 'read' && ++readings === 2 ? told.map((key, i) => (i === 1 ? { ...key, t: key.t + Number.EPSILON } : key)) : told;
+  };
+  const { isWhole } = await savedText(originalOf(plain, '10.5'), edit.turnedTo(documentIn(plain), 2, [0.6, 0.8, 0, 0]), engine, documentIn(plain));
+  assert.equal(isWhole, true);
+  engine.ask = async (name, given) => (name === 'write' ? ask(name, given) : Promise.reject(new Error('not to be read')));
+  assert.equal((await savedText(originalOf(plain, '10.5'), documentIn(plain), engine, documentIn(plain))).isWhole, true);
+});
+
+test('the comment that names the method is that of A, and stays while A is that', async () => {
+  const stated = (method) => `# one\n# orispline: method=${method} signs=shortest\nt,qw,qx,qy,qz\n0,1,0,0,0\n1,0.8,0.6,0,0\n`;
+  const first = { method: 'timed-c2', settings: { ends: 'rest', tension: 0.5 } };
+  const same = (document) => document;
+  const changed = (document) => ({ ...document, first });
+  assert.equal(await saved(stated('slerp'), '0', same, { first }), stated('slerp'));
+  assert.equal(await saved(stated('slerp'), '0', changed), stated('timed-c2:ends=rest:tension=0.5'));
+  assert.equal(await saved(stated('timed-c2:tension=0.50:ends=rest'), '0', changed), stated('timed-c2:tension=0.50:ends=rest'));
+  assert.equal(await saved(plain, '10.5', changed), plain);
+});
+
+test('a column that a setting stands above stays; values from a list in the method become one when they are changed', async () => {
+  const head = '# orispline: method=timed-c2:tension=0.5';
+  const above = `${head}\n${plain.replaceAll('\r\n', '\n').slice(1)}`;
+  const first = { method: 'timed-c2', settings: { tension: 0.5 } };
+  const opened = documentIn(above, first);
+  opened.keys.forEach((key) => (key.own = {}));
+  const engine = fileEngine();
+  const moved = await savedText(originalOf(above, '10.5'), edit.placed(opened, 3, 0, 7), engine, opened);
+  assert.deepEqual(moved, { text: above.replace('2,0,0,0.5,3', '7,0,0,0.5,3'), isWhole: false });
+  const pulled = await savedText(originalOf(above, '10.5'), edit.withOwn(opened, 2, 'first', tension, 0.75), engine, opened);
+  assert.deepEqual(pulled, { text: above.replace('tension=0.5', '').replace('timed-c2:', 'timed-c2').replace('0,0,0.25,2', '0,0,0.75,2'), isWhole: false });
+
+  const list = '# orispline: method=timed-c2:tension=0.1,0.2\nt,qw,qx,qy,qz\n0,1,0,0,0\n1,0.8,0.6,0,0\n';
+  const listed = documentIn(list, { method: 'timed-c2', settings: {} });
+  listed.keys.forEach((key, i) => (key.own = { tension: [0.1, 0.2][i] }));
+  const turned = await savedText(originalOf(list, '0'), edit.turnedTo(listed, 2, [0.6, 0.8, 0, 0]), engine, listed);
+  assert.deepEqual(turned, { text: list.replace('0.8,0.6', '0.6,0.8'), isWhole: false });
+  const own = await savedText(originalOf(list, '0'), edit.withOwn(listed, 2, 'first', tension, 0.3), engine, listed);
+  assert.deepEqual(own, { text: '# orispline: method=timed-c2\nt,qw,qx,qy,qz,tension\n0,1,0,0,0,0.1\n1,0.8,0.6,0,0,0.3\n', isWhole: false });
+});
+
+test('signs that say which way round to turn stay in the rows of other keys', async () => {
+  const text = 't,qw,qx,qy,qz\n0,1,0,0,0\n1,-0.8,0.6,0,0\n2,-0.6,0.8,0,0\n3,0,1,0,0\n';
+  const given = documentIn(text);
+  const signed = { ...given, keys: given.keys.map((key, i) => ({ ...key, q: [[1, 0, 0, 0], [-0.8, 0.6, 0, 0], [-0.6, 0.8, 0, 0], [0, 1, 0, 0]][i] })) };
+  const { keys } = edit.turnedInWorld(signed, 3, [0.1, 0, 0]);
+  assert.deepEqual(keys.toSpliced(2, 1), signed.keys.toSpliced(2, 1));
+  assert.ok(keys[2].q[0] < 0);
+});
+
+test('texts of methods', () => {
+  assert.equal(methodText({ method: 'timed-c2', settings: { tension: 0.6, ends: 'natural', closed: true } }), 'timed-c2:tension=0.6:ends=natural:closed');
+  assert.equal(methodText({ method: 'auto', settings: { closed: false } }), 'auto');
+  assert.ok(sameMethod('a:x=1.0:closed:ends=rest,natural', 'a:ends=rest,natural:closed:x=1'));
+  assert.ok(!sameMethod('a:x=1', 'a:x=2'));
+});
+
+test('decimals are exact', () => {
+  for (const [text, wanted] of [['1e-7', '0.0000001'], ['-0.50', '-0.5'], ['1.5e3', '1500'], ['0.0', '0'], ['-0', '0'], ['12.', '12'], ['.5', '0.5'], ['123456789012345678901234567890.123456789', '123456789012345678901234567890.123456789']])
+    assert.equal(decimalText(decimalOf(text)), wanted);
+  for (const text of ['', '.', 'e5', '1,5', '0x1', 'nan', '1e999999999']) assert.equal(decimalOf(text), null);
+});
+
+test('thirty random walks: what is saved holds what was edited, and lines of untouched keys as they were', async () => {
+  const camera = example('camera_keys.csv');
+  for (let seed = 1; seed <= 30; seed++) {
+    const random = dice(1000 + seed);
+    const start = documentIn(camera);
+    let document = start;
+    for (let i = 0; i < 40; i++) {
+      const { id, t } = document.keys[Math.floor(random() * document.keys.length)];
+      const [a, b, c] = [random() - 0.5, random() - 0.5, random() - 0.5];
+      const ways = [
+        () => edit.turnedInWorld(document, id, [6 * a, 6 * b, 6 * c]),
+        () => edit.movedInTime(document, id, t + a),
+        () => edit.inserted(document, t + 2 * a, { q: [a, b, c, 1], p: [a, b, c] }).document,
+        () => edit.duplicated(document, id).document,
+        () => edit.deleted(document, id),
+        () => edit.placed(document, id, 1, 10 * a),
+        () => edit.withOwn(document, id, 'first', tension, 2 * a),
+        () => edit.withoutOwn(document, 'tension'),
+      ];
+      document = ways[Math.floor(random() ** 0.8 * ways.length)]();
+    }
+    const { text, isWhole } = await savedText(originalOf(camera, '0'), document, fileEngine(), start);
+    assert.equal(isWhole, false, `seed ${seed}`);
+    assert.ok(sameKeys(keysIn(text), document.keys), `seed ${seed}`);
+    const lines = new Set(text.split('\n').map((line) => line.split(',').slice(0, 8).join()));
+    const rows = camera.split('\n').filter((line) => /^\d/.test(line));
+    for (const key of document.keys) {
+      const before = key.row === null ? undefined : start.keys[key.row];
+      const stays = before && key !== document.keys[0] && key.t === before.t && key.p === before.p && (key.q === before.q || key.q.every((number, i) => number === -before.q[i]));
+      if (stays) assert.ok(lines.has(rows[key.row]), `seed ${seed}: ${rows[key.row]}`);
+    }
+    for (const line of camera.split('\n').filter((other) => other.startsWith('#'))) assert.ok(text.includes(`${line}\n`));
+  }
+});

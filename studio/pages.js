@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the builds of the pages share.
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+
+/** The path of something beside this file, or in the folder above. */
+export const placeOf = (path) => fileURLToPath(new URL(path, import.meta.url));
+
+const licence = (name) => `${name}\n\n${readFileSync(placeOf(`node_modules/${name}/LICENSE`), 'utf8').trim()}`;
+
+/** A page with the licences of what is built in, and a policy by which the browser refuses every request. */
+export const sealed = ({ notices = [], scripts = '', workers = '' } = {}) => ({
+  name: 'sealed',
+  transformIndexHtml: {
+    order: 'post',
+    handler: (html) =>
+      html
+        .replace('<!doctype html>', () => `<!doctype html>\n<!--\n${['This page contains:', licence('three'), licence('uplot'), ...notices].join('\n\n')}\n-->`)
+        .replace(
+          '<meta charset="utf-8" />',
+          `<meta charset="utf-8" />\n    <meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src 'unsafe-inline'${scripts}; style-src 'unsafe-inline'; img-src data:${workers}" />`,
+        ),
+  },
+});
+
+/** The sources of the npm package, of which the studio takes what it needs. */
+export const library = { find: /^orispline\//, replacement: placeOf('../bindings/npm/src/') };

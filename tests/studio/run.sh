@@ -1,0 +1,31 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# run.sh FOLDER TEST: one test of the studio in a folder that tests/page/prepare.sh has filled. Where it lacks what the test asks for, it is skipped
+# (exit 77).
+set -eu
+cd "$1"
+skip() {
+  echo "skipped: $1"
+  exit 77
+}
+# Whether the test, or a file beside it that it is made with, names something.
+names() {
+  grep -q "$1" "$2" && return
+  for beside in $(sed -n "s/.* from '\.\/\([^']*\)'.*/\1/p" "$2"); do
+    ! grep -q "$1" "$(dirname "$2")/$beside" || return 0
+  done
+  return 1
+}
+[ -d node_modules/vite ] || skip "the packages of the studio are not here, test page.build says why"
+! names ORISPLINE_STUDIO_WASM "$2" || [ -f "$ORISPLINE_STUDIO_WASM" ] || skip "studio.wasm was not compiled; make studio compiles it"
+! names ORISPLINE_STUDIO_PAGE "$2" || [ -f "$ORISPLINE_STUDIO_PAGE" ] || skip "the studio's page was not built; make studio builds it"
+if names browser.mjs "$2"; then
+  [ -d node_modules/playwright-core ] || skip "the packages of the tests are not here"
+  for browser in chromium chromium-browser google-chrome none; do
+    if command -v "$browser" >/dev/null; then break; fi
+  done
+  [ "$browser" != none ] || skip "Chromium is not here and could not be installed"
+  CHROMIUM=$(command -v "$browser")
+  export CHROMIUM
+fi
+exec node --test "$2"
