@@ -234,7 +234,7 @@ onPage('a scene tells the chosen key and how it is turned, and which keys to pre
   await choose(page, 2);
   const scene = page.getByRole('group', { name: 'Body' }).getByRole('application');
   assert.equal(await scene.getAttribute('aria-label'), 'Key 2 of 5 at 1.000 s: yaw 50.0°, pitch 0°, roll 0°');
-  assert.match(await page.locator(`#${await scene.getAttribute('aria-describedby')}`).textContent(), /^Arrow keys turn the chosen key .* 0\.1°\.$/);
+  assert.match(await page.locator(`#${await scene.getAttribute('aria-describedby')}`).textContent(), /^Arrow keys, Page Up and Page Down turn the chosen key by 1°, .* 0\.1°\.$/);
   await scene.focus();
   await page.keyboard.press('Shift+ArrowUp');
   assert.match(await page.getByRole('group', { name: 'Body' }).getByRole('status').first().textContent(), /^Key 2 of 5/);
