@@ -174,6 +174,18 @@ for (const space of ['world axes', 'body axes'])
     assert.deepEqual(await undoneOnce(page), { document: wereKeys, canUndo: false });
   });
 
+onPage('Escape gives the pull of a ring up', async (page) => {
+  await choose(page, 3);
+  await pullRing(page);
+  assert.notDeepEqual(await quaternions(page), wereKeys);
+  await page.keyboard.press('Escape');
+  const middle = await middleOf(page, 'Body');
+  await page.mouse.move(middle.x, middle.y);
+  await page.mouse.up();
+  assert.deepEqual(await quaternions(page), wereKeys);
+  assert.equal(await page.evaluate(() => studio.store.current().canUndo), false);
+});
+
 onPage('beside the gizmo the camera turns in the scene of the body', async (page) => {
   await choose(page, 3);
   const middle = await middleOf(page, 'Body');
