@@ -9,7 +9,7 @@ import { keyWords } from './words';
 
 export type Name = 'Body' | 'Sphere';
 
-const howTo = 'Arrow keys turn the chosen key about the axes of the screen by 1°, Page Up and Page Down about the line of sight; with Shift by 10°, with Ctrl by 0.1°.';
+const howTo = 'Arrow keys, Page Up and Page Down turn the chosen key by 1°, with Shift by 10°, with Ctrl by 0.1°.';
 
 const figureOf = (name: Name, caption: HTMLElement[], ...children: HTMLElement[]) =>
   element('div', { className: `scene ${name.toLowerCase()}`, attributes: { role: 'group', 'aria-label': name } }, element('div', { className: 'caption' }, element('strong', {}, name), ...caption), ...children);
@@ -36,6 +36,7 @@ export function figureWith(studio: Studio, painter: Painter, name: Name, caption
   stage.canvas.tabIndex = 0;
   stage.canvas.setAttribute('role', 'application');
   stage.canvas.setAttribute('aria-describedby', hint.id);
+  stage.canvas.addEventListener('pointerdown', ({ pointerType }) => pointerType !== 'mouse' && stage.canvas.focus({ preventScroll: true })); // as a mouse does
   const tell = () => stage.describe(keyWords(store.current(), view.moments) ?? `${name}: no key is chosen`);
   view.atEnd(store.subscribe(['document', 'chosen'], tell));
   hearTurns(studio, stage, () => (said.textContent = keyWords(store.current(), view.moments)));
