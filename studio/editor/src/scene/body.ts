@@ -5,7 +5,6 @@ import { once } from 'orispline-viewer/data/once';
 import { hasPositions, type BodyShape, type Method } from 'orispline-viewer/data/report';
 import { element, menu } from 'orispline-viewer/look/element';
 import { roundStep } from 'orispline-viewer/look/number';
-import { coloursOf } from 'orispline-viewer/look/theme';
 import { isShownAt, orientationAt, vectorAt } from 'orispline-viewer/motion/orientation';
 import { angleBetween } from 'orispline-viewer/motion/quaternion';
 import { FlightPath } from 'orispline-viewer/scene/flightPath';
