@@ -158,6 +158,8 @@ def test_bad_input(ask, error, text):
 
 def test_a_tolerance_that_cannot_be_reached_names_the_key():
     curve = ori.Curve([0.0, 1.0, 1.0 + 1e-6, 2.0, 3.0], Rotation.random(5, random_state=3), "hermite-c2")
-    with pytest.raises(ori.ArgumentError, match="ask for a larger tolerance") as found:
+    with pytest.raises(ori.ArgumentError, match="ask for .* rad or more, which all of the curve keeps to") as found:
         curve.bake(1e-6)
     assert found.value.key == 0
+    offered = float(str(found.value).split("ask for ")[1].split()[0])
+    assert offered > 1e-6 and 2 * curve.bake(offered).largest_difference <= offered
