@@ -40,11 +40,11 @@ export declare class WholeCurve extends Curve {
     /** Which rates are continuous at the keys, and how far the others jump. */
     continuity(): Continuity;
     /** The largest rates, wherever they are; with `inertia`, the nine numbers of a symmetric matrix [kg m²], the torque too. */
-    peaks({ inertia }?: {
+    peaks(options?: {
         inertia?: ArrayLike<number>;
     }): Peaks;
     /** What `orispline/player` plays: what `orispline bake` writes, with the times of the keys. The tolerance is in rad. */
-    bake({ tolerance }: {
+    bake(options: {
         tolerance: number;
     }): BakedFile;
     /** The text of its method, with its settings. */
