@@ -4,7 +4,8 @@
 
 extern "C" {
 /// What the script is told of a task, as an orispline_progress.
-[[clang::import_module("orispline"), clang::import_name("progress")]] int32_t orispline_npm_progress(double share, void* context);
+[[clang::import_module("orispline"), clang::import_name("progress")]] int32_t orispline_npm_progress(double share,
+                                                                                                     void* context);
 
 /// That function as an address, which the script cannot make.
 [[clang::export_name("orispline_npm_progress_address")]] orispline_progress orispline_npm_progress_address() {
