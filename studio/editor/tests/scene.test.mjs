@@ -96,6 +96,7 @@ onPage('a handle on the sphere follows the mouse by the smallest turn of its key
   assert.ok(Math.abs(dot(turn, a)) < 1e-12 && Math.abs(dot(turn, b)) < 1e-12, `${turn}`);
   assert.ok(Math.abs(Math.hypot(...turn) - Math.acos(dot(a, b))) < 1e-9);
   for (const other of [0, 1, 2, 4]) assert.ok(1 - Math.abs(dot(after[other], wereKeys[other])) < 1e-15);
+  assert.equal(await canvasOf(page, 'Sphere').evaluate((canvas) => canvas === document.activeElement), true);
   const { chosen, time, playing } = await page.evaluate(() => ({ ...studio.view.current(), chosen: studio.store.current().chosen }));
   assert.deepEqual([chosen, time, playing], [4, 3.5, false]);
   assert.deepEqual(await undoneOnce(page), { document: wereKeys, canUndo: false });
@@ -260,6 +261,7 @@ onPage('a finger pulls a handle, and the page stays', async (page) => {
   const handle = await handleOf(page, 2);
   assert.ok(Math.hypot(handle.x - to.x, handle.y - to.y) < 1, JSON.stringify([handle, to]));
   assert.equal(await page.evaluate(() => scrollY), 0);
+  assert.equal(await canvasOf(page, 'Sphere').evaluate((canvas) => canvas === document.activeElement), true);
   assert.deepEqual(await undoneOnce(page), { document: wereKeys, canUndo: false });
 }, phone);
 

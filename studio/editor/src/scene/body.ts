@@ -5,7 +5,7 @@ import { once } from 'orispline-viewer/data/once';
 import { hasPositions, type BodyShape, type Method } from 'orispline-viewer/data/report';
 import { element, menu } from 'orispline-viewer/look/element';
 import { roundStep } from 'orispline-viewer/look/number';
-import { isShownAt, orientationAt } from 'orispline-viewer/motion/orientation';
+import { isShownAt, orientationAt, vectorAt } from 'orispline-viewer/motion/orientation';
 import { angleBetween } from 'orispline-viewer/motion/quaternion';
 import { FlightPath } from 'orispline-viewer/scene/flightPath';
 import { Bodies } from 'orispline-viewer/scene/bodies';
@@ -32,6 +32,7 @@ const below = 0.72; // the ground, of the size of the body
 const square = 0.25; // of the ground, where there are no positions
 const opacity = { second: 0.42, key: 0.3 };
 const same = 1e-3; // [deg] no eye tells them apart
+const near = 1e-3; // length of the scene, likewise
 const view = { eye: new Vector3(0.62, -1, 0.62).normalize(), points: ball(0.6), share: { width: 0.66, height: 0.66 } };
 
 const pathOf = once((method: Method) => new FlightPath(method, { step }));
@@ -128,6 +129,15 @@ export class Body {
     return this.path.at(new Vector3(...p)).sub(this.path.atTime(this.studio.view.current().time));
   }
 
+  /** Where B's body is, which may have a path of its own. */
+  private get besideFirst(): Vector3 {
+    const { current, methodNamed } = this.studio.view;
+    const { time, second } = current();
+    const samples = methodNamed(second)?.samples;
+    if (!this.path || !samples || samples.p.length === 0) return new Vector3();
+    return this.path.at(new Vector3(...vectorAt(samples.t, samples.p, time))).sub(this.path.atTime(time));
+  }
+
   /** Of a method now; at the time of the chosen key, that of the key, for its curve comes later. */
   private orientationOf(which: 'first' | 'second', key: Key | undefined): Quaternion | null {
     const { current, methodNamed } = this.studio.view;
@@ -144,10 +154,10 @@ export class Body {
     const key = keyWith(document, chosen);
     const isAtKey = key?.t === time;
     const [first, second] = [this.orientationOf('first', key), this.orientationOf('second', key)];
-    const isOther = second !== null && !isAtKey && (first === null || angleBetween([...first], [...second]) > same);
-    const at = key ? this.place(key) : new Vector3();
+    const [at, beside] = [key ? this.place(key) : new Vector3(), this.besideFirst];
+    const isOther = second !== null && !isAtKey && (first === null || beside.length() > near || angleBetween([...first], [...second]) > same);
     this.put('first', first);
-    this.put('second', isOther ? second : null);
+    this.put('second', isOther ? second : null, beside);
     this.put('key', key && !isAtKey && !playing ? key.q : null, at);
     this.gizmo.show(key && !playing ? { q: key.q, at } : null);
     const here = this.path?.atTime(time) ?? new Vector3();
@@ -168,7 +178,6 @@ export class Body {
     const { document, chosen } = this.studio.store.current();
     const key = keyWith(document, chosen);
     if (key) this.turn = new TurnByHand(this.studio, key);
-    this.stage.canvas.focus({ preventScroll: true });
   }
 
   /** A click on a neighbour chooses it. */

@@ -36,6 +36,7 @@ export function figureWith(studio: Studio, painter: Painter, name: Name, caption
   stage.canvas.tabIndex = 0;
   stage.canvas.setAttribute('role', 'application');
   stage.canvas.setAttribute('aria-describedby', hint.id);
+  stage.canvas.addEventListener('pointerdown', ({ pointerType }) => pointerType !== 'mouse' && stage.canvas.focus({ preventScroll: true })); // as a mouse does
   const tell = () => stage.describe(keyWords(store.current(), view.moments) ?? `${name}: no key is chosen`);
   view.atEnd(store.subscribe(['document', 'chosen'], tell));
   hearTurns(studio, stage, () => (said.textContent = keyWords(store.current(), view.moments)));

@@ -12,7 +12,7 @@ type Pair = readonly [before: Key | undefined, after: Key | undefined];
 const onPath = 0.6; // size there
 const atSide = 0.46; // likewise, of half the picture's height
 const margin = 0.72; // from the side, in sizes
-const nameBelow = 0.74; // likewise
+const nameBelow = { atSide: 0.74, onPath: 0.5 }; // likewise
 const opacity = 0.5;
 const least = 22; // [px] within which one is hit
 
@@ -76,7 +76,7 @@ export class Neighbours {
       if (!key) return;
       const at = this.hasPath ? this.placeOf(key) : right.clone().multiplyScalar((side === 0 ? -1 : 1) * (wide - margin * size));
       this.bodies!.place(this.shown.length, [...key.q], size, at);
-      this.names[side].at.copy(at).addScaledVector(up, -nameBelow * size);
+      this.names[side].at.copy(at).addScaledVector(up, -(this.hasPath ? nameBelow.onPath : nameBelow.atSide) * size);
       this.shown.push({ key, at, size });
     });
     this.bodies!.show(this.shown.length);

@@ -119,7 +119,6 @@ export class Sphere {
     const from = this.handles.directionOf(key)!;
     this.pull = { turn: null, key, from, isBehind: this.handles.isBehind(from), place: event };
     canvas.setPointerCapture(event.pointerId);
-    canvas.focus({ preventScroll: true });
     this.studio.store.choose(key.id);
   }
 
