@@ -13,8 +13,9 @@ rm -rf viewer report widget editor tests
 for part in viewer report widget editor tests tsconfig.json pages.js; do
   cp -R "$source/$part" .
 done
-rm -rf */dist ../bindings
-mkdir -p ../bindings/npm
+rm -rf */dist ../bindings ../examples
+mkdir -p ../bindings/npm ../examples/data
+cp "$source"/../examples/data/*_keys.csv ../examples/data
 cp -R "$source/../bindings/npm/src" ../bindings/npm
 cp "$source/../THIRD_PARTY" ..
 npm run "$script"

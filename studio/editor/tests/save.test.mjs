@@ -2,9 +2,8 @@
 // What is saved: the text that was opened, with what was changed and nothing else.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
 import { test } from 'node:test';
-import { fileURLToPath } from 'node:url';
+import { placeOf } from '../../pages.js';
 import { fileEngine, keysIn } from './library.mjs';
 import { dice, moduleOf, tension } from './modules.mjs';
 
@@ -14,11 +13,10 @@ const { savedText, sameKeys, decimalOf, decimalText, sameMethod, methodText, ...
 const originalOf = (text, epoch, name = 'keys.csv') => ({ name, text, hash: 'abc', epoch });
 const auto = { method: 'auto', settings: {} };
 const documentIn = (text, first = auto, name = 'keys.csv') => ({ version: 1, keys: keysIn(text, name), first, second: { method: 'slerp', settings: {} } });
-const examples = process.env.ORISPLINE_EXAMPLES ?? fileURLToPath(new URL('../../../examples/data', import.meta.url));
-const example = (name) => readFileSync(join(examples, name), 'utf8');
+const example = (name) => readFileSync(placeOf(`../examples/data/${name}`), 'utf8');
 
 /** Saves, and demands that the rows were kept. */
-async function saved(text, epoch, change, { name = 'keys.csv', first = auto, opened } = {}) {
+async function saved(text, epoch, change, { name = 'keys.csv', first = auto, opened = documentIn(text, first, name) } = {}) {
   const document = change(documentIn(text, first, name));
   const result = await savedText(originalOf(text, epoch, name), document, fileEngine(), opened);
   assert.equal(result.isWhole, false, result.text);
@@ -116,7 +114,7 @@ test('a file that is not simple is written anew, all of it', async () => {
     const engine = fileEngine();
     const ask = engine.ask.bind(engine);
     engine.ask = (name, given) => (name === 'read' ? Promise.resolve(keysIn(plain)) : ask(name, given));
-    const { text: written, isWhole } = await savedText(originalOf(text, '10.5'), document, engine);
+    const { text: written, isWhole } = await savedText(originalOf(text, '10.5'), document, engine, documentIn(plain));
     assert.equal(isWhole, true, text);
     assert.equal(written, 'all 3 keys anew');
   }
@@ -130,20 +128,51 @@ test('what the library reads otherwise than it was meant is not saved so', async
     const told = await ask(name, given);
     return name === 'read' && ++readings === 2 ? told.map((key, i) => (i === 1 ? { ...key, t: key.t + Number.EPSILON } : key)) : told;
   };
-  const { isWhole } = await savedText(originalOf(plain, '10.5'), edit.turnedTo(documentIn(plain), 2, [0.6, 0.8, 0, 0]), engine);
+  const { isWhole } = await savedText(originalOf(plain, '10.5'), edit.turnedTo(documentIn(plain), 2, [0.6, 0.8, 0, 0]), engine, documentIn(plain));
   assert.equal(isWhole, true);
   engine.ask = async (name, given) => (name === 'write' ? ask(name, given) : Promise.reject(new Error('not to be read')));
-  assert.equal((await savedText(originalOf(plain, '10.5'), documentIn(plain), engine)).isWhole, true);
+  assert.equal((await savedText(originalOf(plain, '10.5'), documentIn(plain), engine, documentIn(plain))).isWhole, true);
 });
 
 test('the comment that names the method is that of A, and stays while A is that', async () => {
   const stated = (method) => `# one\n# orispline: method=${method} signs=shortest\nt,qw,qx,qy,qz\n0,1,0,0,0\n1,0.8,0.6,0,0\n`;
   const first = { method: 'timed-c2', settings: { ends: 'rest', tension: 0.5 } };
   const same = (document) => document;
-  assert.equal(await saved(stated('timed-c2:tension=0.50:ends=rest'), '0', same, { first }), stated('timed-c2:tension=0.50:ends=rest'));
-  assert.equal(await saved(stated('slerp'), '0', same, { first }), stated('timed-c2:ends=rest:tension=0.5'));
-  const opened = documentIn(stated('slerp'), first);
-  assert.equal(await saved(stated('slerp'), '0', same, { first, opened }), stated('slerp'));
+  const changed = (document) => ({ ...document, first });
+  assert.equal(await saved(stated('slerp'), '0', same, { first }), stated('slerp'));
+  assert.equal(await saved(stated('slerp'), '0', changed), stated('timed-c2:ends=rest:tension=0.5'));
+  assert.equal(await saved(stated('timed-c2:tension=0.50:ends=rest'), '0', changed), stated('timed-c2:tension=0.50:ends=rest'));
+  assert.equal(await saved(plain, '10.5', changed), plain);
+});
+
+test('a column that a setting stands above stays; values from a list in the method become one when they are changed', async () => {
+  const head = '# orispline: method=timed-c2:tension=0.5';
+  const above = `${head}\n${plain.replaceAll('\r\n', '\n').slice(1)}`;
+  const first = { method: 'timed-c2', settings: { tension: 0.5 } };
+  const opened = documentIn(above, first);
+  opened.keys.forEach((key) => (key.own = {}));
+  const engine = fileEngine();
+  const moved = await savedText(originalOf(above, '10.5'), edit.placed(opened, 3, 0, 7), engine, opened);
+  assert.deepEqual(moved, { text: above.replace('2,0,0,0.5,3', '7,0,0,0.5,3'), isWhole: false });
+  const pulled = await savedText(originalOf(above, '10.5'), edit.withOwn(opened, 2, 'first', tension, 0.75), engine, opened);
+  assert.deepEqual(pulled, { text: above.replace('tension=0.5', '').replace('timed-c2:', 'timed-c2').replace('0,0,0.25,2', '0,0,0.75,2'), isWhole: false });
+
+  const list = '# orispline: method=timed-c2:tension=0.1,0.2\nt,qw,qx,qy,qz\n0,1,0,0,0\n1,0.8,0.6,0,0\n';
+  const listed = documentIn(list, { method: 'timed-c2', settings: {} });
+  listed.keys.forEach((key, i) => (key.own = { tension: [0.1, 0.2][i] }));
+  const turned = await savedText(originalOf(list, '0'), edit.turnedTo(listed, 2, [0.6, 0.8, 0, 0]), engine, listed);
+  assert.deepEqual(turned, { text: list.replace('0.8,0.6', '0.6,0.8'), isWhole: false });
+  const own = await savedText(originalOf(list, '0'), edit.withOwn(listed, 2, 'first', tension, 0.3), engine, listed);
+  assert.deepEqual(own, { text: '# orispline: method=timed-c2\nt,qw,qx,qy,qz,tension\n0,1,0,0,0,0.1\n1,0.8,0.6,0,0,0.3\n', isWhole: false });
+});
+
+test('signs that say which way round to turn stay in the rows of other keys', async () => {
+  const text = 't,qw,qx,qy,qz\n0,1,0,0,0\n1,-0.8,0.6,0,0\n2,-0.6,0.8,0,0\n3,0,1,0,0\n';
+  const given = documentIn(text);
+  const signed = { ...given, keys: given.keys.map((key, i) => ({ ...key, q: [[1, 0, 0, 0], [-0.8, 0.6, 0, 0], [-0.6, 0.8, 0, 0], [0, 1, 0, 0]][i] })) };
+  const { keys } = edit.turnedInWorld(signed, 3, [0.1, 0, 0]);
+  assert.deepEqual(keys.toSpliced(2, 1), signed.keys.toSpliced(2, 1));
+  assert.ok(keys[2].q[0] < 0);
 });
 
 test('texts of methods', () => {
@@ -180,7 +209,7 @@ test('thirty random walks: what is saved holds what was edited, and lines of unt
       ];
       document = ways[Math.floor(random() ** 0.8 * ways.length)]();
     }
-    const { text, isWhole } = await savedText(originalOf(camera, '0'), document, fileEngine());
+    const { text, isWhole } = await savedText(originalOf(camera, '0'), document, fileEngine(), start);
     assert.equal(isWhole, false, `seed ${seed}`);
     assert.ok(sameKeys(keysIn(text), document.keys), `seed ${seed}`);
     const lines = new Set(text.split('\n').map((line) => line.split(',').slice(0, 8).join()));

@@ -268,7 +268,7 @@ test('a draft that is damaged or of something else is none', () => {
   assert.deepEqual(draftIn(JSON.stringify(whole), four), four);
   const key = whole.document.keys[1];
   const damages = [
-    (d) => (d.draft = 2), (d) => (d.document.version = 2), (d) => (d.document.keys = []), (d) => (d.document.keys = {}), (d) => d.document.keys.splice(1),
+    (d) => (d.draft = 2), (d) => (d.document.version = 2), (d) => (d.document.keys = []), (d) => (d.document.keys = {}), (d) => d.document.keys.splice(0),
     (d) => (d.document.keys[1].t = 0), (d) => (d.document.keys[1].t = '1'), (d) => (d.document.keys[1].t = null), (d) => (d.document.keys[1].id = 1),
     (d) => (d.document.keys[1].id = -1), (d) => (d.document.keys[1].row = 0), (d) => (d.document.keys[3].row = 4), (d) => (d.document.keys[1].q = [1, 0, 0]),
     (d) => (d.document.keys[1].q = [2, 0, 0, 0]), (d) => (d.document.keys[1].q = [null, 0, 0, 1]), (d) => (d.document.keys[1].p = [0, 0, 0]),

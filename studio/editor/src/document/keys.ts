@@ -14,15 +14,20 @@ export const alignment = ([a, b, c, d]: Quaternion, [w, x, y, z]: Quaternion): n
 
 export const opposite = ([w, x, y, z]: Quaternion): Quaternion => [-w, -x, -y, -z];
 
-/** Signs as files have them: each key has that of its two which is nearer to the key before. */
-export function signsAligned(keys: readonly Key[]): readonly Key[] {
-  const aligned: Key[] = [];
+/** Whether each key has that of its two signs which is nearer to the key before. */
+export const areAligned = (keys: readonly Key[]): boolean => keys.every((key, i) => i === 0 || alignment(keys[i - 1].q, key.q) >= 0);
+
+function aligned(keys: readonly Key[]): readonly Key[] {
+  const signed: Key[] = [];
   for (const key of keys) {
-    const before = aligned.at(-1);
-    aligned.push(before && alignment(before.q, key.q) < 0 ? { ...key, q: opposite(key.q) } : key);
+    const before = signed.at(-1);
+    signed.push(before && alignment(before.q, key.q) < 0 ? { ...key, q: opposite(key.q) } : key);
   }
-  return aligned;
+  return signed;
 }
+
+/** The document with other keys. Signs that were aligned still are; where a file says by them which way round to turn they stay. */
+export const withKeys = (document: StudioDocument, keys: readonly Key[]): StudioDocument => ({ ...document, keys: areAligned(document.keys) ? aligned(keys) : keys });
 
 let lastId = 0;
 

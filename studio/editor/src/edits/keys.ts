@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keys that come and go.
 import type { Key, Quaternion, StudioDocument, Vector } from '../document/document';
-import { newId, signsAligned } from '../document/keys';
+import { newId, withKeys } from '../document/keys';
 import { roomBetween } from './time';
 import { normalised } from './turn';
 
@@ -35,7 +35,7 @@ function added(document: StudioDocument, t: number, make: (before: Key | undefin
   const room = roomBetween(keys, before?.t, after?.t);
   if (!room || !(room.min <= t && t <= room.max)) return { document, id: null };
   const id = newId(document);
-  return { document: { ...document, keys: signsAligned(keys.toSpliced(index, 0, { id, row: null, t, ...make(before, after) })) }, id };
+  return { document: withKeys(document, keys.toSpliced(index, 0, { id, row: null, t, ...make(before, after) })), id };
 }
 
 /**
@@ -65,5 +65,5 @@ export const canDelete = ({ keys }: StudioDocument): boolean => keys.length > fe
 /** Without a key, unless it is one of the last two. */
 export function deleted(document: StudioDocument, id: number): StudioDocument {
   const kept = document.keys.filter((key) => key.id !== id);
-  return canDelete(document) && kept.length < document.keys.length ? { ...document, keys: signsAligned(kept) } : document;
+  return canDelete(document) && kept.length < document.keys.length ? withKeys(document, kept) : document;
 }

@@ -3,7 +3,7 @@
 // the body frame, stay.
 import { exponential, product } from 'orispline-viewer/motion/quaternion';
 import type { Quaternion, StudioDocument, Vector } from '../document/document';
-import { alignment, opposite, signsAligned, withKey } from '../document/keys';
+import { alignment, areAligned, opposite, withKey, withKeys } from '../document/keys';
 
 /** Norm without overflow; the bits are those of the library, so that it finds nothing left to divide. */
 function normOf(q: Quaternion): number {
@@ -19,17 +19,18 @@ export function normalised(q: Quaternion): Quaternion {
   return Math.abs(normOf(divided) - 1) < Math.abs(norm - 1) ? normalised(divided) : q;
 }
 
-/** Of the two signs that which is nearer to the key before; the first key keeps to its own. Those after it follow. */
+/** Of the two signs that which is nearer to the key before; the first key, and one of signs that are not aligned, keeps to its own. */
 function turned(document: StudioDocument, id: number, turn: (q: Quaternion) => Quaternion): StudioDocument {
   const { keys } = document;
+  const isAligned = areAligned(keys);
   const next = withKey(document, id, (key, index) => {
     const q = turn(key.q);
     if (!q.every(Number.isFinite) || !(normOf(q) > 0)) return key;
     const unit = normalised(q);
-    const signed = alignment(keys[index - 1]?.q ?? key.q, unit) < 0 ? opposite(unit) : unit;
+    const signed = alignment((isAligned ? keys[index - 1] : key)?.q ?? key.q, unit) < 0 ? opposite(unit) : unit;
     return signed.every((number, i) => number === key.q[i]) ? key : { ...key, q: signed };
   });
-  return next === document ? document : { ...next, keys: signsAligned(next.keys) };
+  return next === document ? document : withKeys(document, next.keys);
 }
 
 /** To an orientation of any norm but 0. */

@@ -18,22 +18,47 @@ export function sameKeys(read: readonly Key[], keys: readonly Key[]): boolean {
   return read.length === keys.length && read.every((key, i) => sameContent(key, counted[i]));
 }
 
+const namesOf = (keys: readonly Key[]): string[] => Object.keys(keys[0]?.own ?? {});
+
+const without = (keys: readonly Key[], names: readonly string[]): readonly Key[] =>
+  names.length === 0 ? keys : keys.map((key) => ({ ...key, own: Object.fromEntries(Object.entries(key.own).filter(([name]) => !names.includes(name))) }));
+
+/** Whether each key that is there now had these very values when it was opened. */
+function areUntouched(keys: readonly Key[], opened: readonly Key[], name: string): boolean {
+  return keys.length === opened.length && keys.every((key, i) => key.row === opened[i].row && Object.is(key.own[name], opened[i].own[name]));
+}
+
+/**
+ * Names that columns and keys do not share: columns that a setting of the method stands above, which stay as they are; and values that keys
+ * have from a list in the method's text, which need no column until they are changed.
+ */
+function apart(before: readonly Key[], keys: readonly Key[], opened: readonly Key[]): { columns: string[]; values: string[] } {
+  const [inFile, atFirst, now] = [before, opened, keys].map(namesOf);
+  return {
+    columns: inFile.filter((name) => !atFirst.includes(name) && !now.includes(name)),
+    values: atFirst.filter((name) => !inFile.includes(name) && now.includes(name) && areUntouched(keys, opened, name)),
+  };
+}
+
 /** The rows of the file with what was changed; null where the file is no simple one, or the library reads something else out of them. */
-async function changedRows(original: Original, document: StudioDocument, engine: Engine, opened?: StudioDocument): Promise<string | null> {
+async function changedRows(original: Original, document: StudioDocument, engine: Engine, opened: StudioDocument): Promise<string | null> {
   const { name } = original;
   try {
-    const before = await engine.ask('read', { text: original.text, name });
-    const rows = composed(original, before, document.keys);
+    const read = await engine.ask('read', { text: original.text, name });
+    const { columns, values } = apart(read, document.keys, opened.keys);
+    const [before, keys] = [without(read, columns), without(document.keys, values)];
+    const rows = composed(original, before, keys);
     if (rows === null) return null;
-    const text = opened && sameChoice(opened.first, document.first) ? rows : withRecipe(rows, document.first);
-    return sameKeys(await engine.ask('read', { text, name }), document.keys) ? text : null;
+    const isSameMethod = sameChoice(opened.first, document.first) && namesOf(keys).every((own) => namesOf(before).includes(own));
+    const text = isSameMethod ? rows : withRecipe(rows, document.first);
+    return sameKeys(without(await engine.ask('read', { text, name }), columns), keys) ? text : null;
   } catch {
     return null; // what cannot be read is written anew
   }
 }
 
-/** `opened`: the document as it was opened. Where its A is as it was, the comment that names a method is too. */
-export async function savedText(original: Original, document: StudioDocument, engine: Engine, opened?: StudioDocument): Promise<Saved> {
+/** `opened`: the document as it was opened. The comment that names a method is left as it is while A is. */
+export async function savedText(original: Original, document: StudioDocument, engine: Engine, opened: StudioDocument): Promise<Saved> {
   const text = await changedRows(original, document, engine, opened);
   if (text !== null) return { text, isWhole: false };
   const given = { keys: document.keys, epoch: original.epoch, name: original.name, choice: document.first };

@@ -89,7 +89,7 @@ function choiceOf(value: unknown): Choice {
 const increases = (numbers: number[]): boolean => numbers.every((number, i) => i === 0 || numbers[i - 1] < number);
 
 function checkKeys(keys: Key[], opened: StudioDocument): void {
-  demand(2 <= keys.length && keys.length <= mostKeys);
+  demand(1 <= keys.length && keys.length <= mostKeys);
   demand(increases(keys.map(({ t }) => t)) && new Set(keys.map(({ id }) => id)).size === keys.length);
   const rows = keys.flatMap(({ row }) => row ?? []);
   demand(increases(rows) && rows.every((row) => row < opened.keys.length));
