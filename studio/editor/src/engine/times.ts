@@ -6,6 +6,7 @@ export function evenTimes(start: number, end: number, count: number): Float64Arr
   if (start === end) return Float64Array.of(start);
   const from = decimalOf(start), span = numberOf(sumOf(decimalOf(end), negativeOf(from)));
   return Float64Array.from({ length: count }, (_, k) => {
+    if (k === 0) return start;
     if (k === count - 1) return end;
     const offset = (span * k) / (count - 1);
     return start === 0 ? offset : numberOf(sumOf(from, decimalOf(offset)));
