@@ -174,6 +174,18 @@ for (const space of ['world axes', 'body axes'])
     assert.deepEqual(await undoneOnce(page), { document: wereKeys, canUndo: false });
   });
 
+onPage('Escape gives the pull of a ring up', async (page) => {
+  await choose(page, 3);
+  await pullRing(page);
+  assert.notDeepEqual(await quaternions(page), wereKeys);
+  await page.keyboard.press('Escape');
+  const middle = await middleOf(page, 'Body');
+  await page.mouse.move(middle.x, middle.y);
+  await page.mouse.up();
+  assert.deepEqual(await quaternions(page), wereKeys);
+  assert.equal(await page.evaluate(() => studio.store.current().canUndo), false);
+});
+
 onPage('beside the gizmo the camera turns in the scene of the body', async (page) => {
   await choose(page, 3);
   const middle = await middleOf(page, 'Body');
@@ -234,7 +246,7 @@ onPage('a scene tells the chosen key and how it is turned, and which keys to pre
   await choose(page, 2);
   const scene = page.getByRole('group', { name: 'Body' }).getByRole('application');
   assert.equal(await scene.getAttribute('aria-label'), 'Key 2 of 5 at 1.000 s: yaw 50.0°, pitch 0°, roll 0°');
-  assert.match(await page.locator(`#${await scene.getAttribute('aria-describedby')}`).textContent(), /^Arrow keys turn the chosen key .* 0\.1°\.$/);
+  assert.match(await page.locator(`#${await scene.getAttribute('aria-describedby')}`).textContent(), /^Arrow keys, Page Up and Page Down turn the chosen key by 1°, .* 0\.1°\.$/);
   await scene.focus();
   await page.keyboard.press('Shift+ArrowUp');
   assert.match(await page.getByRole('group', { name: 'Body' }).getByRole('status').first().textContent(), /^Key 2 of 5/);

@@ -9,7 +9,7 @@ import { keyWords } from './words';
 
 export type Name = 'Body' | 'Sphere';
 
-const howTo = 'Arrow keys turn the chosen key about the axes of the screen by 1°, Page Up and Page Down about the line of sight; with Shift by 10°, with Ctrl by 0.1°.';
+const howTo = 'Arrow keys, Page Up and Page Down turn the chosen key by 1°, with Shift by 10°, with Ctrl by 0.1°.';
 
 const figureOf = (name: Name, caption: HTMLElement[], ...children: HTMLElement[]) =>
   element('div', { className: `scene ${name.toLowerCase()}`, attributes: { role: 'group', 'aria-label': name } }, element('div', { className: 'caption' }, element('strong', {}, name), ...caption), ...children);
