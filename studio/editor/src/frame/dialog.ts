@@ -12,9 +12,15 @@ export interface Choice {
 /** Shows a dialog in the place; resolves with the label of the button that was pressed, null after Escape. */
 export function ask(place: HTMLElement, title: string, content: (Node | string)[], choices: Choice[]): Promise<string | null> {
   const id = `orispline-dialog-${++made}`;
-  const buttons = choices.map(({ label, isFirst }) => element('button', { type: 'submit', className: isFirst ? 'play' : 'side', value: label }, label));
-  const form = element('form', { method: 'dialog' }, element('h2', { id }, title), ...content, element('div', { className: 'answers' }, ...buttons));
-  const dialog = element('dialog', { className: 'ask', attributes: { 'aria-labelledby': id } }, form);
+  const buttons = choices.map(({ label, isFirst }) =>
+    element('button', { type: isFirst ? 'submit' : 'button', className: isFirst ? 'play' : 'side', onclick: () => !isFirst && dialog.close(label) }, label),
+  );
+  const form = element('form', {}, element('h2', { id }, title), ...content, element('div', { className: 'answers' }, ...buttons));
+  const dialog: HTMLDialogElement = element('dialog', { className: 'ask', attributes: { 'aria-labelledby': id } }, form);
+  form.addEventListener('submit', (event) => {
+    event.preventDefault();
+    dialog.close(choices.find(({ isFirst }) => isFirst)?.label);
+  });
   const before = document.activeElement;
   place.append(dialog);
   return new Promise((resolve) => {
