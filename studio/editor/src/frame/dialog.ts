@@ -13,7 +13,7 @@ export interface Choice {
 export function ask(place: HTMLElement, title: string, content: (Node | string)[], choices: Choice[]): Promise<string | null> {
   const id = `orispline-dialog-${++made}`;
   const buttons = choices.map(({ label, isFirst }) =>
-    element('button', { type: isFirst ? 'submit' : 'button', className: isFirst ? 'play' : 'side', onclick: () => !isFirst && dialog.close(label) }, label),
+    isFirst ? element('button', { type: 'submit', className: 'play' }, label) : element('button', { type: 'button', className: 'side', onclick: () => dialog.close(label) }, label),
   );
   const form = element('form', {}, element('h2', { id }, title), ...content, element('div', { className: 'answers' }, ...buttons));
   const dialog: HTMLDialogElement = element('dialog', { className: 'ask', attributes: { 'aria-labelledby': id } }, form);
