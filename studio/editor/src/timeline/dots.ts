@@ -98,9 +98,10 @@ export class Dots {
     return dot;
   }
 
+  /** A key, or where there is none the stretch of time that is shown. */
   private grasp(event: PointerEvent) {
     const found = nearest(this.places, this.track.placeIn(event), reachFor(event));
-    if (found < 0) return null;
+    if (found < 0) return this.track.grasp();
     const { id, t } = this.shown[found];
     this.studio.store.choose(id);
     this.focus();
