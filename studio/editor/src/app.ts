@@ -47,8 +47,9 @@ export class App {
     try {
       const opened = await openedOf(this.engine, this.front, given);
       if (opened) await this.show(opened, given);
-    } catch (trouble) {
-      this.tell(sentence((trouble as Trouble).message));
+    } catch (reason) {
+      const { message, line } = reason as Trouble;
+      this.tell(`${given.name}${line === undefined ? '' : `:${line}`}: ${sentence(message)}`);
     }
   }
 
