@@ -56,7 +56,7 @@ function stub() {
     reduce: ({ bytes, name, tolerance }) => {
       if (!/^[\d.]+deg$/.test(tolerance)) return trouble(`Found the tolerance ${tolerance}, wanted one such as 0.1deg.`);
       const [head, ...rows] = new TextDecoder().decode(bytes).trim().split('\n');
-      return open({ bytes: new TextEncoder().encode([head, ...rows.filter((_, i) => i % 100 === 0)].join('\n')), name });
+      return open({ bytes: new TextEncoder().encode([head, ...rows.filter((_, i) => i % 100 === 0)].join('\n')), name: name.replace('.csv', '_keys.csv') });
     },
     at: ({ keys, time }) => Promise.resolve(at(keys, time)),
     write: ({ keys }) => Promise.resolve(['t,qw,qx,qy,qz', ...keys.map(({ t, q }) => [t, ...q].join())].join('\n')),
