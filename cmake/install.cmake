@@ -29,5 +29,12 @@ install(FILES ${PROJECT_BINARY_DIR}/orispline.pc DESTINATION ${CMAKE_INSTALL_LIB
 
 install(FILES LICENSE NOTICE THIRD_PARTY DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(TARGET orispline-cli)
-  install(TARGETS orispline-cli)
+  install(TARGETS orispline-cli COMPONENT command)
+endif()
+if(TARGET orispline-cli AND NOT CMAKE_CROSSCOMPILING)
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT command)
+  set(completions ${PROJECT_BINARY_DIR}/completions)
+  install(FILES ${completions}/orispline DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT command)
+  install(FILES ${completions}/_orispline DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT command)
+  install(FILES ${completions}/orispline.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT command)
 endif()
