@@ -169,7 +169,7 @@ std::string formats_of_files() {
   for (const io::FormatInfo* format : io::formats_written())
     if (!format->is_read())
       text += roff_term(roff_bold(format->id), formatted("{}: {}; written only", format->title, format->summary));
-  return text + roff_paragraph("The page docs/files.md of the source says what the files hold.");
+  return text + roff_paragraph("The page docs/files.md of the documentation says what the files hold.");
 }
 
 std::string methods() {
