@@ -2,7 +2,7 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build wasm test test-more python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python bench-web docs page studio web format tidy clean
+.PHONY: run build wasm test test-more python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python bench-web docs page studio web deb format tidy clean
 .NOTPARALLEL:
 
 # How long the parts of `make test` take, in build/times.tsv: $(call timed,PART) COMMAND.
@@ -189,6 +189,11 @@ web: build
 	$(npm_package)
 	cmake --preset release -DORISPLINE_TESTS=ON
 	ctest --preset release -R '^npm' --output-on-failure
+
+# The Debian packages in build/deb, compiled by dpkg-buildpackage in a copy of the source.
+deb:
+	tools/setup.sh build deb
+	tools/make_deb.py build/deb --jobs $(JOBS)
 
 format:
 	tools/setup.sh test
