@@ -7,7 +7,7 @@ import { paletted } from '../../tests/palette.mjs';
 
 const [file, folder] = process.argv.slice(2);
 const desktop = { viewport: { width: 1400, height: 860 } };
-const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 1.5 };
+const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
 /** Until nothing has been drawn anew for some frames: curves come from a worker. */
 async function settled(page) {
