@@ -27,6 +27,7 @@ html_show_sourcelink = False
 html_show_search_summary = False  # a browser reads no page beside one that lies on the disk
 html_static_path = ["static"]
 html_css_files = ["style.css"]
+html_js_files = ["site.js"]
 
 
 def with_titles_alone(toc):
@@ -47,10 +48,16 @@ def quicken_side_bar(app, pagename, templatename, context, doctree):
     def from_titles(**options):
         whole, env.tocs = env.tocs, app.titles_alone
         try:
-            return toctree(**options)
+            return toctree(**options).replace('role="heading"', 'role="heading" aria-level="2"')
         finally:
             env.tocs = whole
     context["toctree"] = from_titles
+
+
+def mend_tables(app, pagename, templatename, context, doctree):
+    """A corner of a table that says nothing heads nothing."""
+    if "body" in context:
+        context["body"] = context["body"].replace('<th class="head"><p></p></th>', "<td></td>")
 
 
 def escape(app, what, name, thing, options, lines):
@@ -65,5 +72,6 @@ def name_types(app, what, name, thing, options, signature, returned):
 
 def setup(app):
     app.connect("html-page-context", quicken_side_bar, priority=100)  # before the theme asks for it
+    app.connect("html-page-context", mend_tables)
     app.connect("autodoc-process-docstring", escape)
     app.connect("autodoc-process-signature", name_types)

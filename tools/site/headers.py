@@ -184,13 +184,19 @@ def told(members, texts):
             yield f"{member.findtext('name')}::{value.findtext('name')}", texts.described(value)
 
 
+def is_told(node):
+    """Whether users name the type: no specialisation of a template, nothing private."""
+    name = node.findtext("compoundname")
+    return name.startswith("orispline") and "<" not in name and node.get("prot", "public") != "private"
+
+
 class Library:
     """All that Doxygen wrote."""
 
     def __init__(self, folder):
         documents = [xml.parse(file).getroot() for file in sorted(pathlib.Path(folder).glob("*.xml")) if file.name not in ("index.xml", "Doxyfile.xml")]
         nodes = [node for document in documents for node in document.findall("compounddef")]
-        self.types = [node for node in nodes if node.get("kind") in TYPES and node.get("prot", "public") != "private" and node.findtext("compoundname").startswith("orispline")]
+        self.types = [node for node in nodes if node.get("kind") in TYPES and is_told(node)]
         self.namespaces = [node for node in nodes if node.get("kind") == "namespace" and node.findtext("compoundname").startswith("orispline")]
         self.texts = Texts({node.get("id"): f"cpp-{self.slug(node)}" for node in self.types})
 
