@@ -69,6 +69,7 @@ def main():
         check_tools(options.python)
         make(options.python, options.include.resolve(), options.folder.resolve())
     except Missing as missing:
+        shutil.rmtree(options.folder, ignore_errors=True)  # one of before would be taken for this one
         sys.exit(print(f"site: skipped: {missing}") if options.or_skip else f"site: {missing}")
     except pages.Fault as fault:
         sys.exit(f"site: {fault}")
