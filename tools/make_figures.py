@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from band_figure import band_figure
+from concept_figures import concept_figures
 from gyro_figure import gyro_figure
 from mean_figure import mean_figure
 from rotations import DEGREE, conjugate, norm, times, to_world, turn
@@ -287,6 +288,7 @@ def main():
     figures["families/beta-parameters"] = beta_parameters_figure(command)
     figures["families/auto-distance"] = auto_distance_figure(command)
     figures["skeletons"] = skeleton_figure(command)
+    figures |= concept_figures(command, text_of("five_keys.csv"))
     figures["mean"] = mean_figure(command)
     figures["families/measured"] = band_figure(command, Motion(text_of("flight_truth.csv")), table)
     figures["gyro"] = gyro_figure(command, Motion(text_of("flight_truth.csv")))
