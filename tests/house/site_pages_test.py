@@ -3,6 +3,7 @@
 """What tools/site makes of the pages of the repository, before Sphinx sees them."""
 import pathlib
 import re
+import shutil
 import sys
 import tempfile
 import unittest
@@ -97,6 +98,102 @@ class Repository(unittest.TestCase):
     def test_without_its_tools_there_is_no_site_but_a_sentence(self):
         with self.assertRaisesRegex(make.Missing, r"found no .*, wanted .*"):
             make.check_tools(self.root / "bin/python")
+
+
+HEADER = """#pragma once
+#define ORISPLINE_EXPORT
+namespace orispline { inline namespace ORISPLINE_ABI {
+
+/// How to go on, in `steps`.
+enum class Way {
+  left,   ///< to the left
+  right,  ///< to the right
+};
+
+/// A body that turns.
+class ORISPLINE_EXPORT Body {
+ public:
+  /// Turns by an angle [rad], as Way says.
+  [[nodiscard]] bool turn(double angle, Way way = Way::left) const noexcept;
+
+ private:
+  double angle_ = 0.0;
+};
+
+/// Turns a Body.
+template <class T>
+T turned(const Body& body, T by);
+/// Two of them at once.
+double turned(const Body& first, const Body& second);
+
+using Bodies = Body*;
+
+}}  // namespace orispline
+"""
+PAGE = """# all.hpp
+
+```cpp
+#include <orispline/all.hpp>
+```
+
+All.
+
+## `Way`
+
+```cpp
+enum class Way;
+```
+
+How to go on, in `steps`.
+
+`Way::left`
+: to the left
+
+`Way::right`
+: to the right
+
+(cpp-orispline-body)=
+
+## `Body`
+
+```cpp
+class Body;
+```
+
+A body that turns.
+
+`bool turn(double angle, Way way = Way::left) const noexcept`
+: Turns by an angle \\[rad\\], as Way says.
+
+## `turned()`
+
+```cpp
+template <class T>
+T turned(const Body& body, T by);
+double turned(const Body& first, const Body& second);
+```
+
+Turns a [Body](#cpp-orispline-body).
+
+Two of them at once.
+
+## `Bodies`
+
+```cpp
+using Bodies = Body*;
+```
+"""
+
+
+@unittest.skipUnless(shutil.which("doxygen"), "Doxygen is not here")
+class Headers(unittest.TestCase):
+    def test_a_header_is_a_page_in_its_own_order(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "include/orispline").mkdir(parents=True)
+            (folder / "include/orispline/all.hpp").write_text(HEADER, "utf-8")
+            make.write_headers(folder / "include", folder, folder / "source", {"all.hpp": "All."})
+            self.assertEqual((folder / "source/cpp/all.hpp.md").read_text("utf-8"), PAGE)
 
 
 class Index(unittest.TestCase):

@@ -137,9 +137,7 @@ def variable(node):
 
 
 def alias(node):
-    text = plain(node.find("definition"))
-    name = node.findtext("name")
-    return template_of(node) + (f"using {name} = {plain(node.find('type'))}" if "typedef" not in text else text)
+    return template_of(node) + f"using {node.findtext('name')} = {plain(node.find('type'))}"
 
 
 def declaration(node):
@@ -244,7 +242,7 @@ def page(title, about, entities):
         if entity.anchor:
             lines += [f"({entity.anchor})=", ""]
         lines += [f"## {markup.code(entity.name)}", "", markup.block("cpp", ";\n".join(entity.declarations) + ";"), "", entity.text, "", *member_lines(entity.members)]
-    return "\n".join(lines) + "\n"
+    return "\n".join(lines).rstrip() + "\n"
 
 
 def pages(include, folder, public):
