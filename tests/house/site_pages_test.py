@@ -79,7 +79,7 @@ class Repository(unittest.TestCase):
         (self.root / "docs/second.md").write_text("# Second\n", "utf-8")
         for target, wanted in (("second.md", "a page that docs/index.md lists"), ("gone.md", "a file of the repository")):
             (self.root / "docs/first.md").write_text(f"# First\n\n[b]({target})\n", "utf-8")
-            with self.assertRaisesRegex(pages.Fault, f"docs/first.md: found a link to {target}, wanted {wanted}"):
+            with self.assertRaisesRegex(markup.Fault, f"docs/first.md: found a link to {target}, wanted {wanted}"):
                 self.written()
 
     def test_code_is_left_as_it_is(self):

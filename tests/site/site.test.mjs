@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The site from the disk: on a wide and on a narrow screen, in light and dark, by keyboard, and its search.
 import assert from 'node:assert/strict';
-import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { faultsOf, launch } from './browser.mjs';
 
 const sizes = { 'on a wide screen': { width: 1400, height: 900 }, 'at 320 px': { width: 320, height: 640 } };
-const pages = { 'the first page': 'index.html', 'a page of formulas and tables': 'docs/smooth.html', 'the reference of Python': 'python/index.html' };
+const pages = { 'the first page': 'index.html', 'a page of formulas and tables': 'docs/smooth.html', 'the reference of Python': 'python/index.html', 'a search': 'search.html?q=gimbal+lock' };
 
 let browser;
 before(async () => (browser = await launch()));
@@ -21,7 +20,7 @@ async function opened(file, options = {}) {
   page.on('console', (message) => message.type() === 'error' && trouble.push(message.text()));
   page.on('pageerror', (error) => trouble.push(error.message));
   page.on('request', (request) => request.url().startsWith('file:') || trouble.push(request.url()));
-  await page.goto(pathToFileURL(join(process.env.SITE, file)).href);
+  await page.goto(new URL(file, `${pathToFileURL(process.env.SITE)}/`).href);
   const finish = async () => {
     await page.close();
     assert.deepEqual(trouble, []);

@@ -25,6 +25,7 @@ html_show_copyright = False
 html_copy_source = False
 html_show_sourcelink = False
 html_show_search_summary = False  # a browser reads no page beside one that lies on the disk
+templates_path = ["templates"]
 html_static_path = ["static"]
 html_css_files = ["style.css"]
 html_js_files = ["site.js"]

@@ -94,7 +94,7 @@ class Texts:
                 return "'"
             case "itemizedlist":
                 return ""
-        raise ValueError(f"found <{node.tag}> in a comment, wanted a case for it in tools/site/headers.py")
+        raise markup.Fault(f"found <{node.tag}> in a comment, wanted a case for it in tools/site/headers.py")
 
 
 def template_of(node):

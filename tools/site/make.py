@@ -13,6 +13,7 @@ import subprocess
 import sys
 
 import headers
+import markup
 import pages
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -71,7 +72,7 @@ def main():
     except Missing as missing:
         shutil.rmtree(options.folder, ignore_errors=True)  # one of before would be taken for this one
         sys.exit(print(f"site: skipped: {missing}") if options.or_skip else f"site: {missing}")
-    except pages.Fault as fault:
+    except markup.Fault as fault:
         sys.exit(f"site: {fault}")
     except subprocess.CalledProcessError as failure:
         sys.exit(f"site: {' '.join(map(str, failure.cmd))} ended with {failure.returncode}")

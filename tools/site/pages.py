@@ -16,10 +16,6 @@ REFERENCE = [("Methods", "methods"), ("Python", "python/index"), ("C++", "cpp/in
 SHOWN = {".cpp": "cpp", ".c": "c", ".h": "c"}  # sources that become pages, by their language
 
 
-class Fault(Exception):
-    """What keeps the pages from being a site."""
-
-
 def document(path):
     """The page of the site, without an ending, that a file of the repository becomes."""
     if path == "README.md":
@@ -54,9 +50,9 @@ class Pages:
             return target
         path, hash_, anchor = self.path_of(page, target), *target.partition("#")[1:]
         if not (self.root / path).is_file():
-            raise Fault(f"{page}: found a link to {target}, wanted a file of the repository")
+            raise markup.Fault(f"{page}: found a link to {target}, wanted a file of the repository")
         if path not in self.all and path.endswith((".md", *SHOWN)):
-            raise Fault(f"{page}: found a link to {target}, wanted a page that docs/index.md lists")
+            raise markup.Fault(f"{page}: found a link to {target}, wanted a page that docs/index.md lists")
         name = f"{document(path)}.md" if path in self.all else path
         return posixpath.relpath(name, posixpath.dirname(place) or ".") + hash_ + anchor
 
