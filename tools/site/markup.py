@@ -6,6 +6,7 @@ FENCE = re.compile(r"(^```.*?^```[^\n]*$)", re.M | re.S)
 TARGET = re.compile(r"(\]\()([^)\s]+)(\))")
 ENTRY = re.compile(r"^(?:\| *|\d+\. |- )\[((?:[^\]`]|`[^`]*`)+)\]\(([^)\s]+)\)", re.M)
 
+
 class Fault(Exception):
     """What keeps the pages from being a site."""
 
