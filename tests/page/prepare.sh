@@ -14,8 +14,8 @@ for part in viewer report widget editor tests tsconfig.json pages.js; do
   cp -R "$source/$part" .
 done
 rm -rf */dist ../bindings ../examples
-mkdir -p ../bindings/npm ../examples
-cp -R "$source/../examples/data" ../examples
+mkdir -p ../bindings/npm ../examples/data
+cp "$source"/../examples/data/*_keys.csv ../examples/data
 cp -R "$source/../bindings/npm/src" ../bindings/npm
 cp "$source/../THIRD_PARTY" ..
 npm run "$script"

@@ -3,6 +3,7 @@
 import './style/viewer.css';
 import './style/studio.css';
 import type { StudioDocument } from './document/document';
+import { sentence } from './document/sentence';
 import type { Curves, Engine, MethodInfo, Opened, Trouble } from './engine/protocol';
 import { hearDrops, opened as openedOf, picked, type Given } from './frame/opening';
 import { Session } from './frame/session';
@@ -37,7 +38,7 @@ export class App {
       this.methods = await this.engine.ask('methods', null);
       if (given) await this.open(given);
     } catch (trouble) {
-      this.tell((trouble as Trouble).message);
+      this.tell(sentence((trouble as Trouble).message));
     }
   }
 
@@ -47,7 +48,7 @@ export class App {
       const opened = await openedOf(this.engine, this.front, given);
       if (opened) await this.show(opened, given);
     } catch (trouble) {
-      this.tell((trouble as Trouble).message);
+      this.tell(sentence((trouble as Trouble).message));
     }
   }
 
@@ -65,7 +66,7 @@ export class App {
       const given = await picked();
       if (given) await this.open(given);
     } catch (reason) {
-      this.tell((reason as Error).message);
+      this.tell(sentence((reason as Error).message));
     }
   }
 

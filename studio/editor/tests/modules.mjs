@@ -2,7 +2,6 @@
 // Sources of the studio that need no browser, built for a test; and what tests of the document share.
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
-import { examples } from '../examples.js';
 
 const source = (path) => fileURLToPath(new URL(`../src/${path}`, import.meta.url));
 
@@ -16,7 +15,7 @@ export async function moduleOf(...paths) {
     load: (id) => (id === entry ? paths.map((path) => `export * from ${JSON.stringify(source(path))};`).join('\n') : null),
   };
   const lib = { entry, formats: ['es'], name: 'orispline' };
-  const [{ output }] = await build({ configFile: false, logLevel: 'error', plugins: [examples(), all], build: { write: false, minify: false, target: 'es2022', lib } });
+  const [{ output }] = await build({ configFile: false, logLevel: 'error', plugins: [all], build: { write: false, minify: false, target: 'es2022', lib } });
   return import(`data:text/javascript,${encodeURIComponent(output[0].code)}`);
 }
 

@@ -2,9 +2,8 @@
 // What is saved: the text that was opened, with what was changed and nothing else.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
 import { test } from 'node:test';
-import { fileURLToPath } from 'node:url';
+import { placeOf } from '../../pages.js';
 import { fileEngine, keysIn } from './library.mjs';
 import { dice, moduleOf, tension } from './modules.mjs';
 
@@ -14,8 +13,7 @@ const { savedText, sameKeys, decimalOf, decimalText, sameMethod, methodText, ...
 const originalOf = (text, epoch, name = 'keys.csv') => ({ name, text, hash: 'abc', epoch });
 const auto = { method: 'auto', settings: {} };
 const documentIn = (text, first = auto, name = 'keys.csv') => ({ version: 1, keys: keysIn(text, name), first, second: { method: 'slerp', settings: {} } });
-const examples = process.env.ORISPLINE_EXAMPLES ?? fileURLToPath(new URL('../../../examples/data', import.meta.url));
-const example = (name) => readFileSync(join(examples, name), 'utf8');
+const example = (name) => readFileSync(placeOf(`../examples/data/${name}`), 'utf8');
 
 /** Saves, and demands that the rows were kept. */
 async function saved(text, epoch, change, { name = 'keys.csv', first = auto, opened = documentIn(text, first, name) } = {}) {

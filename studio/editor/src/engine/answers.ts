@@ -3,6 +3,7 @@
 import type { WholeCurve } from 'orispline/whole_curve';
 import type { Choice, Key } from '../document/document';
 import { settingsOf } from './choices';
+import { countedOf, type Counted } from './counted';
 import { Drawings, type Redrawn } from './drawings';
 import { dataOf } from './keys';
 import { Library, used } from './library';
@@ -44,21 +45,26 @@ export class Answering {
 /** An answer to each question of the protocol. */
 export function answersOf(library: Library): Questioned {
   const methods = listOf(library), opening = new Opening(library, methods), drawings = new Drawings(library, methods);
-  const withCurve = <Result>(keys: readonly Key[], choice: Choice, work: (curve: WholeCurve) => Result): Result =>
-    used(library.curve(choice.method, dataOf(keys), settingsOf(choice, keys, methods)), work);
+  const withCurve = <Result>(edited: readonly Key[], choice: Choice, work: (curve: WholeCurve, counted: Counted) => Result): Result => {
+    const counted = countedOf(edited), { keys } = counted;
+    return used(library.curve(choice.method, dataOf(keys), settingsOf(choice, keys, methods)), (curve) => work(curve, counted));
+  };
   return {
     methods: () => methods,
     open: (given) => opening.open(given),
     reduce: (given) => opening.reduce(given),
     curves: (given) => drawings.redrawn(given),
-    at: ({ keys, choice, time }) => withCurve(keys, choice, (curve) => {
-      const [w, x, y, z] = curve.at(time), p = curve.hasPositions ? curve.positionAt(time) : null;
+    at: ({ keys, choice, time }) => withCurve(keys, choice, (curve, { counted }) => {
+      const t = counted(time), [w, x, y, z] = curve.at(t), p = curve.hasPositions ? curve.positionAt(t) : null;
       return { q: [w, x, y, z], p: p && [p[0], p[1], p[2]] };
     }),
     write: ({ keys, epoch, name, choice }) =>
       used(library.read(tableOf(keys, epoch, choice), 'keys.csv'), (track) => new TextDecoder().decode(library.write(track, name).bytes)),
     read: ({ text, name }) => used(library.read(text, name), (track) => opening.keysIn(track, true)),
-    sample: ({ keys, choice, count, rates }) => withCurve(keys, choice, (curve) => evenSamples(curve, count, rates)),
+    sample: ({ keys, choice, count, rates }) => withCurve(keys, choice, (curve, { given }) => {
+      const samples = evenSamples(curve, count, rates);
+      return { ...samples, t: given(samples.t) };
+    }),
     bake: ({ keys, choice, tolerance }) => withCurve(keys, choice, (curve) => JSON.stringify(curve.bake({ tolerance }))),
   };
 }

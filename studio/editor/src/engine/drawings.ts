@@ -3,6 +3,7 @@
 import type { KeyData } from 'orispline/keys';
 import type { Choice, Key, Which } from '../document/document';
 import { settingsOf } from './choices';
+import { countedOf } from './counted';
 import { dataOf } from './keys';
 import { type Library, used } from './library';
 import type { Drawn, Given, MethodInfo } from './protocol';
@@ -34,14 +35,15 @@ export class Drawings {
     this.methods = methods;
   }
 
-  redrawn({ document: { keys, first, second }, count }: Given<'curves'>): Redrawn {
-    const data = dataOf(keys), hasMoved = !this.data || !areSame(data, this.data);
+  redrawn({ document: { keys: edited, first, second }, count }: Given<'curves'>): Redrawn {
+    const { keys, given } = countedOf(edited), data = dataOf(keys), hasMoved = !this.data || !areSame(data, this.data);
     this.data = data;
     const drawn = (which: Which, choice: Choice): Drawn | 'same' => {
-      const settings = settingsOf(choice, keys, this.methods), about = JSON.stringify([choice.method, settings, count]);
+      const settings = settingsOf(choice, keys, this.methods), about = JSON.stringify([choice.method, settings, count, edited[0]?.t]);
       if (!hasMoved && this.told[which] === about) return 'same';
       this.told[which] = about;
-      return this.drawn(choice, keys, data, count);
+      const drawing = this.drawn(choice, keys, data, count);
+      return 'trouble' in drawing ? drawing : { ...drawing, t: given(drawing.t) };
     };
     return { first: drawn('first', first), second: drawn('second', second) };
   }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The curve of A as a file: samples, or what the player plays.
 import { element, menu } from 'orispline-viewer/look/element';
-import { numberIn, notANumber } from '../edits/reasons';
+import { sentence } from '../document/sentence';
+import { notANumber, numberIn } from '../edits/reasons';
 import type { Trouble } from '../engine/protocol';
 import { samplesText } from '../file/exports';
 import type { Studio } from '../store/studio';
@@ -68,7 +69,7 @@ export function exportsOf(studio: Studio, place: () => HTMLElement, tell: (sente
       const name = await work(studio, place());
       if (name) tell(`${name} is in your downloads.`);
     } catch (trouble) {
-      tell(`Nothing was exported: ${(trouble as Trouble).message}`);
+      tell(`Nothing was exported: ${sentence((trouble as Trouble).message)}`);
     }
   };
   return [

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a user opens: bytes with a name, from wherever they come.
 import { element } from 'orispline-viewer/look/element';
+import { sentence } from '../document/sentence';
 import { mostKeys, type Engine, type Opened, type TooMany, type Trouble } from '../engine/protocol';
 import { ask } from './dialog';
 
@@ -106,7 +107,7 @@ async function reduced(engine: Engine, place: HTMLElement, { bytes, name }: Give
     try {
       return await engine.ask('reduce', { bytes, name, tolerance });
     } catch (trouble) {
-      why = (trouble as Trouble).message;
+      why = sentence((trouble as Trouble).message);
     }
   }
 }

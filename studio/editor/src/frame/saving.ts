@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keys go back into the file that was opened, where the browser gives access to it; else into a file to download.
 import type { StudioDocument } from '../document/document';
+import { sentence } from '../document/sentence';
 import { sha256 } from '../engine/hash';
 import type { Trouble } from '../engine/protocol';
 import { savedText, type Saved } from '../file/save';
@@ -43,7 +44,7 @@ export class Saving {
       if (await this.put(saved)) this.told(document, saved);
     } catch (reason) {
       const { message } = reason as Trouble;
-      this.place().notices.tell(`The keys were not saved: ${message}`, { isTrouble: true });
+      this.place().notices.tell(`The keys were not saved: ${sentence(message)}`, { isTrouble: true });
     } finally {
       this.isBusy = false;
     }

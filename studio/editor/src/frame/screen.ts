@@ -43,14 +43,14 @@ export class Screen {
     const shortcuts = shortcutsOf(studio, actions, { ...wishes, help, focus: timeline.focus });
     const { body, sphere } = scenesOf(studio);
     const plots = group('plots', 'Plots');
-    const playback = group('playback', 'Playback', ...playbackOf(view, [], root));
+    const playback = group('playback', 'Playback', ...playbackOf(view, [], root.ownerDocument));
     const scenes = element('div', { className: 'stages' }, body, sphere);
     const work = element('div', { className: 'work' }, element('div', { className: 'upper' }, element('div', { className: 'seen' }, scenes, timeline.element), this.table.element), plots);
     root.append(headOf(studio, { ...wishes, help }), work, element('div', { className: 'foot' }, playback, new KeyPanel(studio, orientations).element), notices.element);
     plots.append(plotControls(view, componentsChoice(view)));
     const quantities = methodQuantities(view).filter(({ id }) => plotted.includes(id));
     this.plotted = showPlots(view, plots, quantities, ['first', 'second', 'components']);
-    hearShortcuts(studio, root, shortcuts);
+    hearShortcuts(studio, root.ownerDocument, shortcuts);
     view.atEnd(() => root.remove());
   }
 

@@ -3,6 +3,7 @@
 import type { State as ViewState } from 'orispline-viewer/store/store';
 import { Store as ViewStore } from 'orispline-viewer/store/store';
 import { keyWith, type StudioDocument } from '../document/document';
+import { sentence } from '../document/sentence';
 import type { Curves, Engine, MethodInfo, Opened } from '../engine/protocol';
 import { Draft } from '../store/draft';
 import { Shown } from '../store/shown';
@@ -41,7 +42,7 @@ export class Session {
     const place = () => this.screen.element;
     const tell = (sentence: string) => this.screen.notices.tell(sentence);
     this.screen = new Screen(this.studio, { open, save: () => void saving.save(), copies: copiesOf(this.studio, place, tell), exports: exportsOf(this.studio, place, tell) });
-    for (const warning of warnings) this.screen.notices.tell(warning, { isTrouble: true });
+    for (const warning of warnings) this.screen.notices.tell(sentence(warning), { isTrouble: true });
     this.follow();
     this.keep(draft, document, first);
   }

@@ -125,9 +125,9 @@ export class MethodForm {
 
   private closed(): HTMLElement {
     const set = () => {
-      const gesture = {};
-      this.set('closed', box.checked || undefined, gesture);
-      this.set('period', box.checked ? this.periodWanted() : undefined, gesture);
+      const [isClosed, gesture] = [box.checked, {}];
+      this.set('closed', isClosed || undefined, gesture);
+      this.set('period', isClosed ? this.periodWanted() : undefined, gesture);
     };
     const box = element('input', { type: 'checkbox', onchange: set });
     this.shows.push((choice) => (box.checked = isLoop(choice)));

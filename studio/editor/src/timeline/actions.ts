@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is done to keys from the timeline, and from anywhere by keyboard.
 import { keyWith, type Key } from '../document/document';
+import { sentence } from '../document/sentence';
 import { deleted, duplicated, inserted, type WithNewKey } from '../edits/keys';
 import { notDeleted } from '../edits/reasons';
 import { movedInTime } from '../edits/time';
@@ -28,7 +29,7 @@ export class Actions {
       if (store.current().document !== document) return this.tell('The keys have changed meanwhile, so that no key was inserted. Insert it again.');
       this.show(inserted(document, time, pose), 'There is a key so near to that time that there is no room for another one. Choose another time.');
     } catch (trouble) {
-      this.tell((trouble as Trouble).message);
+      this.tell(sentence((trouble as Trouble).message));
     }
   }
 
