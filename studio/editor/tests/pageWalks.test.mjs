@@ -5,6 +5,7 @@ import { execFileSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { example, placeOf, studioWith, withDisk } from './wholePage.mjs';
+import { checkPlotted, columnsOf, methodText, same, state } from './plotted.mjs';
 import { walk } from './walk.mjs';
 
 const edits = 200;
@@ -19,59 +20,23 @@ const files = {
   'column.csv': [`stamp_ms,tension,x,qx,qy,qz,qw\n-500,0.5,1,0,0,0,1\n250,0.4,1,0.6,0,0,0.8\n1300,0.2,1,0,0.8,0,0.6\n1900,0.1,1,0,0,0.6,0.8\n2100,0.1,1,0.1,0.1,0.7,0.7\n`, 'timed-c2'],
 };
 
-const methodText = ({ method, settings }) => [method, ...Object.entries(settings).flatMap(([name, value]) => (value === false ? [] : value === true ? name : `${name}=${value}`))].join(':');
-
 /** What the command samples of a file, by columns; or why it does not. */
 function commanded(name, text, method, count) {
   const file = placeOf(name);
   writeFileSync(file, text);
   try {
     const output = execFileSync(process.env.ORISPLINE_COMMAND, ['sample', file, '--method', method, '--count', String(count), '--derivatives', '3', '--quiet'], { encoding: 'utf8', stdio: 'pipe', maxBuffer: 2 ** 26 });
-    const [header, ...rows] = output.trim().split('\n').map((row) => row.split(','));
-    return Object.fromEntries(header.map((column, i) => [column, rows.map((row) => Number(row[i]))]));
+    return columnsOf(output);
   } catch ({ stderr }) {
     return { refused: stderr };
   }
 }
 
-/** Of the plotted samples those at even times. Where a key is at such a time, its right side is. */
-function evenOnes({ t }, count) {
-  const inner = new Set(t.filter((time, i) => time === t[i + 1])); // keys: both sides
-  const [others, right] = [[], []];
-  t.forEach((time, i) => {
-    if (!inner.has(time)) others.push(i);
-    else if (t[i + 1] !== time) right.push(i);
-  });
-  const offGrid = (i) => Math.abs((((t[i] - t[0]) * (count - 1)) / (t.at(-1) - t[0])) - Math.round(((t[i] - t[0]) * (count - 1)) / (t.at(-1) - t[0])));
-  const onGrid = right.toSorted((one, other) => offGrid(one) - offGrid(other)).slice(0, count - others.length);
-  return [...others, ...onGrid].sort((one, other) => one - other);
-}
-
-const same = (some, others) => some.every((value, i) => Object.is(value, others[i]));
-
-/** In the page. */
-const state = ({ store }) => {
-  const { document, curves, troubles } = store.current();
-  const drawn = curves.first;
-  const lists = 'trouble' in drawn ? {} : Object.fromEntries(['t', 'q', 'w', 'a', 'j', 'p'].map((name) => [name, [...drawn[name]]]));
-  return { document, troubles, lists, count: Math.max(600, 4 * document.keys.length + 1) };
-};
-
-const parts = { q: ['qw', 'qx', 'qy', 'qz'], w: ['wx', 'wy', 'wz'], a: ['ax', 'ay', 'az'], j: ['jx', 'jy', 'jz'], p: ['px', 'py', 'pz'] };
-
-function checkSamples(name, text, { document, troubles, lists, count }) {
-  const told = commanded(name, text, methodText(document.first), count);
-  if (troubles.first || told.refused) return assert.ok(troubles.first && told.refused, `${methodText(document.first)}: ${troubles.first?.message}, ${told.refused}`);
-  const places = evenOnes(lists, count);
-  assert.equal(places.length, told.t.length);
-  for (const [list, columns] of Object.entries(parts)) {
-    if (lists[list].length === 0) continue;
-    columns.forEach((column, part) => {
-      const plotted = places.map((i) => lists[list][columns.length * i + part]);
-      const wrong = plotted.findIndex((value, i) => !Object.is(value, told[column][i]));
-      assert.equal(wrong, -1, `${name} ${methodText(document.first)} ${column} at ${told.t[wrong]}: ${plotted[wrong]}, the command ${told[column][wrong]}`);
-    });
-  }
+function checkSaved(name, text, now) {
+  const method = methodText(now.document.first);
+  const told = commanded(name, text, method, now.count);
+  if (now.troubles.first || told.refused) assert.ok(now.troubles.first && told.refused, `${method}: ${now.troubles.first?.message}, ${told.refused}`);
+  else checkPlotted(now, told, `the command, ${name} with ${method}`);
 }
 
 for (const [number, [name, [text, method]]] of Object.entries(files).entries())
@@ -88,12 +53,12 @@ for (const [number, [name, [text, method]]] of Object.entries(files).entries())
       return studio.page.evaluate((name) => disk[name], name);
     };
     const began = await studio.ask(state);
-    checkSamples(name, text, began);
+    checkSaved(name, text, began);
     for (let i = 1; i <= 5; ++i) {
       const tried = await studio.page.evaluate(`(${walk})(${JSON.stringify({ seed: 1000 * number + i, edits })})`);
       await studio.drawn();
       const now = await studio.ask(state);
-      checkSamples(name, await saved(), now);
+      checkSaved(name, await saved(), now);
       const steps = await studio.stepsBack();
       context.diagnostic(`${i}: ${steps} steps, ${now.document.keys.length} keys, ${methodText(now.document.first)}; ${JSON.stringify(tried)}`);
       await studio.drawn();
