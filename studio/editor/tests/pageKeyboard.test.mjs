@@ -135,6 +135,7 @@ test('methods are chosen, their settings set, and menus and dialogs opened and l
   assert.equal(await studio.button('Settings of A').evaluate((one) => one === document.activeElement), true);
   await tabTo(studio, studio.button('Copy'), 'Shift+Tab');
   await studio.keyboard.press('Enter');
+  await studio.page.waitForFunction(() => document.activeElement.textContent === 'Command');
   await studio.keyboard.press('ArrowDown');
   await studio.keyboard.press('Enter');
   const copied = studio.dialog(/^C\+\+/);
