@@ -25,6 +25,7 @@
 #include "commands/retime/retime_options.hpp"
 #include "commands/sample/sample_options.hpp"
 #include "commands/smooth/smooth_options.hpp"
+#include "commands/studio/studio_options.hpp"
 #include "commands/tasks/tasks.hpp"
 #include "commands/tune/tune_options.hpp"
 #include "options/first_word.hpp"
@@ -41,6 +42,7 @@ constexpr auto app_footer = R"(Examples:
   orispline inspect keys.csv --method auto,quintic
   orispline compare flight.csv --keep-every 8
   orispline reduce flight.csv --tolerance 0.1deg -o keys.csv
+  orispline studio keys.csv
   orispline methods
 
 Exit codes: 0 success, 1 bad data, 2 bad usage, 3 file missing, unreadable or not writable.)";
@@ -165,6 +167,9 @@ class CommandLine {
         align_);
     add_plot_options(command("plot", "Draw the motion by one or more methods as SVG", [this] { return plot(plot_); }),
                      plot_);
+    add_studio_options(command("studio", "Make a page on which keyframes are edited with the mouse",
+                               [this] { return studio(studio_); }),
+                       studio_);
     add_smooth_options(
         command("smooth", "Turn noisy samples into a smooth motion with rates", [this] { return smooth(smooth_); }),
         smooth_);
@@ -271,6 +276,7 @@ class CommandLine {
   AlignArguments align_;
   CompareArguments compare_;
   PlotArguments plot_;
+  StudioArguments studio_;
   SmoothArguments smooth_;
   MeanArguments mean_;
   TuneArguments tune_;

@@ -1,6 +1,6 @@
 # cmake -DINPUT=FILE -DHEADER=FILE -DFUNCTION=NAME -DOUTPUT=FILE -P embed_text.cmake: the bytes of a file as a C++ source,
-# which defines `std::span<const std::string_view> orispline::report::NAME()` as HEADER declares it. In pieces, since
-# compilers limit the length of a literal.
+# which defines `std::span<const std::string_view> NAME()` as HEADER declares it. In pieces, since compilers limit the
+# length of a literal.
 file(READ ${INPUT} hexadecimal HEX)
 string(LENGTH "${hexadecimal}" length)
 set(piece_digits 16000)
@@ -19,13 +19,10 @@ file(WRITE ${OUTPUT} "// Made from ${INPUT} at build time.
 
 #include <array>
 
-namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 namespace {
 constexpr std::array pieces = std::to_array<std::string_view>({
 ${pieces}});
 }
 
 std::span<const std::string_view> ${FUNCTION}() { return pieces; }
-
-}}}  // namespace orispline::report
 ")

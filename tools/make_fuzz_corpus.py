@@ -194,7 +194,7 @@ def command_files():
         "compare": ("compare keys.csv --keep-every 1 --json", keys_file), "jitter": ("compare keys.csv --keep-every 2 --jitter --random 47", keys_file),
         "smooth": ("smooth keys.csv --json -o out.csv", keys_file), "reduce": ("reduce keys.csv --tolerance 1deg -o out.csv --json", keys_file),
         "retime": ("retime keys.csv --max-rate 10deg/s -o out.tum --json", keys_file), "plot": ("plot keys.csv -o out.svg", keys_file),
-        "convert": ("convert keys.csv -o out.tum", keys_file), "usage": ("sample keys.csv --rat 3", keys_file), "missing": ("inspect none.csv", ""),
+        "convert": ("convert keys.csv -o out.tum", keys_file), "studio": ("studio keys.csv --method auto -o out.html", keys_file), "usage": ("sample keys.csv --rat 3", keys_file), "missing": ("inspect none.csv", ""),
         "escape": ("inspect keys.csv", "t,qw,qx,qy,qz,\x1b[2J\n0,1,0,0,0,1\n1,0.8,0.6,0,0,2\n"), "help": ("tune --help", ""),
         "duplicate": ("sample keys.csv --rate 1", "t,qw,qx,qy,qz\n0,1,0,0,0\n0,1,0,0,0\n"),
         "truth": ("sample keys.csv --rate 4 --truth old.csv -o out.csv --json", keys_file)}

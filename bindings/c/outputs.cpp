@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 #include <orispline/base/formatted.hpp>
 
@@ -11,6 +13,9 @@
 namespace orispline::c {
 
 namespace {
+
+/// What one object of memory may have at most [bytes].
+constexpr std::size_t most_bytes = std::numeric_limits<std::ptrdiff_t>::max();
 
 Expected<void> check_output(const orispline_output& output, orispline_order order) {
   if (output.quantity < ORISPLINE_ORIENTATION || output.quantity > ORISPLINE_ACCELERATION)
@@ -21,6 +26,14 @@ Expected<void> check_output(const orispline_output& output, orispline_order orde
                       formatted("found {}, wanted 0 or at least {}", output.stride, width_of(output.quantity)));
   if (output.quantity == ORISPLINE_ORIENTATION) return check_order(order);
   return {};
+}
+
+Expected<void> check_room(const orispline_output& output, std::size_t samples) {
+  if (samples == 0) return {};
+  const std::size_t each = output.type == ORISPLINE_DOUBLE ? sizeof(double) : sizeof(float);
+  if (stride_of(output) <= most_bytes / each / samples) return check_pointer(output.numbers, "numbers");
+  return bad_option("count", formatted("found {} samples of a stride of {}, wanted so few that memory can hold them",
+                                       samples, stride_of(output)));
 }
 
 }  // namespace
@@ -35,8 +48,7 @@ Expected<Outputs> outputs_in(const orispline_output* outputs, std::size_t output
   if (output_count == 0) return Outputs();
   if (auto there = check_pointer(outputs, "outputs"); !there) return tl::unexpected(std::move(there.error()));
   for (const orispline_output& output : Outputs(outputs, output_count)) {
-    auto fits = check_output(output, order);
-    if (fits && samples > 0) fits = check_pointer(output.numbers, "numbers");
+    auto fits = check_output(output, order).and_then([&] { return check_room(output, samples); });
     if (!fits) return tl::unexpected(std::move(fits.error()));
   }
   return Outputs(outputs, output_count);

@@ -34,7 +34,7 @@ using Outputs = std::span<const orispline_output>;
 [[nodiscard]] Expected<void> check_type(orispline_type type);
 
 /// The outputs. Errors (bad_argument): a null pointer, a quantity or a type that there is not, a stride that is too
-/// short, an order that is none where there are orientations.
+/// short, more samples than memory can hold, an order that is none where there are orientations.
 [[nodiscard]] Expected<Outputs> outputs_in(const orispline_output* outputs, std::size_t output_count,
                                            orispline_order order, std::size_t samples);
 

@@ -128,9 +128,9 @@ Expected<OwnFamilies> own_families(const std::vector<std::string>& files) {
   return families;
 }
 
-Expected<Method> method_request(std::string_view text, const MethodOptions& options) {
+Expected<Method> method_request(std::string_view text, const MethodOptions& options, std::string_view option) {
   return own_families(options.blending)
-      .and_then([&](const auto& own) { return said_by("--method", method_from_text(text, own)); })
+      .and_then([&](const auto& own) { return said_by(option, method_from_text(text, own)); })
       .and_then([&](Method method) { return shaped(std::move(method), options); });
 }
 

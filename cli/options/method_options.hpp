@@ -32,8 +32,10 @@ using OwnFamilies = std::vector<std::shared_ptr<const OwnFamily>>;
 /// The families that files state.
 [[nodiscard]] Expected<OwnFamilies> own_families(const std::vector<std::string>& files);
 
-/// `NAME` or `NAME:SETTING=VALUE:…`, shaped by the other options as well. Every error names its option.
-[[nodiscard]] Expected<Method> method_request(std::string_view method, const MethodOptions& options);
+/// `NAME` or `NAME:SETTING=VALUE:…` behind that option, shaped by the other options as well. Every error names its
+/// option.
+[[nodiscard]] Expected<Method> method_request(std::string_view method, const MethodOptions& options,
+                                              std::string_view option = "--method");
 
 /// The method that was named, already shaped; else the one of jobs::chosen_method(), shaped by the options where they
 /// say something. Errors: those of method_request(), and of a recipe that cannot be read.

@@ -149,8 +149,9 @@ TEST(BakedCurve, NamesTheSegmentAndTheLimitBeforeMemoryGoes) {
   ASSERT_FALSE(baked);
   EXPECT_EQ(baked.error().code, ErrorCode::bad_argument);
   EXPECT_LE(baked.error().where.key.value(), 2U);
-  EXPECT_TRUE(baked.error().message.starts_with("the 2000 pieces that are allowed (max_pieces) reach to "))
-      << baked.error().message;
+  EXPECT_TRUE(baked.error().message.starts_with("the 2000 pieces that are allowed reach to ")) << baked.error().message;
+  EXPECT_TRUE(baked.error().message.ends_with(
+      " s, wanted the end of the curve: ask for a larger tolerance, or a curve that turns less there"));
   EXPECT_EQ(BakeOptions{}.max_pieces, 1U << 20);
 }
 
@@ -159,7 +160,57 @@ TEST(BakedCurve, NamesTheSegmentWhereTheToleranceCannotBeReached) {
   ASSERT_FALSE(baked);
   EXPECT_EQ(baked.error().code, ErrorCode::bad_argument);
   EXPECT_EQ(baked.error().where.key, 0U);
-  EXPECT_NE(baked.error().message.find("ask for a larger tolerance"), std::string::npos) << baked.error().message;
+  EXPECT_NE(baked.error().message.find("even the shortest piece reaches"), std::string::npos) << baked.error().message;
+}
+
+/// The tolerance that an error of `bake` asks for [rad].
+double tolerance_in(const std::string& message) {
+  const std::size_t at = message.find("ask for ");
+  EXPECT_NE(message.find(" rad or more, which all of the curve keeps to"), std::string::npos) << message;
+  return std::stod(message.substr(at + 8));
+}
+
+template <class T>
+void expect_a_tolerance_that_works(const AnyCurve& curve, double tolerance) {
+  const auto refused = bake<T>(curve, tolerance);
+  ASSERT_FALSE(refused) << tolerance;
+  const double offered = tolerance_in(refused.error().message);
+  EXPECT_GT(offered, tolerance);
+  const auto baked = bake<T>(curve, offered);
+  ASSERT_TRUE(baked) << offered << ", " << baked.error().message;
+  EXPECT_LE(2.0 * baked->largest_difference(), offered);
+}
+
+/// Jumps by 0.1 rad, later by 0.3 rad.
+class TwiceJumpingCurve {
+ public:
+  [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
+  template <Number T>
+  [[nodiscard]] Quaternion<T> point(const T& t, std::size_t) const noexcept {
+    const double angle = value_of(t) < 0.3 ? 0.0 : value_of(t) < 1.3 ? 0.1 : 0.4;
+    return constant<T>(Eigen::Quaterniond(std::cos(0.5 * angle), std::sin(0.5 * angle), 0.0, 0.0));
+  }
+
+ private:
+  Knots knots_{{0.0, 1.0, 2.0}};
+};
+
+TEST(BakedCurve, NamesAToleranceThatAllOfTheCurveKeepsTo) {
+  for (const double tolerance : {1e-3, 1e-2, 0.05}) {
+    expect_a_tolerance_that_works<double>(AnyCurve(TwiceJumpingCurve()), tolerance);
+    expect_a_tolerance_that_works<float>(AnyCurve(TwiceJumpingCurve()), tolerance);
+  }
+  for (const double ratio : {5e7, 7e7})
+    expect_a_tolerance_that_works<float>(make_curve("rational", close_keys(ratio)).value(), 1e-6);
+}
+
+TEST(BakedCurve, OffersNoToleranceWhereItKnowsNone) {
+  for (const AnyCurve& curve : {make_curve("timed-c2", close_keys(1e9)).value(), AnyCurve(JumpingCurve())}) {
+    const auto baked = bake<float>(curve, 1e-6);
+    ASSERT_FALSE(baked);
+    EXPECT_TRUE(baked.error().message.ends_with("ask for a much larger tolerance, or a curve that turns less there"))
+        << baked.error().message;
+  }
 }
 
 template <class T>

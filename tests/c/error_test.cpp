@@ -244,6 +244,35 @@ TEST(ErrorsOfC, SayWhatSamplesAreAskedForWrongly) {
   EXPECT_EQ(sampled(sound).code, ORISPLINE_OK);
 }
 
+TEST(ErrorsOfC, SayThatNoMemoryHoldsSoManySamples) {
+  const CurveHandle owned = curve_through(keys_of(walk()), "auto");
+  const orispline_curve* const curve = owned.get();
+  const std::vector<double> times(1);
+  std::vector<double> numbers(100);
+  constexpr std::size_t whole = std::numeric_limits<std::size_t>::max();
+  struct {
+    std::size_t count, stride;
+    orispline_type type;
+  } const cases[] = {{whole, 0, ORISPLINE_DOUBLE},
+                     {whole / 4 + 2, 0, ORISPLINE_DOUBLE},
+                     {whole / 32 + 2, 0, ORISPLINE_DOUBLE},
+                     {whole / 64 + 2, 0, ORISPLINE_DOUBLE},
+                     {whole / 32 + 2, 0, ORISPLINE_FLOAT},
+                     {2, whole, ORISPLINE_DOUBLE},
+                     {2, whole / 2 + 1, ORISPLINE_FLOAT},
+                     {1, whole / 8 + 1, ORISPLINE_DOUBLE},
+                     {std::size_t{1} << 32, std::size_t{1} << 32, ORISPLINE_FLOAT}};
+  for (const auto& [count, stride, type] : cases) {
+    const orispline_output output{ORISPLINE_ORIENTATION, type, numbers.data(), stride};
+    const char* const hold = nullptr;
+    expect_fault(call(orispline_sample_even, curve, 0.0, 0.1, count, ORISPLINE_WXYZ, hold, 1u, &output, std::size_t{1}),
+                 ORISPLINE_BAD_ARGUMENT, "count", "wanted so few that memory can hold them");
+    expect_fault(
+        call(orispline_sample_at, curve, times.data(), count, ORISPLINE_WXYZ, hold, 1u, &output, std::size_t{1}),
+        ORISPLINE_BAD_ARGUMENT, "count", "wanted so few that memory can hold them");
+  }
+}
+
 TEST(ErrorsOfC, KnowHandlesThatWereFreedOrAreOthers) {
   KeysHandle keys = keys_of(walk());
   CurveHandle curve = curve_through(keys, "auto");

@@ -4,6 +4,7 @@
 import json
 import math
 import pathlib
+import re
 import struct
 
 from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, SUCCESS, CommandTest, main, table_of
@@ -98,12 +99,21 @@ class Bake(CommandTest):
         self.assertFalse((self.folder / "curve.json").exists())
 
     def test_says_what_is_reached_where_the_tolerance_is_not(self):
+        missed = r"orispline: {}\.csv:\d: key \d: --tolerance: at \S+ s even the shortest piece reaches \S+ rad, wanted 1e-06: ask for {}\n"
+        self.write("near.csv", NEAR.replace("1.000000001", "1.0000001"))
+        done = self.run_command("bake near.csv --method rational --tolerance 1e-6rad -o curve.bin")
+        said = re.fullmatch(missed.format("near", r"(\S+) rad or more, which all of the curve keeps to"), done.stderr)
+        self.assertTrue(said, done.stderr)
+        self.assertEqual(list(self.folder.glob("curve*")), [])
+        self.output_of(f"bake near.csv --method rational --tolerance {said[1]}rad -o curve.bin")
+
+    def test_offers_no_tolerance_where_it_knows_none(self):
         self.write("near.csv", NEAR)
         done = self.run_command("bake near.csv --method timed-c2 --tolerance 1e-6rad -o curve.bin")
         self.assertEqual((done.returncode, done.stdout), (BAD_USAGE, ""))
-        self.assertRegex(done.stderr, r"^orispline: near\.csv:\d: key \d: --tolerance: at \S+ s even the shortest piece "
-                                      r"reaches \S+ rad, wanted 1e-06: ask for a larger tolerance\n$")
-        self.assertEqual([path.name for path in self.folder.glob("curve*")], [])
+        self.assertRegex(done.stderr, r"^orispline: near\.csv:\d: key \d: --tolerance: at \S+ s even the shortest piece reaches \S+ rad, "
+                                      r"wanted 1e-06: ask for a much larger tolerance, or a curve that turns less there\n$")
+        self.assertEqual(list(self.folder.glob("curve*")), [])
 
     def test_refuses_other_files(self):
         self.assert_fails("bake keys.csv --tolerance 1deg -o curve.svg", BAD_USAGE,

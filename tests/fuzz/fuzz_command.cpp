@@ -6,8 +6,10 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <regex>
 #include <sstream>
 
@@ -46,12 +48,19 @@ bool may_run(const Words& words) {
   return true;
 }
 
-/// While it lives, the streams of the process are files and its folder is another one.
+/// A variable of the environment as it was, or absent.
+std::optional<std::string> variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value ? std::optional<std::string>(value) : std::nullopt;
+}
+
+/// While it lives, the streams of the process are files, and its folder and that for temporary files another one.
 class Surroundings {
  public:
   Surroundings(const fs::path& folder, const TemporaryFolder& streams, const std::string& input)
-      : folder_before_(fs::current_path()) {
+      : folder_before_(fs::current_path()), temporary_before_(variable("TMPDIR")) {
     fs::current_path(folder);
+    setenv("TMPDIR", folder.c_str(), 1);
     replace(0, input, O_RDONLY);
     replace(1, streams.file("stdout"), O_WRONLY | O_CREAT | O_TRUNC);
     replace(2, streams.file("stderr"), O_WRONLY | O_CREAT | O_TRUNC);
@@ -66,6 +75,8 @@ class Surroundings {
     }
     if (__sanitizer_set_report_fd) __sanitizer_set_report_fd(reinterpret_cast<void*>(std::intptr_t{2}));
     fs::current_path(folder_before_);
+    if (temporary_before_) setenv("TMPDIR", temporary_before_->c_str(), 1);
+    else unsetenv("TMPDIR");
   }
   Surroundings(const Surroundings&) = delete;
   Surroundings& operator=(const Surroundings&) = delete;
@@ -79,6 +90,7 @@ class Surroundings {
   }
 
   fs::path folder_before_;
+  std::optional<std::string> temporary_before_;
   int before_[3] = {};
 };
 
@@ -166,6 +178,7 @@ void try_command(const Words& words, std::string_view keys) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orispline::fuzz;
+  for (const char* const display : {"DISPLAY", "WAYLAND_DISPLAY"}) unsetenv(display);  // no run opens a browser
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is a disk that is full
   const rlimit limit{most_bytes_of_a_file, most_bytes_of_a_file};
   setrlimit(RLIMIT_FSIZE, &limit);

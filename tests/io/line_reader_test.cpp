@@ -57,6 +57,16 @@ TEST(LineReader, GivesLinesOnceMoreThatItKept) {
   EXPECT_FALSE(*reader->next());
 }
 
+TEST(LineReader, GivesAllBytesAsTheyAre) {
+  const std::string whole = "\xEF\xBB\xBFt\r\n" + std::string(200'000, '\0');
+  const TextFile file(whole);
+  for (const Input& input : {Input(file.path()), Input::in_memory("keys.csv", whole)}) {
+    auto reader = LineReader::open(input);
+    ASSERT_TRUE(reader);
+    EXPECT_EQ(std::move(*reader).bytes(), whole);
+  }
+}
+
 TEST(LineReader, SkipsTheByteOrderMark) {
   EXPECT_EQ(lines_in("\xEF\xBB\xBFt\n1\n"), (Lines{"t", "1"}));
   EXPECT_EQ(lines_in("\xEF\xBB\xBF"), (Lines{""}));

@@ -69,6 +69,32 @@ for (const [call, about] of [
     assert.equal(error.message.includes('\n'), false);
   });
 
+test('a task tells its progress, is stopped by it, and the library goes on', () => {
+  const recording = ori.read(truth, 'flight_truth.csv'), options = { noise: '0.1deg' }, shares = [];
+  const smooth = (progress) => ori.run('smooth', { recording }, options, { progress });
+  const found = smooth((share) => void shares.push(share));
+  assert.ok(shares.length > 2 && shares.every((share, k) => k === 0 || share >= shares[k - 1]), `${shares}`);
+  assert.equal(shares.at(-1), 1);
+  let calls = 0;
+  const stopped = thrown(() => smooth((share) => (++calls, share > 0)));
+  assert.deepEqual([stopped.code, calls < shares.length], ['cancelled', true]);
+  assert.ok(stopped instanceof full.OrisplineError);
+  const mine = new Error('mine');
+  assert.equal(thrown(() => smooth(() => { throw mine; })), mine);
+  assert.equal(thrown(() => smooth((share) => { if (share === 1) throw mine; })), mine);
+  // Calls of the library meanwhile, and a task within a task, which tells its own progress.
+  const curve = ori.curve('auto', flight), same = curve.at(3), within = [];
+  const again = smooth(() => {
+    assert.deepEqual(curve.at(3), same);
+    if (within.length === 0) ori.run('retime', { keys: flight }, { duration: '60s' }, { progress: (share) => void within.push(share) });
+    thrown(() => ori.curve('sqad', flight));
+  });
+  assert.deepEqual(again.document, found.document);
+  assert.equal(within.at(-1), 1);
+  assert.deepEqual(smooth(undefined).document, found.document);
+  for (const progress of [5, 'abc', {}]) assert.equal(thrown(() => smooth(progress)).option, 'progress');
+});
+
 test('a file may be any bytes, and its options and names are whole', () => {
   const bytes = new TextEncoder().encode(text), shared = new Uint8Array(new SharedArrayBuffer(bytes.length));
   shared.set(bytes);

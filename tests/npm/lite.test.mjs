@@ -115,8 +115,8 @@ for (const [call, about] of [
   [() => ori.curve('timed-c2', three, { tension: null }), { code: 'bad_argument', option: 'tension', message: "tension: found 'null', wanted a word or numbers" }],
   [() => ori.curve('timed-c2', three, { tension: ['0.5:closed'] }), { code: 'bad_argument', option: 'tension', message: "tension: found '0.5:closed', wanted a word or numbers" }],
   [() => ori.curve('timed-c2', three, { 'tension=1:closed': 1 }), { code: 'bad_argument', option: 'tension=1:closed', message: "tension=1:closed: found '1', wanted a word or numbers" }],
-  [() => ori.curve('auto', three).at(1n), { code: 'bad_argument', message: 'found a bigint, wanted a number' }],
-  [() => ori.curve('auto', three).motion(Symbol('x')), { code: 'bad_argument', message: 'found a symbol, wanted a number' }],
+  [() => ori.curve('auto', three).at(1n), { code: 'bad_argument', message: 'found something of the type bigint, wanted a number' }],
+  [() => ori.curve('auto', three).motion(Symbol('x')), { code: 'bad_argument', message: 'found something of the type symbol, wanted a number' }],
   [() => ori.curve('auto', three).motion(1, 'middle'), { code: 'bad_argument', option: 'side', message: 'side: found "middle", wanted \'right\' or \'left\'' }],
   [() => ori.curve('auto', three).sample({ times: 5 }), { code: 'bad_argument', option: 'times', message: 'times: found none, wanted an array of numbers' }],
   [() => ori.curve('auto', three).sample({ step: 1, count: NaN }), { code: 'bad_argument', option: 'count', message: 'count: found NaN, wanted a whole number from 0 on' }],
@@ -159,7 +159,7 @@ test('a curve that was disposed of says so', () => {
 test('bytes, a module and a place are taken, and nothing else', async () => {
   const bytes = readFileSync(wasm), at = (library) => library.curve('auto', three).at(0.5);
   const same = ori.curve('auto', three).at(0.5);
-  for (const options of [{ wasm: bytes }, { wasm: new Uint8Array(bytes).buffer }, { wasm: new WebAssembly.Module(bytes) }, { wasm: Promise.resolve(bytes) }, { wasmUrl: new URL(`file://${wasm}`) }])
+  for (const options of [{ wasm: bytes }, { wasm: new Uint8Array(bytes).buffer }, { wasm: new WebAssembly.Module(bytes) }, { wasm: Promise.resolve(bytes) }, { wasm: runInNewContext('new Uint8Array(bytes).buffer', { bytes }) }, { wasm: runInNewContext('new WebAssembly.Module(new Uint8Array(bytes))', { bytes }) }, { wasmUrl: new URL(`file://${wasm}`) }])
     assert.deepEqual(at(await lite.load(options)), same);
   const other = new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0));
   for (const [options, code, found] of [

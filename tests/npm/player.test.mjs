@@ -6,6 +6,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
+import { runInNewContext } from 'node:vm';
 
 const { player } = await import(join(process.env.ORISPLINE_NPM, 'player.js'));
 const keys = join(import.meta.dirname, '../../examples/data/flight_keys.csv');
@@ -75,6 +76,31 @@ test('a single key is held', () => {
   const one = join(folder, 'one.csv');
   writeFileSync(one, 't,qw,qx,qy,qz\n2,0,0,1,0\n');
   for (const time of [-1, 2, 5]) assert.deepEqual(player(bake(one, 'curve.bin', '--tolerance', '1deg')).at(time), [0, 1, 0, 0]);
+});
+
+test('the loop of docs/web.md plays a single key, and others again and again', () => {
+  const one = join(folder, 'one.csv'), loop = /const time = (motion\.start.*?);/.exec(readFileSync(join(import.meta.dirname, '../../docs/web.md'), 'utf8'))[1];
+  const timeOf = new Function('motion', 'now', `return ${loop}`);
+  writeFileSync(one, 't,qw,qx,qy,qz\n2,0,0,1,0\n');
+  const still = player(bake(one, 'one.bin', '--tolerance', '1deg')), motion = player(bake(keys, 'curve.bin', '--tolerance', '1deg'));
+  for (const now of [0, 16.7, 1e6]) assert.deepEqual(still.at(timeOf(still, now)), [0, 1, 0, 0]);
+  assert.deepEqual([0, 47000, 49000].map((now) => timeOf(motion, now)), [0, 47, 1]);
+});
+
+test('bytes may be those of another realm', () => {
+  const bytes = bake(keys, 'curve.bin', '--tolerance', '1deg'), same = player(bytes).at(3);
+  for (const made of ['new Uint8Array(bytes)', 'new Uint8Array(bytes).buffer', 'new DataView(new Uint8Array(bytes).buffer)'])
+    assert.deepEqual(player(runInNewContext(made, { bytes })).at(3), same);
+  assert.deepEqual(player(runInNewContext('JSON.parse(text)', { text: bake(keys, 'curve.json', '--tolerance', '1deg').toString() })).at(3), same);
+});
+
+test('times and targets that are none are refused in one sentence', () => {
+  const motion = player(bake(keys, 'curve.bin', '--tolerance', '1deg')), wanted = 'wanted a number and an array';
+  for (const [time, target, found] of [[undefined, [], 'the time undefined and a target that is object'], ['1', [], 'the time 1 and'], [1n, [], 'the time 1 and'], [Symbol('x'), [], 'the time Symbol(x) and'],
+    [1, null, 'the time 1 and a target that is object'], [1, 'abc', 'the time 1 and a target that is string'], [1, 5, 'the time 1 and a target that is number']]) {
+    const text = (() => { try { motion.at(time, target); } catch (error) { return error.message; } })();
+    assert.ok(text.startsWith(`orispline/player: found ${found}`) && text.endsWith(wanted), text);
+  }
 });
 
 test('the target is what was given, and NaN gives NaN', () => {

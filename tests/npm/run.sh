@@ -20,6 +20,7 @@ case $2 in
     CHROMIUM=$(command -v "$browser")
     export CHROMIUM
     ;;
+  arguments) [ -f "$1/full.wasm" ] || skip "the modules were not compiled; make web compiles them" ;;
   consume | three) [ -f "$1/lite.wasm" ] || skip "the modules were not compiled; make web compiles them" ;;
   *) [ -f "$1/$2.wasm" ] || skip "the module $2.wasm was not compiled; make web compiles it" ;;
 esac

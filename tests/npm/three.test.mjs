@@ -49,6 +49,46 @@ test('keys and tracks that cannot be are refused at once', () => {
   assert.equal(thrown(() => animate(ori, color)).message, 'track: found .color of the type color, wanted a quaternion or a vector');
 });
 
+/** What is told on the console meanwhile. */
+const warnedBy = async (work) => {
+  const { warn } = console, said = [];
+  console.warn = (...words) => said.push(words.join(' '));
+  try {
+    await work();
+  } finally {
+    console.warn = warn;
+  }
+  return said;
+};
+
+/** An instance of the entry that has warned of nothing yet. */
+const fresh = async (name) => (await import(`${join(process.env.ORISPLINE_NPM, 'three.js')}?${name}`)).animate;
+
+test('a track that moves exactly says so where three.js writes it, once, and not before', async () => {
+  globalThis.FileReader ??= class {
+    readAsDataURL(blob) {
+      blob.arrayBuffer().then((bytes) => ((this.result = `data:;base64,${Buffer.from(bytes).toString('base64')}`), this.onloadend()));
+    }
+  };
+  const { GLTFExporter } = await import(join(process.env.ORISPLINE_NPM_TOOLS, 'three/examples/jsm/exporters/GLTFExporter.js'));
+  const exported = (clip) => new GLTFExporter().parseAsync(new THREE.Object3D(), { animations: [clip] });
+  const ways = { toJSON: (clip) => THREE.AnimationClip.toJSON(clip), clone: (clip) => clip.clone().toJSON(), exporter: exported, optimize: (clip) => clip.tracks.forEach((track) => track.optimize()) };
+  for (const [name, write] of Object.entries(ways)) {
+    const moves = await fresh(name), clip = new THREE.AnimationClip('flight', -1, [moves(ori, turns(), 'auto'), moves(ori, turns(), 'squad')]);
+    assert.deepEqual(await warnedBy(() => played(clip.clone(), times)), []);
+    const said = await warnedBy(async () => (await write(clip), await write(clip)));
+    assert.deepEqual(said, ['orispline/three: found the track .quaternion, which animate() moves, written or optimised by three.js, which takes slerp for its curve; wanted a track of bake()'], name);
+  }
+});
+
+test('a track whose interpolation was changed again is one of three.js', async () => {
+  const track = (await fresh('changed'))(ori, turns(), 'auto').setInterpolation(THREE.InterpolateLinear);
+  assert.deepEqual(await warnedBy(() => [THREE.KeyframeTrack.toJSON(track), THREE.KeyframeTrack.toJSON(track.clone())]), []);
+  assert.equal(track.clone().getInterpolation(), THREE.InterpolateLinear);
+  const twice = animate(ori, animate(ori, turns(), 'auto'), 'squad').clone();
+  assert.deepEqual([...twice.createInterpolant().evaluate(10)], ori.curve('squad', rounded).at(10));
+});
+
 for (const tolerance of [1e-2, 1e-3])
   test(`a baked track is within ${tolerance} rad of the curve, by three's own slerp`, () => {
     const curve = ori.curve('auto', { ...flight, order: 'xyzw', orientations: turned }), [at, values] = bake(curve, { tolerance });

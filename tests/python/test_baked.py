@@ -158,6 +158,15 @@ def test_bad_input(ask, error, text):
 
 def test_a_tolerance_that_cannot_be_reached_names_the_key():
     curve = ori.Curve([0.0, 1.0, 1.0 + 1e-6, 2.0, 3.0], Rotation.random(5, random_state=3), "hermite-c2")
-    with pytest.raises(ori.ArgumentError, match="ask for a larger tolerance") as found:
+    with pytest.raises(ori.ArgumentError, match="ask for a much larger tolerance, or a curve that turns less there") as found:
         curve.bake(1e-6)
     assert found.value.key == 0
+
+
+def test_a_tolerance_that_is_missed_names_one_that_is_kept():
+    near = [0.0, 1.0, 1.0000001, 2.0, 3.0], [[0, 0, 0, 1], [0.8, 0, 0, 0.6], [0, 0.8, 0, 0.6], [0, 0, 1, 0], [0, 0, 0, 1]]
+    curve = ori.Curve(*near, "rational")
+    with pytest.raises(ori.ArgumentError, match=" rad or more, which all of the curve keeps to") as found:
+        curve.bake(1e-6, dtype="float32")
+    offered = float(str(found.value).split("ask for ")[1].split()[0])
+    assert offered > 1e-6 and 2 * curve.bake(offered, dtype="float32").largest_difference <= offered

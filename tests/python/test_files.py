@@ -308,6 +308,82 @@ def test_file_objects_are_read_as_files(tmp_path):
     assert rates.rates.tolist() == [[1, 2, 3], [4, 5, 6]]
 
 
+CURVE = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]], "timed-c2", ends="rest")
+
+
+@pytest.mark.parametrize("what", [CURVE, CURVE.keys, CURVE.sample(rate=10, derivatives=2)], ids=["curve", "keys", "samples"])
+@pytest.mark.parametrize("form", ["csv", "tum", "euroc", "npy"])
+@pytest.mark.filterwarnings("ignore::orispline.ShapeWarning")
+def test_file_objects_are_written_as_files(tmp_path, what, form):
+    options = {} if form == "csv" else {"output_format": form}
+    try:
+        ori.write(what, tmp_path / "file", **options)
+    except ori.ArgumentError as error:  # rates, which the format has no room for
+        found = io.BytesIO(b"old")
+        with pytest.raises(ori.ArgumentError) as said:
+            ori.write(what, found, **options)
+        assert found.getvalue() == b"old" and str(said.value) == str(error)
+        return
+    wanted = (tmp_path / "file").read_bytes()
+    in_bytes, named = io.BytesIO(), io.BytesIO()
+    named.name = f"file.{'csv' if form == 'euroc' else form}"
+    ori.write(what, in_bytes, **options)
+    ori.write(what, named, **options if form == "euroc" else {})
+    with zipfile.ZipFile(tmp_path / "all.zip", "w") as archive, archive.open("file", "w") as in_archive:
+        ori.write(what, in_archive, **options)
+    with open(tmp_path / "raw", "wb", buffering=0) as raw:
+        ori.write(what, raw, **options)
+    assert in_bytes.getvalue() == named.getvalue() == zipfile.ZipFile(tmp_path / "all.zip").read("file") == (tmp_path / "raw").read_bytes() == wanted
+    in_text = io.StringIO("# mine\n")
+    in_text.seek(0, io.SEEK_END)
+    if form == "npy":
+        with pytest.raises(TypeError, match="path: found a file object for text, wanted one for bytes, as this format is"):
+            ori.write(what, in_text, **options)
+        assert in_text.getvalue() == "# mine\n"
+    else:
+        ori.write(what, in_text, **options)
+        assert in_text.getvalue() == "# mine\n" + wanted.decode() and not in_text.closed
+
+
+def test_nothing_is_written_into_a_file_object_where_it_fails():
+    samples, found = CURVE.sample(count=3), io.BytesIO()
+    for write, kind in ((lambda: ori.write(samples, found, output_format="xyz"), ori.ArgumentError), (lambda: ori.write(3, found), TypeError),
+                        (lambda: samples.write(found, output_angle_unit="turns"), ori.ArgumentError), (lambda: CURVE.report(found, title=3), TypeError)):
+        with pytest.raises(kind):
+            write()
+    named = io.BytesIO()
+    named.name = "motion.bvh"
+    with pytest.raises(ori.ArgumentError, match="motion.bvh"):
+        CURVE.keys.write(named)
+    assert found.getvalue() == named.getvalue() == b""
+    with pytest.raises(TypeError, match="path: found int, wanted a str, a path of str, or a file object"):
+        CURVE.keys.write(3)
+
+
+def test_pages_and_scenes_go_into_file_objects(tmp_path):
+    in_text, in_bytes = io.StringIO(), io.BytesIO()
+    CURVE.report(in_text)
+    CURVE.view().write(in_bytes)
+    CURVE.keys.curve("slerp").report(in_bytes, title="two")
+    assert in_text.getvalue().startswith("<!doctype html>") and in_bytes.getvalue().count(b"<!doctype html>") == 2
+    (tmp_path / "nod.bvh").write_text("HIERARCHY\nROOT head\n{\nOFFSET 0 1.5 0\nCHANNELS 3 Zrotation Xrotation Yrotation\nEnd Site\n{\n"
+                                      "OFFSET 0 0.2 0\n}\n}\nMOTION\nFrames: 3\nFrame Time: 0.5\n0 0 0\n0 20 0\n0 0 0\n")
+    scene = ori.read_scene(tmp_path / "nod.bvh")
+    for name in ("scene.glb", "scene.gltf", "scene.bvh"):
+        scene.write(tmp_path / name)
+        into = io.BytesIO()
+        into.name = name
+        scene.write(into)
+        assert into.getvalue() == (tmp_path / name).read_bytes()
+    with pytest.raises(ori.ArgumentError, match="the file object"):
+        scene.write(io.BytesIO())
+    with open(tmp_path / "text.glb", "w") as text, pytest.raises(TypeError, match="wanted one for bytes"):
+        scene.write(text)
+    assert (tmp_path / "text.glb").read_bytes() == b""
+    with pytest.raises(ori.AccessError, match="nowhere"):
+        scene.write(tmp_path / "nowhere" / "a.glb")
+
+
 def test_what_is_wrong_in_a_file_object_is_said(tmp_path):
     with pytest.raises(ori.DataError, match="^the file object:3:2: key 1: found 'x'"):
         ori.read(io.StringIO("t,qw,qx,qy,qz\n0,1,0,0,0\n1,x,0,0,0\n"))

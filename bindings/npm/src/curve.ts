@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// <reference lib="esnext.disposable" preserve="true" />
 import type { Address, Engine } from './engine.js';
-import { OrisplineError, badArgument, shown } from './errors.js';
+import { OrisplineError, badArgument, optionsOf, shown } from './errors.js';
 import { type KeyData, type Order, checkedKeys, chosen, orderOf, withKeys } from './keys.js';
 import { type Settings, methodText } from './method.js';
 import { checkRoom, numbersOf, roomFor } from './numbers.js';
@@ -59,7 +59,8 @@ export interface Samples {
 const rateNames = ['angularVelocities', 'angularAccelerations', 'angularJerks'] as const;
 
 /** Those that are asked for. */
-export const ratesOf = ({ rates = 0 }: SampleOptions): (typeof rateNames)[number][] => {
+export const ratesOf = (options: SampleOptions): (typeof rateNames)[number][] => {
+  const { rates = 0 } = optionsOf('options', options);
   if (![0, 1, 2, 3].includes(rates)) throw badArgument('rates', `found ${shown(rates)}, wanted 0, 1, 2 or 3`);
   return rateNames.slice(0, rates);
 };
@@ -72,7 +73,8 @@ const checkedCount = (count: number): number => {
 };
 
 /** The times that are asked for. */
-export const timesOf = (curve: Playable, { times, start = curve.start, step, count }: SampleOptions): Float64Array => {
+export const timesOf = (curve: Playable, options: SampleOptions): Float64Array => {
+  const { times, start = curve.start, step, count } = optionsOf('options', options);
   if (times) return numbersOf('times', times);
   if (!Number.isFinite(step) || !(step! > 0)) throw badArgument('step', `found ${shown(step)}, wanted times, or a step of more than 0 s`);
   if (!Number.isFinite(start)) throw badArgument('start', `found ${shown(start)}, wanted a time [s]`);
@@ -86,6 +88,9 @@ export const timesOf = (curve: Playable, { times, start = curve.start, step, cou
 
 /** Four numbers with a fraction: once V8 has seen a list grow here, it writes into every kind of target several times slower. */
 const fourNumbers = (): Numbers => [NaN, NaN, NaN, NaN];
+
+/** That numbers cannot be written there, such as into null, or what is frozen. */
+const noTarget = (target: unknown): OrisplineError => badArgument('target', `found ${shown(target)}, wanted an array that can be written`);
 
 /** A curve through keys. It is freed where it is disposed of, or some time after it was forgotten. */
 export class Curve implements Playable {
@@ -118,10 +123,14 @@ export class Curve implements Playable {
   at<Target extends Numbers = number[]>(time: number, target = fourNumbers() as Target): Target {
     this.engine.orientation(this.handle, time, this.orderNumber);
     const { numbers, numbersAt } = this.engine, from = numbersAt / 8;
-    target[0] = numbers[from];
-    target[1] = numbers[from + 1];
-    target[2] = numbers[from + 2];
-    target[3] = numbers[from + 3];
+    try {
+      target[0] = numbers[from];
+      target[1] = numbers[from + 1];
+      target[2] = numbers[from + 2];
+      target[3] = numbers[from + 3];
+    } catch {
+      throw noTarget(target);
+    }
     return target;
   }
 
@@ -130,7 +139,11 @@ export class Curve implements Playable {
     const { engine } = this, from = engine.numbersAt / 8 + 13;
     engine.check('orispline_curve_motion', this.handle, time, 0, this.orderNumber, engine.numbersAt);
     if (!this.hasPositions) throw badArgument('positions', 'found keys without any, wanted three numbers for each');
-    for (let i = 0; i < 3; ++i) target[i] = engine.numbers[from + i];
+    try {
+      for (let i = 0; i < 3; ++i) target[i] = engine.numbers[from + i];
+    } catch {
+      throw noTarget(target);
+    }
     return target;
   }
 

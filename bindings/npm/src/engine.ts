@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The library as compiled code: its memory, its calls, its errors. The functions are those of bindings/c/orispline.h.
-import { type ErrorCode, type ErrorPlace, OrisplineError } from './errors.js';
+import { type ErrorCode, type ErrorPlace, OrisplineError, shown } from './errors.js';
 import { mostMemory, noMemory } from './numbers.js';
 import type { System } from './system.js';
 
@@ -20,6 +20,11 @@ const room = 16 + 8 * 32;
 
 /** The least that an engine asks for [bytes]. */
 const leastMemory = 2 ** 16;
+
+/** What is no number would be made one, by code of the caller or to 0. */
+const checkNumber = (value: unknown): void => {
+  if (typeof value !== 'number') throw new OrisplineError('bad_argument', `found ${shown(value)}, wanted a number`);
+};
 
 const otherModule = (): OrisplineError =>
   new OrisplineError('bad_data', 'found WebAssembly of something else, wanted the .wasm of this entry and version of the package', { option: 'wasm' });
@@ -71,21 +76,23 @@ export class Engine {
   /** What a function returns. A trap is a fault of the library, after which its memory is not to be trusted. */
   call(name: string, ...values: number[]): number {
     if (this.fault) throw this.fault;
+    values.forEach(checkNumber);
     try {
       return this.calls[name](...values);
     } catch (trap) {
-      throw this.failed(trap, values);
+      throw this.failed(trap as Error);
     }
   }
 
   /** An orientation of a curve, to where numbers come back: without the list of values that `check` makes. */
   orientation(curve: Address, time: number, order: number): void {
     if (this.fault) throw this.fault;
+    checkNumber(time);
     let code: number;
     try {
       code = this.orientationCall(curve, time, order, this.numbersAt, this.errorAt);
     } catch (trap) {
-      throw this.failed(trap, [time]);
+      throw this.failed(trap as Error);
     }
     if (code) throw this.error();
   }
@@ -134,7 +141,7 @@ export class Engine {
   // In its memory, for the time of some work:
 
   withText<Result>(text: string, work: (at: Address) => Result): Result {
-    if (String(text).includes('\0')) throw new OrisplineError('bad_argument', `found ${JSON.stringify(text)}, wanted a text without a zero in it`);
+    if (text.includes('\0')) throw new OrisplineError('bad_argument', `found ${JSON.stringify(text)}, wanted a text without a zero in it`);
     return this.withBytes(new TextEncoder().encode(`${text}\0`), work);
   }
 
@@ -193,16 +200,12 @@ export class Engine {
     return new OrisplineError(code, `${key < 0 ? '' : `key ${key}: `}${option ? `${option}: ` : ''}${message}`, place);
   }
 
-  private failed(trap: unknown, values: unknown[]): OrisplineError {
-    // What is no number is made one before the library runs: where that fails, nothing has happened to it.
-    const other = values.find((value) => typeof value !== 'number');
-    if (other !== undefined && !(trap instanceof WebAssembly.RuntimeError))
-      return new OrisplineError('bad_argument', `found a ${typeof other}, wanted a number`);
+  private failed(trap: Error): OrisplineError {
     // Compiled code that gets no memory ends too. It asks for more than is left, which is seen where much is used.
     const used = this.memory.buffer.byteLength;
     this.fault = used > mostMemory / 2
       ? new OrisplineError('no_memory', `found no memory left beside the ${used} bytes in use, wanted fewer curves at once, or larger ones disposed of; load() gives a sound library anew`)
-      : new OrisplineError('fault', `found a fault of orispline (${this.lastWords() || (trap as Error).message}), wanted none: please report it; load() gives a sound one anew`);
+      : new OrisplineError('fault', `found a fault of orispline (${this.lastWords() || trap.message}), wanted none: please report it; load() gives a sound one anew`);
     return this.fault;
   }
 }

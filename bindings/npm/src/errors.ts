@@ -40,12 +40,26 @@ export class OrisplineError extends Error implements ErrorPlace {
 
 /** What was found, for a message. */
 export const shown = (value: unknown): string => {
-  if (typeof value === 'number') return String(value);
+  if (typeof value === 'number' || value === undefined) return String(value);
   try {
-    return JSON.stringify(value) ?? String(value);
+    const text = JSON.stringify(value);
+    if (text.length < 80) return text;
   } catch {
-    return `something of the type ${typeof value}`; // a BigInt, or an object that holds one or itself
+    // A BigInt, a function, a symbol, or an object that holds one or itself.
   }
+  return `something of the type ${typeof value}`;
+};
+
+/** Options, which are an object or none. */
+export const optionsOf = <Options extends object>(option: string, options: Options | null | undefined): Partial<Options> => {
+  if (typeof (options ?? {}) !== 'object') throw badArgument(option, `found ${shown(options)}, wanted an object`);
+  return options ?? {};
+};
+
+/** A text of the caller. */
+export const textOf = (option: string, text: string): string => {
+  if (typeof text !== 'string') throw badArgument(option, `found ${shown(text)}, wanted a text`);
+  return text;
 };
 
 /** An argument that cannot be: `found 7 numbers, wanted 12`. */

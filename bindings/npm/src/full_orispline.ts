@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Address, Engine } from './engine.js';
-import { badArgument, shown } from './errors.js';
+import { badArgument, optionsOf, shown, textOf } from './errors.js';
 import { KeyTrack } from './key_track.js';
 import { type KeyData, checkedKeys, withKeys } from './keys.js';
 import { Orispline } from './orispline.js';
+import type { Progress, System } from './system.js';
 import { bytesOf } from './wasm.js';
 import { WholeCurve } from './whole_curve.js';
 
@@ -12,6 +13,12 @@ export type Options = Record<string, string | number | boolean | undefined>;
 
 /** Keys or recordings, by the name that a task has for them; several where it takes several. */
 export type TaskInputs = Record<string, KeyData | KeyTrack | (KeyData | KeyTrack)[]>;
+
+/** How a task is run. */
+export interface RunOptions {
+  /** Where it ends the task, that throws an error with the code `cancelled`, unless all was done; what it throws comes out as it is. */
+  progress?: Progress;
+}
 
 /** What is to be said of a result; docs/inspect-json.md has all members. */
 export interface Warning {
@@ -42,23 +49,25 @@ export interface Outcome {
 /** The library with files and tasks. */
 export class FullOrispline extends Orispline<WholeCurve> {
   private readonly forgottenKeys: FinalizationRegistry<Address>;
+  private readonly system: System;
 
-  constructor(engine: Engine) {
+  constructor(engine: Engine, system: System) {
     super(engine, WholeCurve, () => JSON.parse(engine.toldText('orispline_methods_json')));
+    this.system = system;
     this.forgottenKeys = new FinalizationRegistry((keys) => engine.free('orispline_keys_free', keys));
   }
 
   /** The keys of a file in memory. Its name says what it is: `keys.csv`, `walk.bvh`. */
   read(bytes: ArrayBuffer | ArrayBufferView | string, name: string, options: Options = {}): KeyTrack {
     const { engine } = this, content = typeof bytes === 'string' ? new TextEncoder().encode(bytes) : bytesOf('bytes', bytes);
-    return this.track(engine.withBytes(content, (at) => engine.withText(name, (text) => this.withOptions(options, (list, count) =>
+    return this.track(engine.withBytes(content, (at) => engine.withText(textOf('name', name), (text) => this.withOptions(options, (list, count) =>
       engine.made('orispline_keys_read', at, content.length, text, list, count)))));
   }
 
   /** A file of keys, whose name says of which format. */
   write(keys: KeyData | KeyTrack, name: string, options: Options = {}): KeyFile {
     const { engine } = this, sizeAt = engine.numbersAt, warningsAt = sizeAt + 8;
-    return this.withTrack(keys, (track) => engine.withText(name, (text) => this.withOptions(options, (list, count) => {
+    return this.withTrack(keys, (track) => engine.withText(textOf('name', name), (text) => this.withOptions(options, (list, count) => {
       engine.check('orispline_keys_write', track, text, list, count, engine.handleAt, sizeAt, warningsAt);
       const [at, size, warnings] = [engine.handleAt, sizeAt, warningsAt].map((place) => engine.address(place));
       try {
@@ -76,14 +85,19 @@ export class FullOrispline extends Orispline<WholeCurve> {
   }
 
   /** Runs a task: `run('reduce', { recording }, { tolerance: '0.1deg' })`. It takes as long as it takes: where that matters, run it in a worker. */
-  run(task: string, inputs: TaskInputs, options: Options = {}): Outcome {
-    const { engine } = this, given = Object.entries(inputs ?? {}).flatMap(([name, keys]) => (Array.isArray(keys) ? keys : [keys]).map((one) => ({ name, keys: one })));
+  run(task: string, inputs: TaskInputs, options: Options = {}, running: RunOptions = {}): Outcome {
+    const { progress } = optionsOf('running', running);
+    return this.system.showing(progress, () => this.found(task, inputs, options, progress));
+  }
+
+  private found(task: string, inputs: TaskInputs, options: Options, progress: Progress | undefined): Outcome {
+    const { engine } = this, given = Object.entries(optionsOf('inputs', inputs)).flatMap(([name, keys]) => (Array.isArray(keys) ? keys : [keys]).map((one) => ({ name, keys: one as KeyData | KeyTrack })));
     /** Puts the inputs into memory one by one, so that each is freed again. */
     const withInputs = (k: number, rows: number[]): Address => {
       if (k < given.length)
         return this.withTrack(given[k].keys, (track) => engine.withText(given[k].name, (name) => withInputs(k + 1, [...rows, name, track])));
-      return engine.withWords(rows, (table) => engine.withText(task, (name) => this.withOptions(options, (list, count) =>
-        engine.made('orispline_task_run', name, table, given.length, list, count, 0, 0))));
+      return engine.withWords(rows, (table) => engine.withText(textOf('task', task), (name) => this.withOptions(options, (list, count) =>
+        engine.made('orispline_task_run', name, table, given.length, list, count, progress ? engine.call('orispline_npm_progress_address') : 0, 0))));
     };
     const outcome = withInputs(0, []);
     try {
@@ -105,7 +119,7 @@ export class FullOrispline extends Orispline<WholeCurve> {
 
   /** Texts `name=value`, for the time of some work. */
   private withOptions<Result>(options: Options, work: (list: Address, count: number) => Result): Result {
-    const texts = Object.entries(options ?? {}).flatMap(([name, value]) => {
+    const texts = Object.entries(optionsOf('options', options)).flatMap(([name, value]) => {
       if (value === undefined) return [];
       if (!['string', 'number', 'boolean'].includes(typeof value)) throw badArgument(name, `found ${shown(value)}, wanted a text, a number or a flag`);
       return [`${name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`)}=${value}`];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// <reference lib="esnext.disposable" preserve="true" />
 import type { Address, Engine } from './engine.js';
-import { OrisplineError, badArgument } from './errors.js';
+import { OrisplineError, badArgument, textOf } from './errors.js';
 import { type KeyData, type Order, orderOf } from './keys.js';
 
 /** What keys are, and what reading them found: docs/c.md has all members. */
@@ -36,6 +36,7 @@ export class KeyTrack {
 
   /** A column by its name: `times`, `positions`, a setting such as `tension`. */
   column(name: string, order: Order = 'xyzw'): Float64Array {
+    textOf('name', name);
     const { count, columns } = this.info, { engine } = this;
     const width = columns.find((column) => column.name === name)?.width ?? 1, length = width * count, at = engine.memoryFor(8 * length);
     try {

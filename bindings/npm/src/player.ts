@@ -32,6 +32,10 @@ const refuse = (found: string): never => {
   throw new Error(`orispline/player: found ${found}, wanted version ${version} of what 'orispline bake' writes`);
 };
 
+/** Bytes in a memory of their own, where numbers of 8 bytes lie at multiples of 8. Buffers may be those of another realm, such as that of a frame. */
+const copied = (file: ArrayBuffer | ArrayBufferView): ArrayBuffer =>
+  (ArrayBuffer.isView(file) ? new Uint8Array(file.buffer, file.byteOffset, file.byteLength) : new Uint8Array(file)).slice().buffer as ArrayBuffer;
+
 const partsOfBytes = (bytes: ArrayBuffer): Parts => {
   if (bytes.byteLength < 32 || String.fromCharCode(...new Uint8Array(bytes, 0, 8)) !== 'ORIBAKED') refuse('other bytes');
   const [found, count] = new Uint32Array(bytes, 8, 2), start = 40 + 8 * count;
@@ -47,17 +51,13 @@ const partsOfFile = (file: BakedFile): Parts => {
   if (order !== 'xyzw') refuse(`the order ${order}`);
   if (![ends, pieces].every(Array.isArray)) refuse('no lists of ends and pieces');
   const all = pieces.flat(), wanted = perPiece * (ends.length - 1);
-  if (!wanted || all.length !== wanted || pieces.some((piece) => piece.length !== perPiece)) refuse(`${all.length} coefficients for ${ends.length} ends`);
+  if (!wanted || all.length !== wanted || pieces.some((piece) => piece?.length !== perPiece)) refuse(`${all.length} coefficients for ${ends.length} ends`);
   return { epoch, ends, coefficients: all };
 };
 
 /** A curve that plays the content of a .json, parsed, or the bytes of a .bin. It gives x, y, z, w. */
 export const player = (file: BakedFile | ArrayBuffer | ArrayBufferView): Playable => {
-  // Bytes are copied out of views: numbers of 8 bytes are read at multiples of 8.
-  const parts =
-    file instanceof ArrayBuffer ? partsOfBytes(file)
-    : ArrayBuffer.isView(file) ? partsOfBytes(new Uint8Array(file.buffer, file.byteOffset, file.byteLength).slice().buffer)
-    : partsOfFile(file);
+  const parts = (file as ArrayBuffer)?.byteLength >= 0 ? partsOfBytes(copied(file as ArrayBuffer)) : partsOfFile(file as BakedFile);
   const { epoch, ends, coefficients } = parts, c = Float32Array.from(coefficients);
   if (![epoch, ...ends, ...coefficients, ...c].every(Number.isFinite)) refuse('what is no finite number');
   // Pieces follow each other, but for the one of a single key, which has no length.
@@ -68,6 +68,8 @@ export const player = (file: BakedFile | ArrayBuffer | ArrayBufferView): Playabl
     start: epoch + ends[0],
     end: epoch + ends[last],
     at<Target extends Numbers = number[]>(time: number, target = [] as Numbers as Target): Target {
+      if (typeof time !== 'number' || Object(target) !== target)
+        throw new Error(`orispline/player: found the time ${String(time)} and a target that is ${typeof target}, wanted a number and an array`);
       const t = Math.min(Math.max(time - epoch, ends[0]), ends[last]);
       if (t < ends[piece] || t >= ends[piece + 1]) {
         let low = 0, high = last;

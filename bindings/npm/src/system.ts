@@ -2,7 +2,12 @@
 // What the compiled code may ask of a system, by the interface of WASI: there are no files, no variables, and what it prints before it ends
 // is why it ends.
 
+import { badArgument, shown } from './errors.js';
+
 type Call = (...values: number[]) => number;
+
+/** Is told the share of a task that is done, from 0 to 1. Where it returns true, the task ends. */
+export type Progress = (share: number) => boolean | void;
 
 const done = 0, noSuchFile = 8;
 
@@ -10,13 +15,39 @@ export class System {
   memory!: WebAssembly.Memory;
   /** What was printed. */
   said = '';
+  /** What is told of a task; any other number than 0 ends it. */
+  private shown: Call = () => 0;
 
   /** For the imports of a module; what is not here has no such file. */
   importsOf(module: WebAssembly.Module): Record<string, Record<string, Call>> {
-    const calls: Record<string, Call> = { environ_sizes_get: (...places) => this.nothingAt(places), environ_get: () => done, fd_write: this.written, proc_exit: this.ended };
+    const calls: Record<string, Call> = { environ_sizes_get: (...places) => this.nothingAt(places), environ_get: () => done, fd_write: this.written, proc_exit: this.ended, progress: (share) => this.shown(share) };
     const imports: Record<string, Record<string, Call>> = {};
     for (const { module: from, name } of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] = calls[name] ?? (() => noSuchFile);
     return imports;
+  }
+
+  /** Does some work that is told of. What `progress` throws ends it too and comes out here, not through compiled code, whose stack would be lost. */
+  showing<Result>(progress: Progress | null | undefined, work: () => Result): Result {
+    if (typeof (progress ?? Number) !== 'function') throw badArgument('progress', `found ${shown(progress)}, wanted a function`);
+    const before = this.shown;
+    let thrown: { reason: unknown } | undefined;
+    this.shown = (share) => {
+      try {
+        return Number(progress?.(share) === true);
+      } catch (reason) {
+        thrown ??= { reason };
+        return 1;
+      }
+    };
+    try {
+      const found = work();
+      if (!thrown) return found;
+    } catch (error) {
+      if (!thrown) throw error;
+    } finally {
+      this.shown = before;
+    }
+    throw thrown.reason;
   }
 
   private nothingAt(places: number[]): number {

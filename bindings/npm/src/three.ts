@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tracks of three.js. Nothing of three.js is imported: a track is what has these members.
 import type { Curve } from './curve.js';
-import { badArgument } from './errors.js';
+import { badArgument, optionsOf, shown } from './errors.js';
+import { numbersOf } from './numbers.js';
 import type { Settings } from './method.js';
 import type { Orispline } from './orispline.js';
 import type { Numbers, Playable } from './playable.js';
@@ -23,11 +24,16 @@ export interface Track {
   values: ArrayLike<number>;
   ValueTypeName: string;
   createInterpolant?: unknown;
+  getInterpolation?(): unknown;
+  clone?(): unknown;
 }
 
 const kinds = ['quaternion', 'vector'];
 
-const curveOf = (ori: Orispline, { name, times, values, ValueTypeName }: Track, method: string, settings: Settings): Curve => {
+const curveOf = (ori: Orispline, track: Track, method: string, settings: Settings): Curve => {
+  if (typeof ori?.curve !== 'function') throw badArgument('ori', `found ${shown(ori)}, wanted what load() gives`);
+  if (typeof track !== 'object' || !track) throw badArgument('track', `found ${shown(track)}, wanted a track of three.js`);
+  const { name, values, ValueTypeName } = track, times = numbersOf('times', track.times);
   if (!kinds.includes(ValueTypeName)) throw badArgument('track', `found ${name} of the type ${ValueTypeName}, wanted a quaternion or a vector`);
   if (ValueTypeName === 'quaternion') return ori.curve(method, { times, orientations: values, order: 'xyzw' }, settings);
   const still = Float32Array.from({ length: 4 * times.length }, (_, k) => (k % 4 === 3 ? 1 : 0));
@@ -57,18 +63,44 @@ class ExactInterpolant implements Interpolant {
   }
 }
 
+let isTold = false;
+
+const tellOnce = ({ name }: Track): void => {
+  if (!isTold) console.warn(`orispline/three: found the track ${name}, which animate() moves, written or optimised by three.js, which takes slerp for its curve; wanted a track of bake()`);
+  isTold = true;
+};
+
+/**
+ * Gives a track and its clones an interpolant. Which interpolation a track has, three.js asks where it writes or optimises it alone: `toJSON`, GLTFExporter
+ * and `optimize` do not know this one.
+ */
+const withInterpolant = <Kind extends Track>(track: Kind, createInterpolant: unknown): Kind => {
+  const { getInterpolation, clone } = track;
+  return Object.assign(track, {
+    createInterpolant,
+    getInterpolation(this: Track): unknown {
+      if (this.createInterpolant === createInterpolant) tellOnce(this);
+      return getInterpolation?.call(this);
+    },
+    clone(this: Track): unknown {
+      const copy = clone?.call(this) as Track;
+      return copy.createInterpolant === createInterpolant ? withInterpolant(copy, createInterpolant) : copy;
+    },
+  });
+};
+
 /**
  * Lets a quaternion or vector track move along the curve of a method through its keys, exactly, also where it is cloned. What is wrong with the keys is
  * told at once.
  *
- * `toJSON` and GLTFExporter do not know the curve: they write the keys, between which others then go by slerp. To write it, bake it.
+ * `toJSON` and GLTFExporter do not know the curve: they write the keys, between which others then go by slerp. A
+ * warning says so, once. To write it, bake it.
  */
 export const animate = <Kind extends Track>(ori: Orispline, track: Kind, method = 'auto', settings: Settings = {}): Kind => {
   curveOf(ori, track, method, settings).dispose();
-  track.createInterpolant = function (this: Track, result?: Numbers | null): Interpolant {
+  return withInterpolant(track, function (this: Track, result?: Numbers | null): Interpolant {
     return new ExactInterpolant(curveOf(ori, this, method, settings), this, result);
-  };
-  return track;
+  });
 };
 
 type Quaternion = [x: number, y: number, z: number, w: number];
@@ -128,8 +160,10 @@ const samplesOf = (curve: Playable, tolerance: number): { times: number[]; value
  * The times and values of a linear track, which goes by slerp, within `tolerance` [rad] of a curve, with the fewest keys:
  * `new QuaternionKeyframeTrack(name, ...bake(curve, { tolerance: 1e-3 }))`. The curve gives x, y, z, w.
  */
-export const bake = (curve: Playable & { order?: string }, { tolerance }: { tolerance: number }): [times: Float32Array, values: Float32Array] => {
-  if (!(tolerance >= leastTolerance)) throw badArgument('tolerance', `found ${tolerance} rad, wanted ${leastTolerance} rad or more, which is what a track holds`);
+export const bake = (curve: Playable & { order?: string }, options: { tolerance: number }): [times: Float32Array, values: Float32Array] => {
+  const { tolerance } = optionsOf('options', options);
+  if (typeof curve?.at !== 'function' || !Number.isFinite(curve.start)) throw badArgument('curve', `found ${shown(curve)}, wanted a curve or a player`);
+  if (typeof tolerance !== 'number' || !(tolerance >= leastTolerance)) throw badArgument('tolerance', `found ${shown(tolerance)} rad, wanted ${leastTolerance} rad or more, which is what a track holds`);
   if (curve.order === 'wxyz') throw badArgument('curve', "found one in the order 'wxyz', wanted 'xyzw', as three.js has it");
   if (curve.start === curve.end) return [Float32Array.of(curve.start), Float32Array.from([...curve.at(curve.start)])];
   const { times, values } = samplesOf(curve, tolerance), last = times.length - 1, allowed = 0.875 * tolerance;

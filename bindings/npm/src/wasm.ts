@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the compiled code comes from: a file beside the script, or what the user gives.
-import { OrisplineError, badArgument } from './errors.js';
+import { OrisplineError, badArgument, optionsOf, shown } from './errors.js';
 
 export interface LoadOptions {
   /** The compiled code itself, its bytes or a compiled module: for places that cannot fetch. */
@@ -23,6 +23,10 @@ export const bytesOf = (option: string, source: ArrayBuffer | ArrayBufferView): 
 };
 
 const isWasm = (bytes: Uint8Array): boolean => [0, 97, 115, 109].every((byte, k) => bytes[k] === byte);
+
+/** Also of another realm, such as that of a frame. */
+const isModule = (source: WebAssembly.Module | BufferSource): source is WebAssembly.Module =>
+  Object.prototype.toString.call(source) === '[object WebAssembly.Module]';
 
 const fetched = async (url: URL | string): Promise<BufferSource> => {
   try {
@@ -54,9 +58,11 @@ const compiled = async (source: BufferSource): Promise<WebAssembly.Module> => {
 };
 
 /** The module that the user gives, else that of the file beside the script. */
-export const moduleOf = async ({ wasm, wasmUrl }: LoadOptions, besideScript: URL): Promise<WebAssembly.Module> => {
+export const moduleOf = async (options: LoadOptions, besideScript: URL): Promise<WebAssembly.Module> => {
+  const { wasm, wasmUrl = besideScript } = optionsOf('options', options);
+  if (typeof wasmUrl !== 'string' && !wasmUrl?.href) throw badArgument('wasmUrl', `found ${shown(wasmUrl)}, wanted a URL`);
   if (typeof WebAssembly !== 'object' || !WebAssembly.validate(withSimd))
     throw new OrisplineError('not_supported', 'found no WebAssembly with SIMD here, wanted Chrome 91, Firefox 89, Safari 16.4, Node 16.4 or newer');
-  const source = (await wasm) ?? (await fetched(wasmUrl ?? besideScript));
-  return source instanceof WebAssembly.Module ? source : compiled(source);
+  const source = (await wasm) ?? (await fetched(wasmUrl));
+  return isModule(source) ? source : compiled(source);
 };

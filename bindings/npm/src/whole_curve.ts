@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Curve, type SampleOptions, type Samples, ratesOf, timesOf } from './curve.js';
-import { badArgument } from './errors.js';
+import { badArgument, optionsOf, shown } from './errors.js';
 import { numbersOf } from './numbers.js';
 import type { BakedFile } from './player.js';
 
@@ -87,22 +87,24 @@ export class WholeCurve extends Curve {
   }
 
   /** The largest rates, wherever they are; with `inertia`, the nine numbers of a symmetric matrix [kg m²], the torque too. */
-  peaks({ inertia }: { inertia?: ArrayLike<number> } = {}): Peaks {
-    if (inertia && inertia.length !== 9) throw badArgument('inertia', `found ${inertia.length} numbers, wanted 9`);
+  peaks(options: { inertia?: ArrayLike<number> } = {}): Peaks {
+    const { inertia } = optionsOf('options', options), matrix = inertia === undefined ? undefined : numbersOf('inertia', inertia);
+    if (matrix && matrix.length !== 9) throw badArgument('inertia', `found ${matrix.length} numbers, wanted 9`);
     const { engine } = this, at = engine.numbersAt;
-    if (inertia) engine.withNumbers(numbersOf('inertia', inertia), (numbers) => engine.check('orispline_curve_peaks', this.handle, numbers, at));
+    if (matrix) engine.withNumbers(matrix, (numbers) => engine.check('orispline_curve_peaks', this.handle, numbers, at));
     else engine.check('orispline_curve_peaks', this.handle, 0, at);
     const peak = (k: number): Peak => {
       const [value, time] = engine.numbers.subarray(at / 8 + k, at / 8 + k + 2);
       return { value, time };
     };
     const found: Peaks = { angularVelocity: peak(0), angularAcceleration: peak(2) };
-    return inertia ? { ...found, torque: peak(4) } : found;
+    return matrix ? { ...found, torque: peak(4) } : found;
   }
 
   /** What `orispline/player` plays: what `orispline bake` writes, with the times of the keys. The tolerance is in rad. */
-  bake({ tolerance }: { tolerance: number }): BakedFile {
-    const { engine } = this, at = engine.numbersAt;
+  bake(options: { tolerance: number }): BakedFile {
+    const { engine } = this, at = engine.numbersAt, { tolerance } = optionsOf('options', options);
+    if (typeof tolerance !== 'number') throw badArgument('tolerance', `found ${shown(tolerance)}, wanted an angle [rad]`);
     const baked = engine.made('orispline_bake', this.handle, tolerance, asFloat, 0, 0);
     try {
       engine.check('orispline_baked_look', baked, at);

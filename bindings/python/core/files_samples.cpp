@@ -94,10 +94,11 @@ Expected<void> write_rows(io::SampleWriter& writer, io::SampleColumns columns, c
   return writer.write(rows);
 }
 
-void write(const std::string& path, const io::StatedOptions& stated, const std::string& like, const std::string& epoch,
-           const std::optional<StatedGrid>& grid, bool world, const Numbers& seconds, const Rows4& orientations,
-           const Columns& there) {
-  const auto done = [&]() -> Expected<void> {
+/// The bytes of a file in memory.
+nb::bytes write(const std::string& path, bool in_memory, const io::StatedOptions& stated, const std::string& like,
+                const std::string& epoch, const std::optional<StatedGrid>& grid, bool world, const Numbers& seconds,
+                const Rows4& orientations, const Columns& there) {
+  const auto bytes = [&]() -> Expected<std::string> {
     const nb::gil_scoped_release release;
     const auto times = times_of(epoch, grid);
     if (!times) return tl::unexpected(times.error());
@@ -105,13 +106,16 @@ void write(const std::string& path, const io::StatedOptions& stated, const std::
     if (!named) return tl::unexpected(std::move(named.error()));
     io::SampleColumns columns = filled(std::move(*named), there, world);
     if (const io::FormatInfo* const read = format_of(like)) columns = io::columns_like(*read, columns, path, stated);
-    return io::SampleWriter::open(path, columns, seconds.size()).and_then([&](io::SampleWriter writer) {
-      return write_rows(writer, columns, *times, span_of(seconds), orientations, there).and_then([&] {
-        return writer.finish();
-      });
+    auto opened = in_memory ? io::SampleWriter::open(io::OutputFile::in_memory(path), columns, seconds.size())
+                            : io::SampleWriter::open(path, columns, seconds.size());
+    return std::move(opened).and_then([&](io::SampleWriter writer) {
+      return write_rows(writer, columns, *times, span_of(seconds), orientations, there)
+          .and_then([&] { return writer.finish(); })
+          .map([&] { return std::move(writer).bytes(); });
     });
   }();
-  if (!done) raise(done.error());
+  if (!bytes) raise(bytes.error());
+  return nb::bytes(bytes->data(), bytes->size());
 }
 
 std::vector<std::string> names(bool world, int derivatives, int position_derivatives) {
@@ -126,17 +130,18 @@ std::vector<std::string> names(bool world, int derivatives, int position_derivat
 void add_sample_writing(nb::module_& module) {
   module.def(
       "write_samples",
-      [](const std::string& path, const io::StatedOptions& stated, const std::string& like, const std::string& epoch,
-         const std::optional<StatedGrid>& grid, bool world, const Numbers& seconds, const Rows4& orientations,
-         const std::optional<Rows3>& angular_velocities, const std::optional<Rows3>& angular_accelerations,
-         const std::optional<Rows3>& angular_jerks, const std::optional<Rows3>& positions,
-         const std::optional<Rows3>& velocities, const std::optional<Rows3>& accelerations) {
-        write(path, stated, like, epoch, grid, world, seconds, orientations,
-              {angular_velocities, angular_accelerations, angular_jerks, positions, velocities, accelerations});
+      [](const std::string& path, bool in_memory, const io::StatedOptions& stated, const std::string& like,
+         const std::string& epoch, const std::optional<StatedGrid>& grid, bool world, const Numbers& seconds,
+         const Rows4& orientations, const std::optional<Rows3>& angular_velocities,
+         const std::optional<Rows3>& angular_accelerations, const std::optional<Rows3>& angular_jerks,
+         const std::optional<Rows3>& positions, const std::optional<Rows3>& velocities,
+         const std::optional<Rows3>& accelerations) {
+        return write(path, in_memory, stated, like, epoch, grid, world, seconds, orientations,
+                     {angular_velocities, angular_accelerations, angular_jerks, positions, velocities, accelerations});
       },
-      "path"_a, "stated"_a, "like"_a, "epoch"_a, "grid"_a.none(), "world"_a, "seconds"_a, "orientations"_a,
-      "angular_velocities"_a.none(), "angular_accelerations"_a.none(), "angular_jerks"_a.none(), "positions"_a.none(),
-      "velocities"_a.none(), "accelerations"_a.none());
+      "path"_a, "in_memory"_a, "stated"_a, "like"_a, "epoch"_a, "grid"_a.none(), "world"_a, "seconds"_a,
+      "orientations"_a, "angular_velocities"_a.none(), "angular_accelerations"_a.none(), "angular_jerks"_a.none(),
+      "positions"_a.none(), "velocities"_a.none(), "accelerations"_a.none());
   module.def("column_names", &names, "world"_a, "derivatives"_a, "position_derivatives"_a);
 }
 

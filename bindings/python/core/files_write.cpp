@@ -34,36 +34,42 @@ Expected<Track> for_method(Track track, Method method) {
   });
 }
 
-Expected<std::vector<Warning>> write_track(Track track, const std::string& path, const io::StatedOptions& stated,
-                                           const io::FormatInfo* like) {
+struct Written {
+  std::string bytes;  ///< of a file in memory
+  std::vector<Warning> warnings;
+};
+
+Expected<Written> write_track(Track track, const std::string& path, bool in_memory, const io::StatedOptions& stated,
+                              const io::FormatInfo* like) {
   auto columns = io::columns_of_output(path, stated);
   if (!columns) return tl::unexpected(std::move(columns.error()));
   if (like) columns = io::columns_like(*like, *columns, path, stated);
-  return io::OutputFile::open(path).and_then([&](io::OutputFile file) {
+  auto opened = in_memory ? io::OutputFile::in_memory(path) : io::OutputFile::open(path);
+  return std::move(opened).and_then([&](io::OutputFile file) {
     return io::write_whole_track(file, std::move(track), *columns).and_then([&](std::vector<Warning> warnings) {
-      return file.finish().map([&] { return std::move(warnings); });
+      return file.finish().map([&] { return Written{std::move(file).bytes(), std::move(warnings)}; });
     });
   });
 }
 
-/// Warnings, as texts.
-nb::list write(const Keys& keys, const std::string& path, const io::StatedOptions& stated, const std::string& like,
-               const std::optional<MethodText>& stated_method) {
+/// The bytes of a file in memory, and warnings.
+nb::tuple write(const Keys& keys, const std::string& path, bool in_memory, const io::StatedOptions& stated,
+                const std::string& like, const std::optional<MethodText>& stated_method) {
   const auto method = stated_method ? std::optional(stated_method->method()) : std::nullopt;
-  auto warnings = [&]() -> Expected<std::vector<Warning>> {
+  const auto written = [&]() -> Expected<Written> {
     const nb::gil_scoped_release release;
     auto track = method ? for_method(*keys.track, *method) : Expected<Track>(*keys.track);
     if (!track) return tl::unexpected(std::move(track.error()));
-    return write_track(std::move(*track), path, stated, format_of(like));
+    return write_track(std::move(*track), path, in_memory, stated, format_of(like));
   }();
-  if (!warnings) raise(warnings.error());
-  return told(*warnings);
+  if (!written) raise(written.error());
+  return nb::make_tuple(nb::bytes(written->bytes.data(), written->bytes.size()), told(written->warnings));
 }
 
 }  // namespace
 
 void add_key_writing(nb::module_& module) {
-  module.def("write_keys", &write, "keys"_a, "path"_a, "stated"_a, "like"_a, "method"_a.none());
+  module.def("write_keys", &write, "keys"_a, "path"_a, "in_memory"_a, "stated"_a, "like"_a, "method"_a.none());
 }
 
 }  // namespace orispline::python

@@ -120,9 +120,9 @@ nb::bytes page_data(const PythonCurve& curve, const std::string& title, const st
   return bytes_of([&] { return report::data_of(made); });
 }
 
-void write_page(const std::string& path, const nb::bytes& page) {
+void write_bytes(const std::string& path, const nb::bytes& bytes) {
   value_of([&] {
-    const std::string_view text(page.c_str(), page.size());
+    const std::string_view text(bytes.c_str(), bytes.size());
     const nb::gil_scoped_release release;
     return io::OutputFile::open(path).and_then([&](io::OutputFile file) {
       return file.write(text).and_then([&] { return file.finish(); });
@@ -137,7 +137,7 @@ void add_pictures(nb::module_& module, nb::class_<PythonCurve>& curve_class) {
   module.attr("most_ghosts") = report::most_ghosts;
   module.def("drawn_errors", &drawn_errors, "times"_a, "one"_a, "other"_a);
   module.def("directions", &directions, "orientations"_a, "axis"_a);
-  module.def("write_page", &write_page, "path"_a, "page"_a);
+  module.def("write_bytes", &write_bytes, "path"_a, "bytes"_a);
   curve_class.def("drawn", &drawn)
       .def("ghosts", &ghosts, "count"_a)
       .def("svg", &svg, "title"_a)

@@ -43,8 +43,9 @@ nb::tuple read_scene(const std::string& path, bool drop_duplicates, const std::o
   return nb::make_tuple(SharedScene(*std::move(read)), warnings);
 }
 
-nb::list write_scene(const SharedScene& shared, const std::string& path, const std::optional<std::string>& euler,
-                     std::optional<double> rate, bool bones) {
+/// The bytes of a file of that name, and warnings.
+nb::tuple written_scene(const SharedScene& shared, const std::string& path, const std::optional<std::string>& euler,
+                        std::optional<double> rate, bool bones) {
   scenes::SceneWriting writing{.rate = rate, .bones = bones};
   if (euler) {
     writing.euler = euler_order_of(*euler);
@@ -56,10 +57,10 @@ nb::list write_scene(const SharedScene& shared, const std::string& path, const s
   }
   auto written = [&] {
     const nb::gil_scoped_release release;
-    return scenes::write_scene(*shared.scene, path, writing);
+    return scenes::written_scene(*shared.scene, path, writing);
   }();
   if (!written) raise(in_words(std::move(written.error())));
-  return told(*written);
+  return nb::make_tuple(nb::bytes(written->bytes.data(), written->bytes.size()), told(written->warnings));
 }
 
 FloatArray array(const std::vector<Eigen::Quaterniond>& rows) {
@@ -274,7 +275,7 @@ void add_scenes(nb::module_& module) {
       .def("shell_distances", &shell_distances, "second"_a, "shell"_a)
       .def("reduced", &reduce_scene, "method"_a, "options"_a, "closed"_a, "position_scale"_a.none(), "threads"_a)
       .def("smoothed", &smooth_scene, "options"_a, "threads"_a)
-      .def("write", &write_scene, "path"_a, "euler"_a.none(), "rate"_a.none(), "bones"_a);
+      .def("written", &written_scene, "path"_a, "euler"_a.none(), "rate"_a.none(), "bones"_a);
   auto outcome_class = nb::class_<jobs::ReduceSceneOutcome>(module, "SceneReduction");
   outcome_class.def("attributes", &attributes_of_reduction).def("page", &page_of_reduction, "date"_a);
   add_words(outcome_class);

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime
+import io
 import os
 from typing import IO, TYPE_CHECKING, Any, List, Mapping, Tuple, Union
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 
 Path = Union[str, "os.PathLike[str]"]
 Source = Union[Path, "IO[bytes]", "IO[str]"]  # what is read
+Target = Source  # what is written
 UNNAMED = "the file object"  # in messages
 Options = List[Tuple[str, str]]  # as the command has them
 
@@ -27,23 +29,26 @@ class Writable:
 
     __slots__ = ()
 
-    def _write_as(self, path: str, options: Options, method: str | None = None) -> None:
+    def _write_as(self, path: str, in_memory: bool, options: Options, method: str | None = None) -> bytes:
+        """The bytes of the file where it is to be one in memory, of that name."""
         raise NotImplementedError
 
 
-def write(what: Keys | Curve | Samples, path: Path, *, output_format: str | None = None,
+def write(what: Keys | Curve | Samples, path: Target, *, output_format: str | None = None,
           output_orientation: str | None = None, output_euler: str | None = None, output_angle_unit: str | None = None,
           continuous: bool = False, output_conjugate: bool = False) -> None:
     """Writes keys, the keys of a curve with the method that they are for, or samples.
 
     The file appears complete or not at all; one that was there stays as it is if writing fails. The format is that of
-    the name: .csv, .tum, .npy, else CSV. Times are exact; EuRoC alone rounds them to whole nanoseconds.
+    the name, if `output_format` does not say another: .csv, .tum, .npy, else CSV. Times are exact; EuRoC alone rounds them to whole nanoseconds.
 
     Parameters
     ----------
     what : Keys, Curve or Samples
         `read(path).curve()` of the file of a curve is that curve again.
-    path : str or path
+    path : str, path or file object
+        A file object, open for bytes or text, is written where it stands, once all is known to succeed, and stays open; its `name` tells
+        the format where it has one. NumPy's format wants one for bytes.
     {options}
 
     Raises
@@ -73,12 +78,15 @@ def write(what: Keys | Curve | Samples, path: Path, *, output_format: str | None
                       "output_euler": output_euler, "output_angle_unit": output_angle_unit})
     options += flags({"continuous": continuous, "output_conjugate": output_conjugate})
     keys = getattr(what, "keys", None)  # of a curve, and of what a task made
+    name, file = target_of(path)
     if isinstance(what, Writable):
-        what._write_as(path_text(path), options)
+        content = what._write_as(name, file is not None, options)
     elif isinstance(keys, Writable):
-        keys._write_as(path_text(path), options, getattr(what, "method", None))
+        content = keys._write_as(name, file is not None, options, getattr(what, "method", None))
     else:
         raise TypeError(f"found {type(what).__name__}, wanted Keys, a Curve or Samples")
+    if file is not None:
+        write_bytes(name, file, content)
 
 
 def path_text(path: Path) -> str:
@@ -101,11 +109,46 @@ def source_of(path: Source) -> tuple[str, bytes | None]:
         return path_text(path), None
     if not callable(read := getattr(path, "read", None)):
         raise TypeError(f"path: found {type(path).__name__}, wanted a str, a path of str, or a file object")
-    content, name = read(), getattr(path, "name", None)
+    content = read()
     if not isinstance(content, (str, bytes, bytearray, memoryview)):
         raise TypeError(f"path: found an object whose read() gives {type(content).__name__}, wanted bytes or text")
-    return (path_text(name) if isinstance(name, str) and name else UNNAMED,
-            content.encode("utf-8", "surrogateescape") if isinstance(content, str) else bytes(content))
+    return _name_of(path), content.encode("utf-8", "surrogateescape") if isinstance(content, str) else bytes(content)
+
+
+def target_of(path: Target) -> tuple[str, Any]:
+    """A path as the library takes it, or the name of a file object and that itself."""
+    if isinstance(path, (str, os.PathLike)):
+        return path_text(path), None
+    if not callable(getattr(path, "write", None)):
+        raise TypeError(f"path: found {type(path).__name__}, wanted a str, a path of str, or a file object")
+    return _name_of(path), path
+
+
+def write_bytes(name: str, file: Any, content: bytes) -> None:
+    """Writes what `target_of` gives: a file of that name, or a file object, which takes text where it has an encoding."""
+    if file is None:
+        _core.write_bytes(name, content)
+        return
+    if hasattr(file, "encoding"):
+        try:
+            text = None if b"\0" in content else content.decode("utf-8")
+        except UnicodeDecodeError:
+            text = None
+        if text is None:
+            raise TypeError("path: found a file object for text, wanted one for bytes, as this format is")
+        file.write(text)
+        return
+    written = file.write(content)
+    while isinstance(file, io.RawIOBase) and written != len(content):  # those without a buffer may take a part
+        if not written:
+            raise BlockingIOError("path: found a file object that takes no more now, wanted one that waits")
+        content = content[written:]
+        written = file.write(content)
+
+
+def _name_of(file: Any) -> str:
+    name = getattr(file, "name", None)
+    return path_text(name) if isinstance(name, str) and name else UNNAMED
 
 
 def printable(text: str) -> str:

@@ -359,8 +359,11 @@ class Keys(Writable):
     def _signs_as_given(self) -> bool:
         return bool(_core.origin_of_keys(self._core)[SIGNS_AS_GIVEN])
 
-    def _write_as(self, path: str, options: Options, method: str | None = None) -> None:
-        tell(_core.write_keys(self._core, path, options, self._read("format", ""), method))
+    def _write_as(self, path: str, in_memory: bool, options: Options, method: str | None = None) -> bytes:
+        content: bytes
+        content, warnings = _core.write_keys(self._core, path, in_memory, options, self._read("format", ""), method)
+        tell(warnings)
+        return content
 
     def _method_text(self, method: Method | None, ends: Any, start_rate: Any, end_rate: Any, closed: bool,
                      period: float | None, settings: Mapping[str, Any]) -> str:

@@ -10,7 +10,7 @@ from ._arrays import inertia_tensor
 from ._charts import charts, sphere
 from ._checks import text
 from ._clock import Clock
-from ._files import Path, path_text
+from ._files import Target, target_of
 from ._view import HEIGHT, View, now, write_page
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ class Looks:
         """The path of a body axis over the unit sphere, with the keys: `orispline.plot_sphere` of this curve."""
         return sphere({self._core.method: self}, axis, axes)
 
-    def report(self, path: Path, *, title: str = "", inertia: Any = None) -> None:
+    def report(self, path: Target, *, title: str = "", inertia: Any = None) -> None:
         """Writes a page to look at in a browser: the motion in space, on the sphere and over time, and its measures; with an
         inertia (as of `Curve.energies`) its torques too. One HTML file that needs nothing else; it appears complete or not
         at all. Raises AccessError where it cannot be written.
@@ -64,7 +64,7 @@ class Looks:
         >>> os.path.exists(page)
         True
         """
-        path_text(path)  # before the work
+        target_of(path)  # before the work
         write_page(path, self._core.page(*self._head(title, inertia)))
 
     def view(self, *, height: int = HEIGHT, title: str = "", inertia: Any = None) -> View:

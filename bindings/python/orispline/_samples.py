@@ -155,15 +155,15 @@ class Samples(Writable):
             return Origin(times, seconds, clock.epoch, clock=clock)
         return Origin(times, np.ascontiguousarray(times, dtype=np.float64))
 
-    def _write_as(self, path: str, options: Options, method: str | None = None) -> None:
+    def _write_as(self, path: str, in_memory: bool, options: Options, method: str | None = None) -> bytes:
         if self._joints is not None:
             raise ArgumentError(f"write: found samples of {self._joints} joints, wanted those of one, such as of samples.joint(0): tables of "
                                 "all are written by orispline.tables.write(samples.to_arrow(), path)")
         origin = self._from
         q = np.asarray(self.orientations, dtype=np.float64)
         rows = [None if values is None else np.ascontiguousarray(values, dtype=np.float64) for values in self._vectors()]
-        _core.write_samples(path, options, origin.like, origin.epoch, origin.grid, self.frame == "world", origin.seconds,
-                            np.ascontiguousarray(q[:, [1, 2, 3, 0]] if origin.scalar_first else q), *rows)
+        return _core.write_samples(path, in_memory, options, origin.like, origin.epoch, origin.grid, self.frame == "world", origin.seconds,
+                                   np.ascontiguousarray(q[:, [1, 2, 3, 0]] if origin.scalar_first else q), *rows)
 
     def _vectors(self) -> list[NDArray[Any] | None]:
         return [self.angular_velocities, self.angular_accelerations, self.angular_jerks, self.positions, self.velocities,

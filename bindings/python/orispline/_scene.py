@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ._checks import flag, real
 from ._errors import ArgumentError, tell
-from ._files import Path, path_text
+from ._files import Target, target_of, write_bytes
 from ._told import Told
 from ._view import Viewed, now
 
@@ -164,14 +164,16 @@ class Scene(Viewed):
         """The skeleton as the clips move it."""
         return bytes(self._core.page(now()))
 
-    def write(self, path: Path, *, output_euler: str | None = None, rate: float | None = None, bones: bool = True) -> None:
+    def write(self, path: Target, *, output_euler: str | None = None, rate: float | None = None, bones: bool = True) -> None:
         """Writes the scene in the format of the path's extension: .glb, .gltf or .bvh.
 
         The file appears complete or not at all.
 
         Parameters
         ----------
-        path : str or path
+        path : str, path or file object
+            A file object, whose `name` tells the format, is written where it stands, once all is known to succeed, and stays open.
+            A .glb wants one for bytes.
         output_euler : str, optional
             Order of the angles in BVH, such as "ZYX". Without it that of the file that was read, else ZYX.
         rate : float, optional
@@ -196,7 +198,10 @@ class Scene(Viewed):
         if output_euler is not None and not isinstance(output_euler, str):
             raise TypeError(f"output_euler: found {output_euler!r}, wanted a text such as 'ZYX'")
         hertz = None if rate is None else positive("rate", rate)
-        tell(self._core.write(path_text(path), output_euler, hertz, flag("bones", bones)))
+        name, file = target_of(path)
+        content, warnings = self._core.written(name, output_euler, hertz, flag("bones", bones))
+        write_bytes(name, file, content)
+        tell(warnings)
 
     def __repr__(self) -> str:
         return f"Scene({self.name!r}, {len(self.skeleton)} joints, {len(self._core.clips)} clips)"

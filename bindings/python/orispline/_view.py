@@ -7,7 +7,7 @@ import os
 
 from . import _core
 from ._checks import whole
-from ._files import Path, path_text
+from ._files import Target, target_of, write_bytes
 
 HEIGHT = 640  # [px] of a page in a notebook, which is scrolled in its frame
 LEAST_HEIGHT, MOST_HEIGHT = 100, 10_000
@@ -53,8 +53,9 @@ class View:
         """The whole page, which needs nothing else."""
         return self._page.decode("utf-8", "replace")
 
-    def write(self, path: Path) -> None:
-        """Writes the page as a file for a browser, which appears complete or not at all. AccessError: it cannot be written."""
+    def write(self, path: Target) -> None:
+        """Writes the page as a file for a browser, which appears complete or not at all, or into a file object. AccessError: it
+        cannot be written."""
         write_page(path, self._page)
 
     def _repr_html_(self) -> str:
@@ -74,9 +75,10 @@ class Viewed:
     def _page(self) -> bytes:
         raise NotImplementedError
 
-    def report(self, path: Path) -> None:
-        """Writes a page to look at, which needs nothing but a browser. AccessError: the file cannot be written."""
-        path_text(path)  # before the work
+    def report(self, path: Target) -> None:
+        """Writes a page to look at, which needs nothing but a browser, as a file or into a file object. AccessError: the file
+        cannot be written."""
+        target_of(path)  # before the work
         write_page(path, self._page())
 
     def view(self, *, height: int = HEIGHT) -> View:
@@ -84,7 +86,7 @@ class Viewed:
         return View._of(self._page(), height)
 
 
-def write_page(path: Path, page: bytes) -> None:
-    """As a file, whatever its name: `-` is one too."""
-    name = path_text(path)
-    _core.write_page(os.path.join(os.curdir, name) if name == "-" else name, page)
+def write_page(path: Target, page: bytes) -> None:
+    """As a file, whatever its name, `-` too, or into a file object."""
+    name, file = target_of(path)
+    write_bytes(os.path.join(os.curdir, name) if name == "-" else name, file, page)

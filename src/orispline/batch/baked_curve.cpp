@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include <orispline/base/formatted.hpp>
@@ -27,45 +28,77 @@ template <class T>
 class Baker {
  public:
   Baker(const AnyCurve& curve, double tolerance, const BakeOptions& options, const Progress& progress)
-      : curve_(curve), options_(options), progress_(progress), allowed_(tolerance / reserve) {
+      : curve_(curve), progress_(progress), most_pieces_(options.max_pieces), allowed_(tolerance / reserve) {
     ends_.push_back(curve.knots().front());
   }
 
-  /// Adds the pieces of a segment; false where it is stopped, or for what failure() then says.
+  /// Adds the pieces of a segment; false where it is stopped, or there are no more pieces. Where even the shortest one
+  /// misses the tolerance, a little more than it reaches is allowed from there on: the error then knows what all of the
+  /// curve keeps to.
   [[nodiscard]] bool add(const Subinterval& span, int halvings = 0) {
     if (progress_.stopped()) return false;
-    if (pieces_.size() >= options_.max_pieces) {
-      failure_ = formatted(
-          "the {} pieces that are allowed (max_pieces) reach to {} s, wanted a larger tolerance, or "
-          "more pieces",
-          options_.max_pieces, span.start);
+    if (pieces_.size() >= most_pieces_) {
+      end_of_pieces_ = {span.segment, span.start, allowed_};
       return false;
     }
     const BakedRecord<T> piece = through_curve(span);
-    const double off = difference(piece, span);
-    if (off <= allowed_) {
-      pieces_.push_back(piece);
-      ends_.push_back(span.end);
-      largest_ = std::max(largest_, off);
-      return true;
+    const double off = difference(piece, span), middle = span.middle();
+    if (!(off <= allowed_)) {
+      if (halvings < most_halvings && span.start < middle && middle < span.end)
+        return add({span.segment, span.start, middle}, halvings + 1) &&
+               add({span.segment, middle, span.end}, halvings + 1);
+      if (!first_miss_) {
+        first_miss_ = {span.segment, middle, off};
+        most_pieces_ = std::min(most_pieces_, pieces_.size() + pieces_after_a_miss);
+      }
+      allowed_ = after_a_miss * off;
+      if (!std::isfinite(off)) return false;
     }
-    const double middle = span.middle();
-    if (halvings == most_halvings || middle <= span.start || middle >= span.end) {
-      failure_ =
-          formatted("at {} s even the shortest piece reaches {:.4g} rad, wanted {:.4g}: ask for a larger tolerance",
-                    middle, reserve * off, reserve * allowed_);
-      return false;
-    }
-    return add({span.segment, span.start, middle}, halvings + 1) && add({span.segment, middle, span.end}, halvings + 1);
+    pieces_.push_back(piece);
+    ends_.push_back(span.end);
+    largest_ = std::max(largest_, off);
+    return true;
   }
 
-  [[nodiscard]] const std::string& failure() const noexcept { return failure_; }
+  /// Error (bad_argument, with the key): the tolerance was missed, or there were no more pieces.
+  [[nodiscard]] Expected<void> keeps_to(double tolerance) const {
+    if (first_miss_) return failure(ErrorCode::bad_argument, miss(tolerance), {.key = first_miss_->segment});
+    if (!end_of_pieces_) return {};
+    return failure(ErrorCode::bad_argument,
+                   formatted("the {} pieces that are allowed reach to {} s, wanted the end of the curve: ask for a "
+                             "larger tolerance, or a curve that turns less there",
+                             most_pieces_, end_of_pieces_->time),
+                   {.key = end_of_pieces_->segment});
+  }
   [[nodiscard]] double largest_difference() const noexcept { return largest_; }
   [[nodiscard]] std::vector<double> take_ends() { return std::move(ends_); }
   [[nodiscard]] std::vector<BakedRecord<T>> take_pieces() { return std::move(pieces_); }
 
  private:
   static constexpr std::size_t size = batch::baked_degree<T> + 1;
+  /// Without some room for it, rounding would miss what is allowed again and again.
+  static constexpr double after_a_miss = 1.25;
+  /// So many pieces are made at most to find what all of the curve keeps to.
+  static constexpr std::size_t pieces_after_a_miss = std::size_t{1} << 16;
+  /// No tolerance is offered from where on nothing of the curve would be left [rad].
+  static constexpr double most_offered = 1.0;
+  /// More than rounding to four digits takes off.
+  static constexpr double rounded_up = 1.001;
+
+  struct Place {
+    std::size_t segment;
+    double time;
+    double off;  ///< from the curve there [rad]
+  };
+
+  [[nodiscard]] std::string miss(double tolerance) const {
+    const double kept = rounded_up * reserve * allowed_;
+    const std::string cure = !end_of_pieces_ && kept <= most_offered
+                                 ? formatted("{:.4g} rad or more, which all of the curve keeps to", kept)
+                                 : "a much larger tolerance, or a curve that turns less there";
+    return formatted("at {} s even the shortest piece reaches {:.4g} rad, wanted {:.4g}: ask for {}", first_miss_->time,
+                     rounded_up * reserve * first_miss_->off, tolerance, cure);
+  }
 
   [[nodiscard]] BakedRecord<T> through_curve(const Subinterval& span) const {
     BakedRecord<T> piece{.coefficients = {}, .middle = span.middle(), .per_step = 2.0 / (span.end - span.start)};
@@ -98,10 +131,10 @@ class Baker {
   }
 
   const AnyCurve& curve_;
-  const BakeOptions& options_;
   const Progress& progress_;
+  std::size_t most_pieces_;
   double allowed_, largest_ = 0.0;
-  std::string failure_;
+  std::optional<Place> first_miss_, end_of_pieces_;
   std::array<double, size> nodes_ = batch::chebyshev_nodes<size>();
   /// The extremes of ∏ (s - nodes), both ends among them.
   std::array<double, size + 1> checks_ = batch::cosines<size + 1>(0.0, static_cast<double>(size));
@@ -134,10 +167,11 @@ Expected<BakedCurve<T>> bake(const AnyCurve& curve, double tolerance, const Bake
   for (std::size_t i = 0; i < knots.segments(); ++i) {
     const bool added = baker.add({i, knots.span(i).start(), knots.span(i).end()});
     if (progress.stopped()) return cancellation();
-    if (!added) return failure(ErrorCode::bad_argument, baker.failure(), {.key = i});
+    if (!added) break;
     progress.at(static_cast<double>(i + 1) / static_cast<double>(knots.segments()));
   }
-  return BakedCurve<T>(Knots(baker.take_ends()), baker.take_pieces(), baker.largest_difference());
+  return baker.keeps_to(tolerance).map(
+      [&] { return BakedCurve<T>(Knots(baker.take_ends()), baker.take_pieces(), baker.largest_difference()); });
 }
 
 template <class T>

@@ -51,6 +51,19 @@ Expected<std::optional<std::string_view>> LineReader::next() {
   }
 }
 
+Expected<std::string> LineReader::bytes() && {
+  std::string all;
+  for (;;) {
+    const std::size_t had = all.size();
+    all.resize(had + chunk);
+    const auto count = read(std::span(all).subspan(had));
+    if (!count) return tl::unexpected(count.error());
+    all.resize(had + *count);
+    bytes_ += *count;
+    if (*count == 0) return all;
+  }
+}
+
 void LineReader::rewind() noexcept {
   begin_ = line_ = 0;
   keeps_ = false;

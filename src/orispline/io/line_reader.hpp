@@ -30,6 +30,9 @@ class ORISPLINE_EXPORT LineReader {
   /// returns, endless lines.
   [[nodiscard]] Expected<std::optional<std::string_view>> next();
 
+  /// All bytes of a reader that gave out nothing yet, whatever they are. Error: bad_access.
+  [[nodiscard]] Expected<std::string> bytes() &&;
+
   /// From the first line on all that is read stays in memory, to be given once more after rewind(), until forget().
   void keep() noexcept { keeps_ = true; }
   void forget() noexcept { keeps_ = false; }

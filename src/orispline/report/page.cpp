@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/report/page.hpp>
 
+#include <orispline/report/page_document.hpp>
 #include <orispline/report/page_json.hpp>
 #include <orispline/report/page_template.hpp>
 
@@ -8,11 +9,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
 namespace {
 
-std::string with_data(const std::string& json) {
-  std::string html;
-  for (const std::string_view piece : page_template()) html += piece;
-  return html.replace(html.find(data_marker), data_marker.size(), json);
-}
+std::string with_data(const std::string& json) { return page_with(page_template(), data_marker, json); }
 
 }  // namespace
 

@@ -17,6 +17,7 @@
 #include <orispline/base/abi.hpp>
 #include <orispline/base/decimal.hpp>
 #include <orispline/math/eigen.hpp>
+#include <orispline/report/page_document.hpp>
 #include <orispline/report/page_lists.hpp>
 
 // The JSON of pages: numbers rounded to what a line on a screen can show, and texts that end no script.
@@ -35,17 +36,6 @@ std::string array_of(const std::vector<Value>& values, JsonOf json_of_value) {
   std::string json = "[";
   for (const Value& value : values) json += (json.size() > 1 ? ",\n" : "") + json_of_value(value);
   return json + ']';
-}
-
-/// In quotes; `<` stands as \u003c.
-std::string text_of(std::string_view text) {
-  std::string json = "\"";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (code < 0x20 || c == '"' || c == '\\' || c == '<') fmt::format_to(std::back_inserter(json), "\\u{:04x}", code);
-    else json += c;
-  }
-  return json + '"';
 }
 
 /// One flat array of whole numbers, which are short.
@@ -108,28 +98,28 @@ std::string_view name_of(PageBody body) {
 }
 
 std::string json_of(const PageUnit& unit) {
-  return object_of({{"unit", text_of(unit.name)}, {"size", json_of(unit.size)}});
+  return object_of({{"unit", text_json(unit.name)}, {"size", json_of(unit.size)}});
 }
 
 std::string json_of(const PageBand& band) {
-  return object_of({{"label", text_of(band.label)},
+  return object_of({{"label", text_json(band.label)},
                     {"t", doubles_json(band.times)},
                     {"low", floats_json(band.low)},
                     {"high", floats_json(band.high)}});
 }
 
 std::string json_of(const PageColumn& column) {
-  return object_of({{"id", text_of(column.id)},
-                    {"label", text_of(column.label)},
-                    {"unit", text_of(column.unit)},
-                    {"explanation", text_of(column.explanation)},
-                    {"better", text_of(name_of(column.better))},
+  return object_of({{"id", text_json(column.id)},
+                    {"label", text_json(column.label)},
+                    {"unit", text_json(column.unit)},
+                    {"explanation", text_json(column.explanation)},
+                    {"better", text_json(name_of(column.better))},
                     {"is_time", column.is_time ? "true" : "false"},
                     {"rounding", json_of(column.rounding)}});
 }
 
 std::string json_of(const PageMarks& marks) {
-  return object_of({{"label", text_of(marks.label)},
+  return object_of({{"label", text_json(marks.label)},
                     {"t", doubles_json(marks.path.times)},
                     {"q", floats_json(marks.path.orientations)},
                     {"error_deg", floats_json(marks.errors)}});
@@ -149,15 +139,15 @@ std::string json_of(const std::map<std::string, Value, std::less<>>& values) {
   std::string json = "{";
   for (const auto& [id, value] : values) {
     if (json.size() > 1) json += ',';
-    json.append(text_of(id)).append(":").append(json_of(value));
+    json.append(text_json(id)).append(":").append(json_of(value));
   }
   return json + '}';
 }
 
 std::string json_of(const PageMethod& method, SharedLists shared) {
-  return object_of({{"name", text_of(method.name)},
-                    {"continuity", text_of(method.continuity)},
-                    {"failure", text_of(method.failure)},
+  return object_of({{"name", text_json(method.name)},
+                    {"continuity", text_json(method.continuity)},
+                    {"failure", text_json(method.failure)},
                     {"measures", json_of(method.measures)},
                     {"samples", json_of(method.samples, std::move(shared))},
                     {"keys", json_or_null(method.keys)},
@@ -312,7 +302,7 @@ std::string json_of(const PageClip& clip) {
   const ErrorSteps steps{error_step<&PageJointErrors::angle>(clip.joints),
                          error_step<&PageJointErrors::distance>(clip.joints)};
   return object_of(
-      {{"name", text_of(clip.name)},
+      {{"name", text_json(clip.name)},
        {"start", number_json(clip.start)},
        {"end", number_json(clip.end)},
        {"rotation_keys", json_of(clip.rotation_keys)},
@@ -323,17 +313,17 @@ std::string json_of(const PageClip& clip) {
 }
 
 std::string json_of(const PageJoint& joint) {
-  return object_of({{"name", text_of(joint.name)},
+  return object_of({{"name", text_json(joint.name)},
                     {"parent", joint.parent ? number_json(static_cast<double>(*joint.parent)) : "null"},
                     {"is_compared", joint.is_compared ? "true" : "false"}});
 }
 
 std::string skeleton_json(const SkeletonPage& page) {
-  return object_of({{"before", text_of(page.before)},
-                    {"after", text_of(page.after)},
-                    {"unit", text_of(page.length_unit)},
+  return object_of({{"before", text_json(page.before)},
+                    {"after", text_json(page.after)},
+                    {"unit", text_json(page.length_unit)},
                     {"shell", number_json(page.shell)},
-                    {"up", text_of(page.up == PageUp::y ? "y" : "z")},
+                    {"up", text_json(page.up == PageUp::y ? "y" : "z")},
                     {"angle_limit", number_or_null(page.angle_limit)},
                     {"distance_limit", number_or_null(page.distance_limit)},
                     {"joints", array_of(page.joints, [](const PageJoint& joint) { return json_of(joint); })},
@@ -344,32 +334,32 @@ std::string skeleton_json(const SkeletonPage& page) {
 
 std::string json_of(const Page& page) {
   return object_of({{"data", std::string(data_version)},
-                    {"title", text_of(page.title)},
-                    {"command", text_of(page.command)},
-                    {"date", text_of(page.date)},
-                    {"version", text_of(page.version)},
-                    {"time_start", text_of(page.time_start)},
-                    {"notes", array_of(page.notes, [](const std::string& note) { return text_of(note); })},
-                    {"body", text_of(name_of(page.body))},
+                    {"title", text_json(page.title)},
+                    {"command", text_json(page.command)},
+                    {"date", text_json(page.date)},
+                    {"version", text_json(page.version)},
+                    {"time_start", text_json(page.time_start)},
+                    {"notes", array_of(page.notes, [](const std::string& note) { return text_json(note); })},
+                    {"body", text_json(name_of(page.body))},
                     {"keys", json_of(page.keys)},
                     {"reference", json_or_null(page.reference)},
                     {"marks", json_or_null(page.marks)},
                     {"limits", json_of(page.limits)},
                     {"units", json_of(page.units)},
                     {"columns", array_of(page.columns, [](const PageColumn& c) { return json_of(c); })},
-                    {"sorted_by", text_of(page.sorted_by)},
-                    {"first", text_of(page.first)},
-                    {"second", text_of(page.second)},
+                    {"sorted_by", text_json(page.sorted_by)},
+                    {"first", text_json(page.first)},
+                    {"second", text_json(page.second)},
                     {"methods", json_of(page.methods)}});
 }
 
 std::string json_of(const SkeletonPage& page) {
   return object_of({{"data", std::string(data_version)},
-                    {"title", text_of(page.title)},
-                    {"command", text_of(page.command)},
-                    {"date", text_of(page.date)},
-                    {"version", text_of(page.version)},
-                    {"notes", array_of(page.notes, [](const std::string& note) { return text_of(note); })},
+                    {"title", text_json(page.title)},
+                    {"command", text_json(page.command)},
+                    {"date", text_json(page.date)},
+                    {"version", text_json(page.version)},
+                    {"notes", array_of(page.notes, [](const std::string& note) { return text_json(note); })},
                     {"skeleton", skeleton_json(page)}});
 }
 

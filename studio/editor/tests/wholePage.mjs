@@ -48,7 +48,7 @@ function watched() {
 }
 
 /** A browser of its own, for pages that share what it keeps. */
-export const profile = (options = {}) => browser.newContext({ viewport: { width: 1400, height: 1000 }, ...options });
+export const profile = (options = {}) => browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
 
 const isOwn = (url, page) => url === page || url.startsWith('blob:');
 
@@ -61,7 +61,7 @@ export async function studioWith(given = {}, { within, first, complaints: allowe
   const page = await context.newPage();
   page.setDefaultTimeout(0); // other work may be beside it
   await page.addInitScript(watched);
-  if (first) await page.addInitScript(first);
+  if (first) await page.addInitScript(typeof first === 'string' ? { content: first } : first);
   const [complaints, requests] = [[], []];
   page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
   page.on('pageerror', (error) => complaints.push(error.message));

@@ -51,9 +51,9 @@ export interface Samples {
 /** The rates of a sample, by their order. */
 declare const rateNames: readonly ['angularVelocities', 'angularAccelerations', 'angularJerks'];
 /** Those that are asked for. */
-export declare const ratesOf: ({ rates }: SampleOptions) => (typeof rateNames)[number][];
+export declare const ratesOf: (options: SampleOptions) => (typeof rateNames)[number][];
 /** The times that are asked for. */
-export declare const timesOf: (curve: Playable, { times, start, step, count }: SampleOptions) => Float64Array;
+export declare const timesOf: (curve: Playable, options: SampleOptions) => Float64Array;
 /** A curve through keys. It is freed where it is disposed of, or some time after it was forgotten. */
 export declare class Curve implements Playable {
     readonly start: number;

@@ -29,5 +29,9 @@ export declare class OrisplineError extends Error implements ErrorPlace {
 }
 /** What was found, for a message. */
 export declare const shown: (value: unknown) => string;
+/** Options, which are an object or none. */
+export declare const optionsOf: <Options extends object>(option: string, options: Options | null | undefined) => Partial<Options>;
+/** A text of the caller. */
+export declare const textOf: (option: string, text: string) => string;
 /** An argument that cannot be: `found 7 numbers, wanted 12`. */
 export declare const badArgument: (option: string, message: string) => OrisplineError;

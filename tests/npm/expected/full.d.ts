@@ -2,13 +2,14 @@ import { FullOrispline } from './full_orispline.js';
 import { type LoadOptions } from './wasm.js';
 export type { Motion, SampleOptions, Samples } from './curve.js';
 export { type ErrorCode, type ErrorPlace, OrisplineError } from './errors.js';
-export type { KeyFile, Options, Outcome, TaskInputs, Warning } from './full_orispline.js';
+export type { KeyFile, Options, Outcome, RunOptions, TaskInputs, Warning } from './full_orispline.js';
 export type { KeyInfo, KeyTrack } from './key_track.js';
 export type { KeyData, Order } from './keys.js';
 export type { Setting, Settings } from './method.js';
 export type { MethodInfo, ParameterInfo } from './orispline.js';
 export type { Numbers, Playable } from './playable.js';
 export type { BakedFile } from './player.js';
+export type { Progress } from './system.js';
 export type { Continuity, Jump, Peak, Peaks, WholeCurve as Curve } from './whole_curve.js';
 export type { FullOrispline as Orispline, LoadOptions };
 /** Loads the compiled code: of the file beside this script, or what the options say. */

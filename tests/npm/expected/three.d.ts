@@ -17,12 +17,15 @@ export interface Track {
     values: ArrayLike<number>;
     ValueTypeName: string;
     createInterpolant?: unknown;
+    getInterpolation?(): unknown;
+    clone?(): unknown;
 }
 /**
  * Lets a quaternion or vector track move along the curve of a method through its keys, exactly, also where it is cloned. What is wrong with the keys is
  * told at once.
  *
- * `toJSON` and GLTFExporter do not know the curve: they write the keys, between which others then go by slerp. To write it, bake it.
+ * `toJSON` and GLTFExporter do not know the curve: they write the keys, between which others then go by slerp. A
+ * warning says so, once. To write it, bake it.
  */
 export declare const animate: <Kind extends Track>(ori: Orispline, track: Kind, method?: string, settings?: Settings) => Kind;
 /**
@@ -31,6 +34,6 @@ export declare const animate: <Kind extends Track>(ori: Orispline, track: Kind, 
  */
 export declare const bake: (curve: Playable & {
     order?: string;
-}, { tolerance }: {
+}, options: {
     tolerance: number;
 }) => [times: Float32Array, values: Float32Array];

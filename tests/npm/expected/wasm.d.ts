@@ -7,4 +7,4 @@ export interface LoadOptions {
 /** The bytes of what holds some. */
 export declare const bytesOf: (option: string, source: ArrayBuffer | ArrayBufferView) => Uint8Array<ArrayBuffer>;
 /** The module that the user gives, else that of the file beside the script. */
-export declare const moduleOf: ({ wasm, wasmUrl }: LoadOptions, besideScript: URL) => Promise<WebAssembly.Module>;
+export declare const moduleOf: (options: LoadOptions, besideScript: URL) => Promise<WebAssembly.Module>;

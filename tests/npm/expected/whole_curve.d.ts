@@ -42,11 +42,11 @@ export declare class WholeCurve extends Curve {
     /** The order that is reached at each key: 3 at the ends, but for those of a loop; -1 where the orientation jumps before the next key. */
     orders(): Int8Array;
     /** The largest rates, wherever they are; with `inertia`, the nine numbers of a symmetric matrix [kg m²], the torque too. */
-    peaks({ inertia }?: {
+    peaks(options?: {
         inertia?: ArrayLike<number>;
     }): Peaks;
     /** What `orispline/player` plays: what `orispline bake` writes, with the times of the keys. The tolerance is in rad. */
-    bake({ tolerance }: {
+    bake(options: {
         tolerance: number;
     }): BakedFile;
     /** The text of its method, with its settings. */

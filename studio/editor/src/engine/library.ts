@@ -15,7 +15,8 @@ export function used<Thing extends { dispose(): void }, Result>(thing: Thing, wo
 
 export class Library extends FullOrispline {
   constructor(module: WebAssembly.Module) {
-    super(new Engine(module, 'orispline_task_run', String, new System()));
+    const system = new System();
+    super(new Engine(module, 'orispline_task_run', String, system), system);
   }
 
   /** Whether no fault has ended it. */
