@@ -2,7 +2,7 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build wasm test test-more python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python bench-web docs page studio web deb format tidy clean
+.PHONY: run build wasm test test-more python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python bench-web site page studio web deb format tidy clean
 .NOTPARALLEL:
 
 # How long the parts of `make test` take, in build/times.tsv: $(call timed,PART) COMMAND.
@@ -37,10 +37,10 @@ python_package = cmake --install build/release --prefix build/python/prefix > /d
   python3 bindings/python/build.py build/python build/python/prefix $(1)
 
 # One build of the library serves the command, the tests, the users' programs and the Python package, which comes last, where
-# Python's headers and the packages of its tests are to be had. Clang compiles the families, which are most templates.
-# The studio comes before the command that holds its page.
+# Python's headers and the packages of its tests are to be had, with the site, which has its reference. Clang compiles the families, which are most
+# templates. The studio comes before the command that holds its page.
 test: build
-	tools/setup.sh build test python spark wasm
+	tools/setup.sh build test python spark wasm site
 	$(build_wasm)
 	$(build_studio)
 	cmake --preset release -DORISPLINE_TESTS=ON
@@ -50,6 +50,8 @@ test: build
 	$(call timed,tests of the families by Clang) ctest --preset clang-families -j $(JOBS)
 	$(call timed,the tests) ctest --preset release -j $(JOBS) --output-junit junit.xml --test-output-size-passed 100000
 	$(call timed,the Python package) sh -c '$(call python_package,--test --or-skip)'
+	$(call timed,the site) $(site) --or-skip
+	$(call timed,tests of the site) tests/site/browse.sh build/site build/site-browser
 	@tests/summary.py build/release/junit.xml
 	@tools/timed.py $(times) --table
 
@@ -159,14 +161,13 @@ bench-web: build
 	tools/build_studio.sh -j $(JOBS)
 	ORISPLINE_STUDIO_WASM=$(CURDIR)/build/wasm/bindings/npm/studio/studio.wasm benchmarks/web/run.py build/npm build/npm-work/node_modules build/bench-web/native build/studio/studio.html build/bench-web/benchmarks/web/studio.mjs --document docs/benchmarks.md
 
-# Of the headers that are installed, in build/docs/html, and of the Python package, in build/python/reference.
-docs: build
-	tools/setup.sh build docs python
-	rm -rf build/docs
-	cmake --install build/release --component headers --prefix build/docs
-	doxygen docs/Doxyfile
-	tools/check_html.py . build/docs/html
-	$(call python_package,--docs --or-skip)
+# All pages and the references of Python, C++ and C as one site in build/site, which wants no network.
+site = tools/site/make.py build/python/venv/bin/python build/python/prefix/include build/site
+
+site: build
+	tools/setup.sh build python site
+	$(call python_package,)
+	$(site)
 
 # Builds the page of the reports anew, which is part of the library, and the widget of notebooks, which is part of the Python package.
 page:

@@ -15,6 +15,7 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+JOBS = os.environ.get("JOBS", "1")
 ALLOWED = "initial-upload-closes-no-bugs"  # there is no bug of Debian's that asks for the package
 TOOLS_IN_ROOT = ("cmake", "g++", "man-db", "ninja-build", "pkg-config")
 USER = """cmake_minimum_required(VERSION 3.22)
@@ -105,7 +106,7 @@ class Installed:
     def built_consumer(self, tree, *options):
         folder = self.copied(ROOT / "tests/package/consumer")
         self.there("cmake", "-S", folder / "consumer", "-B", folder / tree, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O0", *options)
-        self.there("cmake", "--build", folder / tree, "-j", os.environ.get("JOBS", "1"))
+        self.there("cmake", "--build", folder / tree, "-j", JOBS)
         self.there("ctest", "--test-dir", folder / tree, "--output-on-failure")
 
     def test_a_program_may_link_the_shared_library(self):
@@ -113,7 +114,7 @@ class Installed:
         place = self.root / folder.relative_to("/") if self.inside else folder
         (place / "CMakeLists.txt").write_text(USER, "utf-8")
         self.there("cmake", "-S", folder, "-B", folder / "tree", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={self.usr}")
-        self.there("cmake", "--build", folder / "tree", "-j", "1")
+        self.there("cmake", "--build", folder / "tree", "-j", JOBS)
         for kind, is_linked in (("orispline", False), ("shared", True)):
             program = folder / f"tree/user_of_{kind}"
             self.there(program)
@@ -172,5 +173,5 @@ if __name__ == "__main__":
     if "--built" in sys.argv:
         sys.argv.remove("--built")
     else:
-        ran(ROOT / "tools/make_deb.py", FOLDER)
+        ran(ROOT / "tools/make_deb.py", FOLDER, "--jobs", JOBS)
     unittest.main()
