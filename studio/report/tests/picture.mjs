@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A picture of a report: node tests/picture.mjs PAGE PICTURE.png [METHOD BESIDE SECONDS]
+import { writeFileSync } from 'node:fs';
+import { paletted } from '../../tests/palette.mjs';
 import { drawn, launch, open } from './browser.mjs';
 
 const [file, picture, method, beside, seconds] = process.argv.slice(2);
@@ -13,6 +15,6 @@ if (seconds)
     input.dispatchEvent(new Event('input'));
   }, seconds);
 await drawn(page);
-await page.screenshot({ path: picture });
+writeFileSync(picture, paletted(await page.screenshot()));
 await page.finish();
 await browser.close();
