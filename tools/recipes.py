@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The recipes by which others pack orispline, and what they state of it.
+"""The recipes by which others pack orispline, and the version that files state.
 
 recipes.py version: writes the version of CMakeLists.txt into each file that states one.
 recipes.py fill ARCHIVE FOLDER: the recipes in FOLDER, with the sums of the archive of sources, and with its address where
@@ -20,6 +20,8 @@ SYSTEMS = ("vcpkg", "conan", "conda", "homebrew")
 # Where a file states the version: what stands before it and behind it, as patterns of lines.
 VERSIONED = {
     "CITATION.cff": ("^version: ", "$"),
+    "bindings/npm/package.json": ('^  "version": "', '",$'),
+    "bindings/npm/package-lock.json": ('"name": "orispline",\n +"version": "', '",$'),
     "package.xml": ("<version>", "</version>"),
     "packaging/vcpkg/vcpkg.json": ('"version-semver": "', '"'),
     "packaging/conan/conanfile.py": ('^    version = "', '"$'),
@@ -35,15 +37,15 @@ def version_of(root):
 
 
 def stated_version(path, text):
-    """What the text of a file of VERSIONED says, or none."""
+    """What the text of a file of VERSIONED says, or none where it says nothing or two things."""
     before, behind = VERSIONED[path]
-    found = re.search(rf"{before}(\d+\.\d+\.\d+){behind}", text, re.M)
-    return found and found[1]
+    found = set(re.findall(rf"{before}(\d+\.\d+\.\d+){behind}", text, re.M))
+    return found.pop() if len(found) == 1 else None
 
 
 def with_version(path, text, version):
     before, behind = VERSIONED[path]
-    return re.sub(rf"({before})\d+\.\d+\.\d+(?={behind})", rf"\g<1>{version}", text, count=1, flags=re.M)
+    return re.sub(rf"({before})\d+\.\d+\.\d+(?={behind})", rf"\g<1>{version}", text, flags=re.M)
 
 
 def set_versions(root):
