@@ -29,7 +29,7 @@ class Orispline(ConanFile):
             self.requires("fast_float/[>=3.4 <9]")
             self.requires("nlohmann_json/[>=3.11 <4]")
         if self.options.cli:
-            self.requires("cli11/[>=2.3 <3]")
+            self.requires("cli11/[>=2.1 <3]")
 
     def validate(self):
         check_min_cppstd(self, 20)

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Linters of others on recipes, workflows and the citation: linters_test.py FOLDER, where they are installed from a package index.
+"""Linters of others on recipes, workflows, the citation and the SPDX document: linters_test.py FOLDER, where they are installed from a package index.
 Skipped (77) where none is to be had."""
+import json
 import os
 import pathlib
 import subprocess
@@ -11,7 +12,11 @@ import unittest
 import venv
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-LINTERS = ("check-jsonschema>=0.30", "catkin_pkg>=1", "conan>=2")
+sys.path.insert(0, str(ROOT / "tools"))
+sys.dont_write_bytecode = True
+import spdx  # noqa: E402
+
+LINTERS = ("check-jsonschema>=0.30", "catkin_pkg>=1", "conan>=2", "spdx-tools>=0.8")
 SCHEMAS = ("cffconvert==2.0.0",)  # installed for its schemas alone: it wants an old jsonschema
 PARSE_PACKAGE = "import sys; from catkin_pkg.package import parse_package; p = parse_package(sys.argv[1]); p.validate(); print(p.name, p.version, p.get_build_type())"
 
@@ -59,6 +64,12 @@ class Linters(unittest.TestCase):
         with tempfile.TemporaryDirectory() as home:
             self.run_linter("conan", "export", ROOT / "packaging/conan", CONAN_HOME=home)
             self.assertIn("orispline/", self.run_linter("conan", "list", "orispline/*", CONAN_HOME=home))
+
+    def test_the_spdx_document_is_valid(self):
+        with tempfile.TemporaryDirectory() as place:
+            path = pathlib.Path(place, "orispline.spdx.json")
+            path.write_text(json.dumps(spdx.document("1.2.3", "0" * 40, "2030-01-02T00:00:00Z", spdx.versions(ROOT))), "utf-8")
+            self.run_linter("pyspdxtools", "-i", path)
 
 
 if __name__ == "__main__":
