@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """What `make release` refuses, in small repositories, and that what it packs has the same bytes every time."""
+import contextlib
 import gzip
 import io
 import os
@@ -12,6 +13,7 @@ import sys
 import tarfile
 import tempfile
 import unittest
+from unittest import mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
@@ -146,6 +148,42 @@ class Release(unittest.TestCase):
             finally:
                 os.dup2(standard, 2)
                 os.close(standard)
+        self.assertEqual([path.name for path in self.out.parent.iterdir()], ["project"])
+
+    def build_parts(self):
+        """Stands for what `make release-parts` leaves."""
+        self.repository.write(".gitignore", "/build/\n")
+        for path in ("packaging/source.json", "studio/package-lock.json", "THIRD_PARTY"):
+            self.repository.write(path, (ROOT / path).read_text("utf-8"))
+        self.repository.commit()
+        for path in (f"python/dist/orispline-{VERSION}-cp310-abi3-any.whl", f"python/dist/orispline-{VERSION}.tar.gz", "studio/studio.html", "npm/lite.wasm",
+                     *(f"deb/{name}_{VERSION}-1_amd64.deb" for name in ("orispline", "liborispline-dev", "liborispline3.4"))):
+            self.repository.write(f"build/{path}", path)
+        release.stamp(self.root)
+
+    def test_a_folder_is_complete_and_has_the_same_sums_twice(self):
+        self.build_parts()
+        self.enterContext(mock.patch.object(release, "make"))
+        self.enterContext(mock.patch.object(release, "pack_npm", lambda root, part: (part / f"orispline-{VERSION}.tgz").touch()))
+        self.enterContext(contextlib.redirect_stdout(io.StringIO()))
+        outs = self.root / "a", self.root / "b"  # within the tree, as `make release OUT=a` has it
+        for out in outs:
+            release.release(self.root, VERSION, out)
+        one, two = ((out / "SHA256SUMS").read_text("utf-8") for out in outs)
+        self.assertEqual(one, two)
+        self.assertCountEqual([line.split()[1] for line in one.splitlines()], [
+            f"orispline-{VERSION}-source.tar.gz", f"orispline-{VERSION}-recipes.tar.gz", f"orispline-{VERSION}.spdx.json", f"orispline-{VERSION}.tgz",
+            f"orispline-{VERSION}-cp310-abi3-any.whl", f"orispline-{VERSION}.tar.gz", "studio.html", "THIRD_PARTY",
+            *(f"{name}_{VERSION}-1_amd64.deb" for name in ("orispline", "liborispline-dev", "liborispline3.4"))])
+        self.assertEqual(release.make.call_args_list, 2 * [mock.call(self.root, "release-parts")])
+        self.assertEqual(list(self.root.glob("*.part")), [])
+
+    def test_a_part_that_is_missing_leaves_nothing(self):
+        self.build_parts()
+        (self.root / "build/studio/studio.html").unlink()
+        self.enterContext(mock.patch.object(release, "make"))
+        with self.assertRaisesRegex(release.Refused, "found no build/studio/studio.html"):
+            release.release(self.root, VERSION, self.out)
         self.assertEqual([path.name for path in self.out.parent.iterdir()], ["project"])
 
     def test_the_sources_have_the_same_bytes_in_another_clone(self):
