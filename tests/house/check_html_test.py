@@ -66,7 +66,7 @@ class CheckHtml(unittest.TestCase):
     def test_the_documents_are_whole_in_html(self):
         (self.root / "docs/page.md").unlink()
         settings = (ROOT / "docs/Doxyfile").read_text("utf-8")
-        settings += f"\nINPUT = README.md CHANGELOG.md CONTRIBUTING.md docs\nOUTPUT_DIRECTORY = {self.root}\nHTML_OUTPUT = made\nAUTOLINK_SUPPORT = NO\n"
+        settings += f"\nINPUT = README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md CODE_OF_CONDUCT.md docs\nOUTPUT_DIRECTORY = {self.root}\nHTML_OUTPUT = made\nAUTOLINK_SUPPORT = NO\n"
         done = subprocess.run(["doxygen", "-"], input=settings, cwd=ROOT, capture_output=True, text=True, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         done = checked(ROOT, self.root / "made")
