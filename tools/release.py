@@ -32,7 +32,8 @@ GROUPS = ("build", "python", "wasm", "deb")  # of tools/setup.sh: without one of
 COMMANDS = {"git": "git", "npm": "npm"}  # and their packages
 # What `make release-parts` leaves, and how many of each there are at least.
 PARTS = {"build/python/dist/orispline-{version}-*.whl": 1, "build/python/dist/orispline-{version}.tar.gz": 1, "build/deb/*_{version}-*.deb": 3}
-COPIED = ("build/studio/studio.html", "THIRD_PARTY")
+PAGE = "build/studio/studio.html"
+COPIED = (PAGE, "THIRD_PARTY")
 
 
 class Refused(Exception):
@@ -214,6 +215,7 @@ def release(root, version, out):
     check_all(root, version, out)
     if not is_checked(root):
         make(root, "check")
+    (root / PAGE).unlink(missing_ok=True)  # where the studio cannot be built its rule keeps the earlier page
     make(root, "release-parts")
     check_tree(root)
     part = part_of(out)

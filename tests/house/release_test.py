@@ -163,7 +163,7 @@ class Release(unittest.TestCase):
 
     def test_a_folder_is_complete_and_has_the_same_sums_twice(self):
         self.build_parts()
-        self.enterContext(mock.patch.object(release, "make"))
+        self.enterContext(mock.patch.object(release, "make", side_effect=lambda *_: self.repository.write(release.PAGE, "page")))
         self.enterContext(mock.patch.object(release, "pack_npm", lambda root, part: (part / f"orispline-{VERSION}.tgz").touch()))
         self.enterContext(contextlib.redirect_stdout(io.StringIO()))
         outs = self.root / "a", self.root / "b"  # within the tree, as `make release OUT=a` has it
@@ -178,9 +178,8 @@ class Release(unittest.TestCase):
         self.assertEqual(release.make.call_args_list, 2 * [mock.call(self.root, "release-parts")])
         self.assertEqual(list(self.root.glob("*.part")), [])
 
-    def test_a_part_that_is_missing_leaves_nothing(self):
+    def test_a_page_that_is_not_made_anew_leaves_nothing(self):
         self.build_parts()
-        (self.root / "build/studio/studio.html").unlink()
         self.enterContext(mock.patch.object(release, "make"))
         with self.assertRaisesRegex(release.Refused, "found no build/studio/studio.html"):
             release.release(self.root, VERSION, self.out)
