@@ -47,8 +47,9 @@ export class App {
     try {
       const opened = await openedOf(this.engine, this.front, given);
       if (opened) await this.show(opened, given);
-    } catch (trouble) {
-      this.tell(sentence((trouble as Trouble).message));
+    } catch (reason) {
+      const { message, line } = reason as Trouble;
+      this.tell(`${given.name}${line === undefined ? '' : `:${line}`}: ${sentence(message)}`);
     }
   }
 
@@ -70,7 +71,7 @@ export class App {
     }
   }
 
-  private async show(opened: Opened, { handle }: Given): Promise<void> {
+  private async show(opened: Opened, given: Given): Promise<void> {
     const { original, document } = opened;
     const draft = new Draft({ hash: original.hash, opened: document, shelf: () => localStorage, tell: (sentence) => this.tell(sentence) });
     const first = draft.read() ?? document;
@@ -78,6 +79,7 @@ export class App {
     const theme = this.session?.theme ?? null;
     this.session?.end();
     this.start.element.remove();
+    const handle = original.name === given.name ? given.handle : undefined; // keys of a recording are not written over it
     const setting = { engine: this.engine, methods: this.methods, theme, handle, open: () => void this.pick() };
     this.session = new Session(opened, first, curves, draft, setting);
     this.place.append(this.session.screen.element);

@@ -44,7 +44,7 @@ function stub() {
   const open = ({ bytes, name, method = 'auto', beside = 'slerp' }) => {
     const text = new TextDecoder().decode(bytes);
     const [head, ...rows] = text.trim().split('\n').map((line) => line.split(','));
-    if (head[0] !== 't') return trouble(`${name}: found no header, wanted one such as t,qw,qx,qy,qz.`);
+    if (head[0] !== 't') return trouble(`found no header, wanted one such as t,qw,qx,qy,qz`);
     const keys = rows.map((row, i) => ({ id: i + 1, row: i, t: Number(row[0]), q: row.slice(1, 5).map(Number), p: row.length > 5 ? row.slice(5, 8).map(Number) : null, rates: [], own: {} }));
     const original = { name, text, hash: `${name}-${text.length}`, epoch: '0' };
     if (keys.length > 1000) return Promise.resolve({ original, count: keys.length });
@@ -56,7 +56,7 @@ function stub() {
     reduce: ({ bytes, name, tolerance }) => {
       if (!/^[\d.]+deg$/.test(tolerance)) return trouble(`Found the tolerance ${tolerance}, wanted one such as 0.1deg.`);
       const [head, ...rows] = new TextDecoder().decode(bytes).trim().split('\n');
-      return open({ bytes: new TextEncoder().encode([head, ...rows.filter((_, i) => i % 100 === 0)].join('\n')), name });
+      return open({ bytes: new TextEncoder().encode([head, ...rows.filter((_, i) => i % 100 === 0)].join('\n')), name: name.replace('.csv', '_keys.csv') });
     },
     at: ({ keys, time }) => Promise.resolve(at(keys, time)),
     write: ({ keys }) => Promise.resolve(['t,qw,qx,qy,qz', ...keys.map(({ t, q }) => [t, ...q].join())].join('\n')),

@@ -207,14 +207,14 @@ test('what cannot be opened is one sentence, and what was open stays', async () 
   await page.evaluate(() => begin('no header', 'broken.csv'));
   await page.getByText('broken.csv: found no header').waitFor();
   assert.equal(await state('({ chosen }) => chosen'), 2);
-  await page.evaluate(() => begin(`t,qw,qx,qy,qz\n${Array.from({ length: 1200 }, (_, i) => `${i},1,0,0,0`).join('\n')}`, 'long.csv'));
+  await page.evaluate(() => void begin(`t,qw,qx,qy,qz\n${Array.from({ length: 1200 }, (_, i) => `${i},1,0,0,0`).join('\n')}`, 'long.csv'));
   const dialog = page.getByRole('dialog', { name: 'Too many keys to edit' });
   await dialog.getByRole('textbox', { name: 'Tolerance' }).fill('much');
   await dialog.getByRole('button', { name: 'Reduce to keys' }).click();
   await page.getByText('wanted one such as 0.1deg').waitFor();
   await dialog.getByRole('textbox', { name: 'Tolerance' }).fill('0.5deg');
   await dialog.getByRole('button', { name: 'Reduce to keys' }).click();
-  await page.getByRole('heading', { name: 'long.csv' }).waitFor();
+  await page.getByRole('heading', { name: 'long_keys.csv' }).waitFor();
   assert.equal(await state('({ document }) => document.keys.length'), 12);
   await close();
 });
@@ -249,6 +249,20 @@ test('keys are saved into the file that was opened, and a change on the disk is 
   await page.waitForFunction(() => app.current.studio.store.current().isSaved);
   assert.equal(await page.evaluate(() => disk.text), keys.replace('\n1,0.8', '\n1.1,0.8'));
   await close();
+});
+
+test('the keys of a recording are not written over it', async () => {
+  const { page, button } = await studioOf();
+  await page.evaluate(`globalThis.fileOf = ${fileOf}; globalThis.disk = fileOf('long.csv', 't,qw,qx,qy,qz\\n' + Array.from({ length: 1200 }, (_, i) => i + ',1,0,0,0').join('\\n')); globalThis.showOpenFilePicker = async () => [disk];`);
+  const before = await page.evaluate(() => disk.text);
+  await button('Open').click();
+  await button('Reduce to keys').click();
+  await page.getByRole('heading', { name: 'long_keys.csv' }).waitFor();
+  const download = page.waitForEvent('download');
+  await button('Save').click();
+  assert.equal((await download).suggestedFilename(), 'long_keys.csv');
+  assert.equal(await page.evaluate(() => disk.text), before);
+  await page.close();
 });
 
 test('a draft comes back, and is discarded', async () => {

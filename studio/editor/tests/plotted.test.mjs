@@ -9,7 +9,7 @@ import { answers, bytesOf, example, plain, sampled } from './engine.mjs';
 import { dice, moduleOf, tension } from './modules.mjs';
 
 const edits = ['turn', 'time', 'keys', 'position', 'parameters'].map((name) => `edits/${name}.ts`);
-const { savedText, methodText, ...edit } = await moduleOf('file/save.ts', 'file/methodText.ts', ...edits);
+const { savedText, methodText, ...edit } = await moduleOf('file/save.ts', 'document/methodText.ts', ...edits);
 
 const ask = answers();
 const engine = { ask: async (name, given) => ask[name](given) };

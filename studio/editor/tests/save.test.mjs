@@ -8,7 +8,7 @@ import { fileEngine, keysIn } from './library.mjs';
 import { dice, moduleOf, tension } from './modules.mjs';
 
 const edits = ['turn', 'time', 'keys', 'position', 'parameters'].map((name) => `edits/${name}.ts`);
-const { savedText, sameKeys, decimalOf, decimalText, sameMethod, methodText, ...edit } = await moduleOf('file/save.ts', 'file/methodText.ts', 'document/decimal.ts', ...edits);
+const { savedText, sameKeys, decimalOf, decimalText, sameMethod, methodText, ...edit } = await moduleOf('file/save.ts', 'document/methodText.ts', 'document/decimal.ts', ...edits);
 
 const originalOf = (text, epoch, name = 'keys.csv') => ({ name, text, hash: 'abc', epoch });
 const auto = { method: 'auto', settings: {} };

@@ -50,3 +50,6 @@ export function decimalText(decimal: Decimal): string {
 
 /** The nearest double. */
 export const numberOf = ({ digits, exponent }: Decimal): number => Number(`${digits}e${exponent}`);
+
+/** The shortest text that reads back as the same double, for files; free rates have no number. */
+export const numberText = (value: number): string => (Object.is(value, -0) ? '-0' : Number.isNaN(value) ? 'nan' : String(value));

@@ -13,10 +13,6 @@ export function choiceOf(text: string): Choice {
   return { method, settings: Object.fromEntries(settings) };
 }
 
-/** The text of a choice, of keys that have no values of their own. */
-export const textOf = ({ method, settings }: Choice): string =>
-  [method, ...Object.entries(settings).flatMap(([name, value]) => (value === false ? [] : value === true ? name : `${name}=${value}`))].join(':');
-
 /** The parameters that keys may have values of their own of. */
 export const perKey = (methods: readonly MethodInfo[], method?: string): Set<string> =>
   new Set(methods.flatMap(({ name, parameters }) => (method && method !== name ? [] : parameters.filter(({ per_key }) => per_key).map((one) => one.name))));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Curves are made of the keys as their file has them, whose times count from the first key, so that they have the bits of the file's curve.
+import { difference, numberOf, shortest } from '../document/decimal';
 import { countedFromFirst } from '../document/times';
 import type { Key } from '../document/document';
-import { decimalOf, negativeOf, numberOf, sumOf } from './decimal';
 
 export interface Counted {
   readonly keys: readonly Key[];
@@ -19,7 +19,7 @@ export function countedOf(keys: readonly Key[]): Counted {
   const own = new Map(counted.map(({ t }, k) => [t, keys[k].t]));
   return {
     keys: counted,
-    counted: (time) => numberOf(sumOf(decimalOf(time), negativeOf(decimalOf(first)))),
+    counted: (time) => numberOf(difference(shortest(time), shortest(first))),
     given: (times) => times.map((time) => own.get(time) ?? first + time),
   };
 }

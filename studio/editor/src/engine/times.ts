@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-import { decimalOf, negativeOf, numberOf, sumOf } from './decimal';
+import { difference, numberOf, shortest, sum } from '../document/decimal';
 
 /** Even times [s], both ends among them: those of `orispline sample --count`, which adds to the start the shortest decimal of each offset. */
 export function evenTimes(start: number, end: number, count: number): Float64Array {
   if (start === end) return Float64Array.of(start);
-  const from = decimalOf(start), span = numberOf(sumOf(decimalOf(end), negativeOf(from)));
+  const from = shortest(start), span = numberOf(difference(shortest(end), from));
   return Float64Array.from({ length: count }, (_, k) => {
     if (k === 0) return start;
     if (k === count - 1) return end;
     const offset = (span * k) / (count - 1);
-    return start === 0 ? offset : numberOf(sumOf(from, decimalOf(offset)));
+    return start === 0 ? offset : numberOf(sum(from, shortest(offset)));
   });
 }
 
@@ -24,7 +24,8 @@ export function before(time: number): number {
 export function mergedTimes(even: Float64Array, inner: readonly number[]): { times: Float64Array; left: number[] } {
   const times: number[] = [], left: number[] = [];
   let next = 0;
-  for (const time of [...even, Number.POSITIVE_INFINITY]) {
+  for (let k = 0; k <= even.length; ++k) {
+    const time = k < even.length ? even[k] : Number.POSITIVE_INFINITY;
     let isInner = false;
     for (; inner[next] <= time; ++next) {
       isInner = inner[next] === time;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What stands in the cells of a key: the shortest texts that read back as the same numbers. Null: there is none.
-import { type Decimal, decimalOf, decimalText, difference, equal, numberOf, shifted, shortest, sum } from '../document/decimal';
+import { type Decimal, decimalOf, decimalText, difference, equal, numberOf, numberText, shifted, shortest, sum } from '../document/decimal';
 import type { Key } from '../document/document';
 import type { NumberColumn } from './columns';
 
@@ -8,9 +8,6 @@ const mostDigits = 37; // that times are read with
 const longestTime = 60; // [characters]
 const powers = [0, -3, -6, -9]; // of ten, of the units of times [s]
 const tries = 4; // units in the last place, to either side
-
-/** Free rates have no number. */
-export const numberText = (value: number): string => (Object.is(value, -0) ? '-0' : Number.isNaN(value) ? 'nan' : String(value));
 
 function neighbour(value: number, steps: number): number {
   const bits = new DataView(new ArrayBuffer(8));

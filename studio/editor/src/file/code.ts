@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is copied: a command or a program that samples the same curve at the same times, to the last bit. All but JavaScript, which has the keys in
 // it, read the file that the keys are saved in.
+import { numberText } from '../document/decimal';
 import type { Choice, Key } from '../document/document';
+import { methodText } from '../document/methodText';
 import { countedFromFirst } from '../document/times';
 import type { MethodInfo } from '../engine/protocol';
-import { numberText } from './cells';
-import { methodText } from './methodText';
 
 export interface Wanted {
   readonly name: string; // of the file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The comment above the keys that names the method they are for. It is written only where the file has one already.
 import type { Choice } from '../document/document';
-import { methodText, sameMethod } from './methodText';
+import { methodText, sameMethod } from '../document/methodText';
 import { tableOf } from './table';
 
 const comment = /^([ \t]*#[ \t]*orispline:(?:.*[ \t])?method=)([^ \t]+)(.*)$/;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The text of a file with the keys of a document in it: rows of untouched keys stay byte for byte, of others the changed cells are written;
 // keys that were made are new rows, with empty cells where nothing is known.
-import { type Decimal, decimalOf } from '../document/decimal';
+import { type Decimal, decimalOf, numberText } from '../document/decimal';
 import type { Key, Original, Quaternion } from '../document/document';
-import { numberText, textInUnit, textOfTime, unitOfTimes } from './cells';
+import { textInUnit, textOfTime, unitOfTimes } from './cells';
 import { type Columns, columnNamed, columnsOf } from './columns';
 import { type Cell, type Line, type Table, cellsOf, tableOf } from './table';
 

@@ -12,9 +12,15 @@ export interface Choice {
 /** Shows a dialog in the place; resolves with the label of the button that was pressed, null after Escape. */
 export function ask(place: HTMLElement, title: string, content: (Node | string)[], choices: Choice[]): Promise<string | null> {
   const id = `orispline-dialog-${++made}`;
-  const buttons = choices.map(({ label, isFirst }) => element('button', { type: 'submit', className: isFirst ? 'play' : 'side', value: label }, label));
-  const form = element('form', { method: 'dialog' }, element('h2', { id }, title), ...content, element('div', { className: 'answers' }, ...buttons));
-  const dialog = element('dialog', { className: 'ask', attributes: { 'aria-labelledby': id } }, form);
+  const buttons = choices.map(({ label, isFirst }) =>
+    isFirst ? element('button', { type: 'submit', className: 'play' }, label) : element('button', { type: 'button', className: 'side', onclick: () => dialog.close(label) }, label),
+  );
+  const form = element('form', {}, element('h2', { id }, title), ...content, element('div', { className: 'answers' }, ...buttons));
+  const dialog: HTMLDialogElement = element('dialog', { className: 'ask', attributes: { 'aria-labelledby': id } }, form);
+  form.addEventListener('submit', (event) => {
+    event.preventDefault();
+    dialog.close(choices.find(({ isFirst }) => isFirst)?.label);
+  });
   const before = document.activeElement;
   place.append(dialog);
   return new Promise((resolve) => {
@@ -33,7 +39,7 @@ export const sentences = (...texts: string[]): HTMLElement[] => texts.map((text)
 /** A text to be taken, for the clipboard may be refused. */
 export async function showText(place: HTMLElement, title: string, text: string, tell: (sentence: string) => void): Promise<void> {
   const area = element('textarea', { value: text, readOnly: true, spellcheck: false, rows: Math.min(18, text.split('\n').length + 1), attributes: { 'aria-label': title } });
-  area.addEventListener('focus', () => area.select());
+  area.addEventListener('focus', () => area.setSelectionRange(0, text.length, 'backward')); // its beginning stays in view
   const answer = await ask(place, title, [area], [{ label: 'Copy', isFirst: true }, { label: 'Close' }]);
   if (answer !== 'Copy') return;
   try {

@@ -54,6 +54,7 @@ export function hearShortcuts({ view }: Studio, place: EventTarget, shortcuts: S
     const found = shortcuts.find(({ is, whileTyping }) => is(event) && (!isTyping || whileTyping));
     if (!found) return;
     event.preventDefault();
+    if (isTyping) event.target?.dispatchEvent(new Event('change', { bubbles: true })); // what is typed counts
     found.act();
   });
 }

@@ -29,7 +29,7 @@ const euler = (order: string): Form => ({
   names: [...order].map((letter, i) => `${letter}, ${ordinals[i]} turn`),
   unit: '°',
   step: 1,
-  decimals: 4,
+  decimals: 3,
   keepsTyped: true,
   numbersOf: (q) => three([...toEuler(order, q)], 1 / degree),
   orientationOf: (numbers) => fromEuler(order, three(numbers, degree)),

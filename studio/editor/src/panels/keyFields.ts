@@ -69,7 +69,7 @@ export class KeyFields {
         if (this.key) this.studio.store.edit(placed(this.document, this.key.id, i as 0 | 1 | 2, value), gesture);
         return null;
       };
-      return new NumberField({ label: axis, name: this.nameOf(`position ${axis}`), unit: 'm', step: 0.01, decimals: 4, taken });
+      return new NumberField({ label: axis, name: this.nameOf(`position ${axis}`), unit: 'm', step: 0.01, decimals: 3, taken });
     });
   }
 

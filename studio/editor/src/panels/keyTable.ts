@@ -67,6 +67,7 @@ export class KeyTable {
   private readonly note = element('p', { className: 'facts' });
   private readonly rows = new Map<number, Row>(); // by the id of the key
   private made = ''; // what the columns are
+  private reached: number | null = null; // the key whose row is in view
 
   constructor(
     private readonly studio: Studio,
@@ -106,6 +107,8 @@ export class KeyTable {
       this.rows.get(id)!.element.remove();
       this.rows.delete(id);
     }
+    if (chosen !== this.reached && !this.body.contains(globalThis.document.activeElement)) this.rows.get(chosen ?? NaN)?.element.scrollIntoView({ block: 'nearest' });
+    this.reached = chosen;
     this.note.textContent = shown.length < keys.length ? `Of ${keys.length} keys ${shown.length} near the chosen one are shown.` : '';
     this.note.hidden = this.note.textContent === '';
   }

@@ -2,9 +2,9 @@
 // The method of A or B, and why it has no curve where that is so.
 import { element } from 'orispline-viewer/look/element';
 import { letters, type Which } from '../document/document';
+import { methodText } from '../document/methodText';
 import { sentence } from '../document/sentence';
 import { withMethod } from '../edits/choice';
-import { textOf } from '../engine/choices';
 import type { Studio } from '../store/studio';
 
 export function methodMenu({ store, methods }: Studio, which: Which): HTMLSelectElement {
@@ -26,7 +26,7 @@ export function refusal({ store }: Studio, which: Which): HTMLElement {
   const line = element('p', { className: `refusal ${which}`, attributes: { role: 'status' } });
   store.subscribe(['troubles', 'document'], ({ troubles, document }) => {
     const trouble = troubles[which];
-    line.textContent = trouble ? `${letters[which]} ${textOf(document[which])} has no curve through these keys: ${sentence(trouble.message)} The last good one stays, in grey.` : '';
+    line.textContent = trouble ? `${letters[which]} ${methodText(document[which])} has no curve through these keys: ${sentence(trouble.message)} The last good one stays, in grey.` : '';
     line.hidden = !trouble;
   });
   return line;

@@ -12,6 +12,7 @@ import { apart, nearest, perPixel, placeOf, roundTime } from './scale';
 import { svg, type Track } from './track';
 
 const reach = { mouse: 14, touch: 22 }; // [px]
+const onKey = 8; // [px]
 const nearStep = 0.01; // of the window
 
 export const reachFor = ({ pointerType }: PointerEvent): number => (pointerType === 'mouse' ? reach.mouse : reach.touch);
@@ -43,6 +44,9 @@ export class Dots {
   get inView(): { keys: Key[]; places: number[] } {
     return { keys: this.shown, places: this.places };
   }
+
+  /** Whether there is a key at a place [px]. */
+  isAt = (x: number): boolean => nearest(this.places, x, onKey) >= 0;
 
   focus(): void {
     const { chosen } = this.studio.store.current();
@@ -94,9 +98,10 @@ export class Dots {
     return dot;
   }
 
+  /** A key, or where there is none the stretch of time that is shown. */
   private grasp(event: PointerEvent) {
     const found = nearest(this.places, this.track.placeIn(event), reachFor(event));
-    if (found < 0) return null;
+    if (found < 0) return this.track.grasp();
     const { id, t } = this.shown[found];
     this.studio.store.choose(id);
     this.focus();

@@ -10,7 +10,8 @@ export interface Scale {
   width: number; // [px]
 }
 
-export const perPixel = ({ from, to, width }: Scale): number => (to - from) / Math.max(width - 2 * inset, 1);
+/** Where there is one moment only, a second is as wide as all. */
+export const perPixel = ({ from, to, width }: Scale): number => (to > from ? to - from : 1) / Math.max(width - 2 * inset, 1);
 export const placeOf = (scale: Scale, time: number): number => inset + (time - scale.from) / perPixel(scale);
 export const timeAt = (scale: Scale, x: number): number => scale.from + (x - inset) * perPixel(scale);
 

@@ -6,7 +6,7 @@ import type { Studio } from '../store/studio';
 import type { Actions } from './actions';
 import { Bars } from './bars';
 import { Dots } from './dots';
-import { timeAt } from './scale';
+import { roundTime, timeAt } from './scale';
 import { Track } from './track';
 
 const zoomStep = 1.5;
@@ -34,7 +34,10 @@ export class Timeline {
     this.bars = new Bars(studio, this.track, this.dots);
     [this.parameterMenu, this.parameterSelect] = menu('Bars', [], (name) => this.chooseParameter(name));
     this.track.element.append(this.dots.element, this.bars.element, this.none);
-    this.track.element.addEventListener('dblclick', (event) => void actions.insert(timeAt(this.track.scale, this.track.placeIn(event))));
+    this.track.element.addEventListener('dblclick', (event) => {
+      const x = this.track.placeIn(event);
+      if (!this.dots.isAt(x)) void actions.insert(roundTime(this.track.scale, timeAt(this.track.scale, x)));
+    });
     this.element.append(this.head(tools), this.track.element);
     studio.store.subscribe(['document'], () => this.showParameters());
   }

@@ -2,7 +2,8 @@
 // The stretch of time that is shown, with its marks and the cursor: dragged it moves the time, wheel and pinch zoom and pan.
 import { element } from 'orispline-viewer/look/element';
 import type { Studio } from '../store/studio';
-import { marks, placeOf, slid, timeAt, zoomed, type Scale } from './scale';
+import type { Drag } from './drag';
+import { marks, perPixel, placeOf, slid, timeAt, zoomed, type Scale } from './scale';
 
 const wheelStep = 1 / 400; // of a notch of 100 px
 const namespace = 'http://www.w3.org/2000/svg';
@@ -59,6 +60,13 @@ export class Track {
     const { choose, current } = this.studio.view;
     const { window, extent } = current();
     choose({ window: slid(window, extent, by) });
+  }
+
+  /** Pulls what is shown along. */
+  grasp(): Drag {
+    const { scale } = this;
+    const { choose, current } = this.studio.view;
+    return { moved: (dx) => choose({ window: slid([scale.from, scale.to], current().extent, -dx * perPixel(scale)) }) };
   }
 
   private tell(): void {

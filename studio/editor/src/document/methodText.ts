@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A method with its settings as the library reads it: `timed-c2:tension=0.6:ends=natural:closed`.
-import type { Choice } from '../document/document';
-import { numberText } from './cells';
+import type { Choice } from './document';
+import { numberText } from './decimal';
 
 export function methodText({ method, settings }: Choice): string {
   const pieces = Object.entries(settings).map(([name, value]) => {
