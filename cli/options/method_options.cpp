@@ -18,9 +18,6 @@ namespace orispline::cli {
 
 namespace {
 
-/// Who says how the ends are to be.
-enum class AskedBy { user, file };
-
 /// What the library finds wrong with the text of an option begins with that option.
 template <class T>
 Expected<T> said_by(std::string_view option, Expected<T> result) {
@@ -49,12 +46,12 @@ Expected<Method> with_settings(Method method, const MethodOptions& options) {
   return shaped;
 }
 
-/// A rate alone means clamped, and an end that is asked to be clamped wants one.
-Expected<Method> with_rate_option(Method method, CurveEnd end, std::string_view option,
-                                  const std::optional<std::string>& rate, AskedBy asked) {
+/// A rate alone means clamped, and an end that `--ends` asks to be clamped wants one; a text states both.
+Expected<Method> with_rate_option(Method method, CurveEnd end, const std::optional<std::string>& ends,
+                                  std::string_view option, const std::optional<std::string>& rate) {
   const End& given = end == CurveEnd::start ? method.options.start : method.options.end;
   const bool lacks_rate = given.rule == EndRule::clamped && given.angular_velocity.isZero(0.0);
-  if (!rate && lacks_rate && asked == AskedBy::user)
+  if (!rate && lacks_rate && ends)
     return usage_failure(formatted("--ends clamped: found no rate for that end, wanted {} as well", option));
   if (!rate) return method;
   // Whether the end can have a rate at all comes before its numbers.
@@ -89,14 +86,14 @@ Expected<Method> with_loop_options(Method method, const MethodOptions& options) 
   return with_loop(std::move(method), {.period = *seconds});
 }
 
-Expected<Method> shaped(Method given, const MethodOptions& options, AskedBy asked) {
+Expected<Method> shaped(Method given, const MethodOptions& options) {
   return with_end_rules(std::move(given), options)
       .and_then([&](Method method) { return with_settings(std::move(method), options); })
       .and_then([&](Method method) {
-        return with_rate_option(std::move(method), CurveEnd::start, "--start-rate", options.start_rate, asked);
+        return with_rate_option(std::move(method), CurveEnd::start, options.ends, "--start-rate", options.start_rate);
       })
       .and_then([&](Method method) {
-        return with_rate_option(std::move(method), CurveEnd::end, "--end-rate", options.end_rate, asked);
+        return with_rate_option(std::move(method), CurveEnd::end, options.ends, "--end-rate", options.end_rate);
       })
       .and_then([&](Method method) { return with_loop_options(std::move(method), options); });
 }
@@ -134,7 +131,7 @@ Expected<OwnFamilies> own_families(const std::vector<std::string>& files) {
 Expected<Method> method_request(std::string_view text, const MethodOptions& options, std::string_view option) {
   return own_families(options.blending)
       .and_then([&](const auto& own) { return said_by(option, method_from_text(text, own)); })
-      .and_then([&](Method method) { return shaped(std::move(method), options, AskedBy::user); });
+      .and_then([&](Method method) { return shaped(std::move(method), options); });
 }
 
 Expected<std::optional<Method>> named_method(const std::optional<std::string>& text, const MethodOptions& options) {
@@ -145,9 +142,8 @@ Expected<std::optional<Method>> named_method(const std::optional<std::string>& t
 Expected<jobs::ChosenMethod> chosen_method(const std::optional<Method>& named, const MethodOptions& options,
                                            const io::KeyInput& keys, const jobs::UsualMethod& usual) {
   return jobs::chosen_method(named, keys.recipe(), keys.path(), usual, [&](Method method, jobs::NamedBy by) {
-    if (by == jobs::NamedBy::nobody) return shaped(std::move(method), options, AskedBy::user);
-    const AskedBy asked = options.ends ? AskedBy::user : AskedBy::file;
-    return shaped(silent_about(options, std::move(method)), options, asked);
+    if (by == jobs::NamedBy::nobody) return shaped(std::move(method), options);
+    return shaped(silent_about(options, std::move(method)), options);
   });
 }
 

@@ -163,6 +163,10 @@ class Shape(CommandTest):
         self.assertAlmostEqual(rates[0], -0.5, delta=1e-13)
         self.assertAlmostEqual(rates[3], 0.25, delta=1e-13)
 
+    def test_a_rate_in_the_text_of_a_method_may_be_none(self):
+        self.assertEqual(self.rates_of("--method timed-c2:ends=clamped:start_rate=0,0,0:end_rate=0,0,1"),
+                         self.rates_of("--start-rate=0,0,0 --end-rate=0,0,1"))
+
     def test_each_end_may_have_its_rule(self):
         rates = self.rates_of("--ends rest,clamped --end-rate=0,0,1")
         self.assertAlmostEqual(rates[0], 0, delta=1e-13)

@@ -28,4 +28,7 @@ if names browser.mjs "$2"; then
   CHROMIUM=$(command -v "$browser")
   export CHROMIUM
 fi
+[ -f "${ORISPLINE_NPM-}/full.js" ] || unset ORISPLINE_NPM
+[ -d "${ORISPLINE_PREFIX-}/include/orispline" ] || unset ORISPLINE_PREFIX
+"${ORISPLINE_PYTHON-none}" -c 'import orispline' 2>/dev/null || unset ORISPLINE_PYTHON
 exec node --test "$2"

@@ -12,4 +12,6 @@ function given(): Given | null {
   return { bytes: Uint8Array.from(atob(content), (c) => c.charCodeAt(0)), name, method: method ?? undefined, beside: beside ?? undefined };
 }
 
-void new App(document.querySelector('main')!, startEngine()).begin(given());
+const studio = new App(document.querySelector('main')!, startEngine());
+Object.assign(globalThis, { studio }); // for who looks into it from the console
+void studio.begin(given());

@@ -26,7 +26,7 @@ export async function faultsOf(page) {
 /** Elements that stand out at the right; in a box that is scrolled by itself they may. */
 export const tooWide = (page) =>
   page.locator('body *:visible').evaluateAll((all) =>
-    all.filter((one) => !one.closest('.measures table, .joints table, pre code') && one.getBoundingClientRect().right > innerWidth + 1).map((one) => one.outerHTML.slice(0, 80)),
+    all.filter((one) => !one.closest('.measures table, .joints table, .rows table, pre code') && one.getBoundingClientRect().right > innerWidth + 1).map((one) => one.outerHTML.slice(0, 80)),
   );
 
 export const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };

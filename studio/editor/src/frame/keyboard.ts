@@ -47,10 +47,16 @@ export function shortcutsOf({ store, view }: Studio, actions: Actions, { open, s
   ];
 }
 
+/** A letter at a menu chooses what begins with it. */
+function isTypedIn({ target, key, ctrlKey, metaKey }: KeyboardEvent): boolean {
+  const within = (selector: string) => !!(target as Element).closest?.(selector);
+  return within(isTypedInto) || (within('select') && key.length === 1 && !ctrlKey && !metaKey);
+}
+
 export function hearShortcuts({ view }: Studio, place: EventTarget, shortcuts: Shortcut[]): void {
   view.listen(place, 'keydown', (event: KeyboardEvent) => {
     if (event.defaultPrevented) return;
-    const isTyping = !!(event.target as Element).closest?.(isTypedInto);
+    const isTyping = isTypedIn(event);
     const found = shortcuts.find(({ is, whileTyping }) => is(event) && (!isTyping || whileTyping));
     if (!found) return;
     event.preventDefault();
@@ -75,5 +81,5 @@ export function showHelp(place: HTMLElement, shortcuts: Shortcut[]): void {
   const list = (lines: [string, string][]) => element('dl', {}, ...lines.flatMap(([keys, does]) => [element('dt', {}, keys), element('dd', {}, does)]));
   const everywhere = [...elsewhere, ...shortcuts.map(({ keys, does }): [string, string] => [keys, does])];
   const parts = [['Everywhere', everywhere] as const, ...places].map(([where, lines]) => element('section', {}, element('h3', {}, where), list(lines)));
-  void ask(place, 'Keyboard', [element('div', { className: 'help' }, ...parts)], [{ label: 'Close', isFirst: true }]);
+  void ask(place, 'Keyboard', [element('div', { className: 'help', tabIndex: 0, attributes: { role: 'region', 'aria-label': 'Keys and what they do' } }, ...parts)], [{ label: 'Close', isFirst: true }]);
 }

@@ -7,6 +7,7 @@ import type { OwnParameter } from '../store/parameters';
 import type { Studio } from '../store/studio';
 
 const steps = 100; // of the slider
+const moving = ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'PageUp', 'PageDown', 'Home', 'End']; // it
 const mostOfDefault = 2;
 
 export class AllKeys {
@@ -20,6 +21,7 @@ export class AllKeys {
     this.element.append(element('span', {}, 'All keys'), this.slider, this.value);
     this.slider.addEventListener('input', () => this.set());
     this.slider.addEventListener('change', () => (this.gesture = {}));
+    this.slider.addEventListener('keydown', (event) => moving.includes(event.key) && event.stopPropagation()); // elsewhere they step the time
     studio.store.subscribe(['document'], () => this.show());
   }
 

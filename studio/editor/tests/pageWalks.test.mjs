@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random walks through the built page: undo leads to where they began, and the file that is saved is what the command samples as it was plotted.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { writeFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { example, placeOf, studioWith, withDisk } from './wholePage.mjs';
+import { checkPlotted, columnsOf, methodText, same, state } from './plotted.mjs';
+import { walk } from './walk.mjs';
+import { withoutGraphics } from '../../report/tests/browser.mjs';
+
+const edits = 200;
+const rowsOf = (text) => text.split('\n').filter((line) => line !== '' && !line.startsWith('#'));
+const withTensions = rowsOf(example('five_keys.csv')).map((row, i) => `${row},${i === 0 ? 'tension' : (0.13 * i).toFixed(2)}`);
+const files = {
+  'five.csv': [example('five_keys.csv'), 'timed-c2'],
+  'tensions.csv': [`# with\r\n${withTensions.join('\r\n')}\r\n`, 'quintic'],
+  'camera.csv': [example('camera_keys.csv'), 'auto'],
+  'flight.csv': [example('flight_keys.csv'), 'auto'],
+  'late.csv': [`t;note;qw;qx;qy;qz\n1700000000.1;"a;b";1;0;0;0\n1700000001.3;;0.8;0.6;0;0\n# c\n1700000002.7;x;0.6;0;0.8;0\n1700000004;y;0;0;1;0`, 'auto'],
+  'column.csv': [`stamp_ms,tension,x,qx,qy,qz,qw\n-500,0.5,1,0,0,0,1\n250,0.4,1,0.6,0,0,0.8\n1300,0.2,1,0,0.8,0,0.6\n1900,0.1,1,0,0,0.6,0.8\n2100,0.1,1,0.1,0.1,0.7,0.7\n`, 'timed-c2'],
+};
+
+/** What the command samples of a file, by columns; or why it does not. */
+function commanded(name, text, method, count) {
+  const file = placeOf(name);
+  writeFileSync(file, text);
+  try {
+    const output = execFileSync(process.env.ORISPLINE_COMMAND, ['sample', file, '--method', method, '--count', String(count), '--derivatives', '3', '--quiet'], { encoding: 'utf8', stdio: 'pipe', maxBuffer: 2 ** 26 });
+    return columnsOf(output);
+  } catch ({ stderr }) {
+    return { refused: stderr };
+  }
+}
+
+function checkSaved(name, text, now) {
+  const method = methodText(now.document.first);
+  const told = commanded(name, text, method, now.count);
+  if (now.troubles.first || told.refused) assert.ok(now.troubles.first && told.refused, `${method}: ${now.troubles.first?.message}, ${told.refused}`);
+  else checkPlotted(now, told, `the command, ${name} with ${method}`);
+}
+
+/** To run before a page: scenes that a computer draws without graphics take longer than all else, so that two files have them. */
+const withoutScenes = `(${withDisk})(); (${withoutGraphics})();`;
+
+for (const [number, [name, [text, method]]] of Object.entries(files).entries())
+  test(`five walks of ${edits} edits from ${name}`, async (context) => {
+    const studio = await studioWith({}, { first: number < 2 ? withDisk : withoutScenes, viewport: { width: 800, height: 600 } });
+    await studio.page.evaluate(([name, text, method]) => {
+      Object.assign(window, { disk: { [name]: text }, picked: name });
+      return showOpenFilePicker().then(([handle]) => window.studio.open({ bytes: new TextEncoder().encode(text), name, method, handle }));
+    }, [name, text, method]);
+    await studio.isOpen(name);
+    const saved = async () => {
+      await studio.button('Save').click();
+      await studio.page.waitForFunction(() => window.studio.current.studio.store.current().isSaved);
+      return studio.page.evaluate((name) => disk[name], name);
+    };
+    const began = await studio.ask(state);
+    checkSaved(name, text, began);
+    for (let i = 1; i <= 5; ++i) {
+      const tried = await studio.page.evaluate(`(${walk})(${JSON.stringify({ seed: 1000 * number + i, edits })})`);
+      await studio.drawn();
+      const now = await studio.ask(state);
+      checkSaved(name, await saved(), now);
+      const steps = await studio.stepsBack();
+      context.diagnostic(`${i}: ${steps} steps, ${now.document.keys.length} keys, ${methodText(now.document.first)}; ${JSON.stringify(tried)}`);
+      await studio.drawn();
+      const back = await studio.ask(state);
+      assert.deepEqual(back.document, began.document);
+      assert.ok(same(back.lists.q, began.lists.q));
+      assert.equal(await saved(), text);
+    }
+    await studio.finish();
+  });
