@@ -2,7 +2,7 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build wasm test test-more python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python bench-web site page studio web deb format tidy clean
+.PHONY: run build wasm test test-more python check clang asan ubsan tsan coverage fuzz nightly mutants random release release-parts sweep bench bench-quick bench-python bench-web site page studio web deb format tidy clean
 .NOTPARALLEL:
 
 # How long the parts of `make test` take, in build/times.tsv: $(call timed,PART) COMMAND.
@@ -74,7 +74,9 @@ bench-python: build
 	build/python/venv/bin/python benchmarks/python/run.py --document docs/benchmarks.md
 	build/python/venv/bin/python benchmarks/python/many_tracks.py --document docs/scale.md
 
+# Ends with the stamp that a release of this commit asks for.
 check: test clang asan ubsan tsan coverage
+	tools/release.py stamp
 
 clang asan ubsan tsan:
 	tools/setup.sh build test check
@@ -100,6 +102,8 @@ nightly: check test-more random sweep
 	$(MAKE) fuzz SECONDS=600
 	$(MAKE) mutants
 	$(MAKE) tidy
+	rm -rf build/twice
+	tools/release.py twice build/twice
 
 # The properties, each on many random cases from a seed that is new every time; it is printed to have them again.
 random: CASES = 5000
@@ -195,6 +199,19 @@ web: build
 deb:
 	tools/setup.sh build deb
 	tools/make_deb.py build/deb --jobs $(JOBS)
+
+# make release VERSION=0.2.0 [OUT=FOLDER]; docs/releasing.md tells what it asks for and how it is signed.
+release:
+	@tools/release.py make "$(VERSION)" $(if $(OUT),"$(OUT)")
+
+# What a release is made of, but for its sources.
+release-parts: build
+	tools/setup.sh build python wasm deb
+	$(build_studio)
+	cmake --build --preset release -j $(JOBS)
+	$(call python_package,--sdist)
+	$(npm_package)
+	$(MAKE) deb
 
 format:
 	tools/setup.sh test
