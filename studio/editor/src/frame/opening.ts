@@ -66,9 +66,9 @@ async function fromTransfer({ items, files }: DataTransfer): Promise<Given | nul
 
 const isTypedInto = 'input, textarea, select, [contenteditable]';
 
-/** Files dropped anywhere, and text that is pasted where nothing else takes it. */
-export function hearDrops(place: HTMLElement, given: (given: Given) => void): void {
-  const mark = (is: boolean) => place.classList.toggle('is-dropped-on', is);
+/** Files dropped anywhere, and text that is pasted where nothing else takes it. `front`: what is marked while a file is above it. */
+export function hearDrops(place: HTMLElement, front: () => HTMLElement, given: (given: Given) => void): void {
+  const mark = (is: boolean) => front().classList.toggle('is-dropped-on', is);
   place.addEventListener('dragover', (event) => {
     if (!event.dataTransfer?.types.includes('Files')) return;
     event.preventDefault();

@@ -3,7 +3,7 @@
 import { element } from 'orispline-viewer/look/element';
 import { coloursOf, paint } from 'orispline-viewer/look/theme';
 import { templates } from '../document/templates';
-import { hearDrops, picked, type Given } from './opening';
+import { picked, type Given } from './opening';
 
 export class Start {
   readonly element = element('div', { className: 'orispline-viewer orispline-studio start', tabIndex: -1 });
@@ -27,7 +27,6 @@ export class Start {
         element('section', { attributes: { 'aria-label': 'Templates' } }, element('h2', {}, 'Or begin with a template'), element('div', { className: 'cards' }, ...cards)),
       ),
     );
-    hearDrops(this.element, given);
     const dark = matchMedia('(prefers-color-scheme: dark)');
     const show = () => {
       const theme = dark.matches ? 'dark' : 'light';
