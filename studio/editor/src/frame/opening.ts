@@ -2,6 +2,7 @@
 // What a user opens: bytes with a name, from wherever they come.
 import { element } from 'orispline-viewer/look/element';
 import { sentence } from '../document/sentence';
+import type { Looks } from '../document/templates';
 import { mostKeys, type Engine, type Opened, type TooMany, type Trouble } from '../engine/protocol';
 import { ask } from './dialog';
 
@@ -17,6 +18,7 @@ export interface Given {
   name: string;
   method?: string; // text of A
   beside?: string;
+  looks?: Looks; // else those of a body that nothing is known of
   handle?: FileHandle; // where it can be written again
 }
 

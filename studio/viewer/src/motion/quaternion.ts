@@ -4,6 +4,7 @@
 export type Quaternion = [w: number, x: number, y: number, z: number];
 export type Vector = [x: number, y: number, z: number];
 export type Axis = 'x' | 'y' | 'z';
+export type Up = 'y' | 'z'; // axis of the world
 
 export const product = ([w, x, y, z]: Quaternion, [a, b, c, d]: Quaternion): Quaternion => [
   w * a - x * b - y * c - z * d,
