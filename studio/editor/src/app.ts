@@ -81,7 +81,7 @@ export class App {
     this.session?.end();
     this.start.element.remove();
     const handle = original.name === given.name ? given.handle : undefined; // keys of a recording are not written over it
-    const setting = { engine: this.engine, methods: this.methods, theme, handle, open: () => void this.pick() };
+    const setting = { engine: this.engine, methods: this.methods, theme, looks: given.looks, handle, open: () => void this.pick() };
     this.session = new Session(opened, first, curves, draft, setting);
     this.place.append(this.session.screen.element);
     window.document.title = `${original.name} – orispline studio`;

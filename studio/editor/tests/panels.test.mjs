@@ -57,6 +57,22 @@ test('a key is dragged in time, never past its neighbour, in one step of the his
   await close();
 });
 
+test('the time goes with the last key beyond the end', async () => {
+  const { page, state, key, close } = await studioOf();
+  await key(5).focus();
+  await page.evaluate(() => {
+    const { draw } = engine;
+    engine.draw = (document) => setTimeout(() => draw(document), 50); // curves come later than keys
+  });
+  for (const press of ['Shift+ArrowRight', 'Shift+ArrowRight', 'ArrowRight']) await page.keyboard.press(press);
+  const [end, time] = await state('({ document }, { time }) => [document.keys[4].t, time]');
+  assert.ok(end > 5.5);
+  assert.equal(time, end);
+  await page.waitForFunction((end) => app.current.studio.view.current().extent[1] === end, end);
+  assert.equal(await state('(_, { time }) => time'), end);
+  await close();
+});
+
 test('arrow keys move the key that has the focus, brackets choose another one, arrows elsewhere step the time', async () => {
   const { page, state, key, close } = await studioOf();
   await key(1).focus();
@@ -276,6 +292,30 @@ test('a draft comes back, and is discarded', async () => {
   assert.equal(await state('({ document }) => document.keys[1].t'), 1.05);
   await button('Discard draft').click();
   assert.equal(await state('({ document }) => document.keys[1].t'), 1);
+  await close();
+});
+
+test('files that are opened one after another leave nothing behind that listens', async () => {
+  const { page, close } = await studioOf();
+  await page.evaluate(() => {
+    globalThis.listening = new Map([document, window].map((target) => [target, []]));
+    for (const [target, heard] of listening) {
+      const { addEventListener, removeEventListener } = target;
+      target.addEventListener = (type, listener, ...more) => (heard.push([type, listener]), addEventListener.call(target, type, listener, ...more));
+      target.removeEventListener = (type, listener, ...more) => {
+        const place = heard.findIndex(([one, other]) => one === type && other === listener);
+        if (place >= 0) heard.splice(place, 1);
+        removeEventListener.call(target, type, listener, ...more);
+      };
+    }
+  });
+  const counts = [];
+  for (const name of ['b.csv', 'c.csv', 'd.csv']) {
+    await page.evaluate(([text, name]) => begin(text, name), [keys, name]);
+    await page.getByRole('heading', { name }).waitFor();
+    counts.push(await page.evaluate(() => [...listening.values()].flat().length));
+  }
+  assert.ok(counts[0] > 0 && counts.every((count) => count === counts[0]), counts.join());
   await close();
 });
 

@@ -14,7 +14,7 @@ export class Start {
     const text = element('textarea', { rows: 4, spellcheck: false, placeholder: 't,qw,qx,qy,qz\n0,1,0,0,0\n1,0.7071,0,0,0.7071', attributes: { 'aria-label': 'Keys as CSV' } });
     const use = element('button', { type: 'button', className: 'side', onclick: () => this.given({ bytes: new TextEncoder().encode(text.value), name: 'pasted.csv' }) }, 'Use this text');
     const cards = templates.map((template) =>
-      element('button', { type: 'button', className: 'card', onclick: () => this.given({ bytes: new TextEncoder().encode(template.text), name: template.name, method: template.first, beside: template.second }) }, element('strong', {}, template.title), element('span', {}, template.sentence)),
+      element('button', { type: 'button', className: 'card', onclick: () => this.given({ bytes: new TextEncoder().encode(template.text), name: template.name, method: template.first, beside: template.second, looks: template.looks }) }, element('strong', {}, template.title), element('span', {}, template.sentence)),
     );
     this.element.append(
       element(
