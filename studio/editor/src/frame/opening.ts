@@ -70,22 +70,24 @@ const isTypedInto = 'input, textarea, select, [contenteditable]';
 
 /** Files dropped anywhere, and text that is pasted where nothing else takes it. `front`: what is marked while a file is above it. */
 export function hearDrops(place: HTMLElement, front: () => HTMLElement, given: (given: Given) => void): void {
+  const isAsking = () => !!place.querySelector('dialog[open]'); // what is asked comes first
   const mark = (is: boolean) => front().classList.toggle('is-dropped-on', is);
   place.addEventListener('dragover', (event) => {
     if (!event.dataTransfer?.types.includes('Files')) return;
     event.preventDefault();
-    mark(true);
+    mark(!isAsking());
   });
   place.addEventListener('dragleave', (event) => !place.contains(event.relatedTarget as Node | null) && mark(false));
   place.addEventListener('drop', async (event) => {
     mark(false);
     if (!event.dataTransfer) return;
     event.preventDefault();
+    if (isAsking()) return;
     const found = await fromTransfer(event.dataTransfer);
     if (found) given(found);
   });
   place.ownerDocument.addEventListener('paste', (event) => {
-    if ((event.target as Element).closest?.(isTypedInto) || !place.isConnected) return;
+    if ((event.target as Element).closest?.(isTypedInto) || !place.isConnected || isAsking()) return;
     const text = event.clipboardData?.getData('text/plain');
     if (text) given({ bytes: new TextEncoder().encode(text), name: 'pasted.csv' });
   });

@@ -14,6 +14,7 @@ import { svg, type Track } from './track';
 
 const reach = { mouse: 14, touch: 22 }; // [px]
 const onKey = 8; // [px]
+const besideKey = 2; // [px]
 const nearStep = 0.01; // of the window
 
 export const reachFor = ({ pointerType }: PointerEvent): number => (pointerType === 'mouse' ? reach.mouse : reach.touch);
@@ -110,12 +111,13 @@ export class Dots {
     return { moved: (dx: number, _: number, gesture: object) => this.actions.move(id, dx === 0 ? t : this.beside(id, roundTime(scale, t + dx * perPixel(scale))), gesture) };
   }
 
-  /** A pixel from the neighbours at least, for nobody means to put two keys a microsecond apart; a key that is nearer may stay. Numbers can be typed. */
+  /** A little off the neighbours, for nobody means to put two keys a microsecond apart; a key that is nearer may stay. Numbers can be typed. */
   private beside(id: number, time: number): number {
     const { keys } = this.studio.store.current().document;
     const index = keys.findIndex((key) => key.id === id);
+    if (index < 0) return time; // it was deleted while it was dragged
     const [before, { t }, after] = [keys[index - 1], keys[index], keys[index + 1]];
-    const step = roundStep(perPixel(this.track.scale));
+    const step = roundStep(besideKey * perPixel(this.track.scale));
     const [low, high] = [before ? Math.min(before.t + step, t) : -Infinity, after ? Math.max(after.t - step, t) : Infinity];
     return Number(Math.min(Math.max(time, low), high).toPrecision(15));
   }
