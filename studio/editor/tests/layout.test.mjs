@@ -41,6 +41,21 @@ for (const [width, height] of [[1400, 900], [1280, 720], [1120, 700]])
       await page.finish();
     });
 
+test('the long text of a method with settings wraps no menu of the body', async () => {
+  const page = await open(browser, file, { viewport: { width: 1400, height: 900 } });
+  await page.evaluate(([text]) => begin(text, 'keys.csv', { method: 'timed-c2' }), [csv(5, false)]);
+  await page.evaluate(() => {
+    const { store } = app.current.studio;
+    const { document } = store.current();
+    store.edit({ ...document, first: { method: 'timed-c2', settings: { tension: 0.123456, tension2: 1.234567, ends: 'clamped,repeat', 'start-rate': '0.1,0.2,0.3' } } });
+  });
+  await page.getByRole('group', { name: 'Body' }).getByText('A timed-c2:tension=0.123456').waitFor();
+  assert.ok((await boxOf(page, '.body > .caption')).height < 45);
+  const [menu, body] = await Promise.all(['.body > .caption > :last-child', '.body'].map((selector) => boxOf(page, selector)));
+  assert.ok(menu.x + menu.width <= body.x + body.width);
+  await page.finish();
+});
+
 test('a closed menu of methods shows a name, its list the titles', async () => {
   const page = await open(browser, file, { viewport: { width: 1400, height: 900 } });
   await page.evaluate(([text]) => begin(text, 'keys.csv', { method: 'hermite-c1' }), [csv(5, false)]);

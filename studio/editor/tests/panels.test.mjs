@@ -356,6 +356,13 @@ test('the command is copied out of a dialog', async () => {
   const dialog = page.getByRole('dialog', { name: /^Command/ });
   assert.match(await dialog.getByRole('textbox').inputValue(), /^orispline sample keys.csv --method timed-c2/);
   await page.keyboard.press('Escape');
+  await button('Copy').click();
+  await page.getByRole('menuitem', { name: 'C++' }).click();
+  await page.waitForFunction(() => {
+    const area = document.querySelector('dialog textarea');
+    return area === document.activeElement && area.scrollHeight > area.clientHeight && area.scrollTop === 0 && area.selectionEnd === area.value.length;
+  });
+  await page.keyboard.press('Escape');
   await close();
 });
 
