@@ -283,7 +283,7 @@ onPage('a finger turns a ring, and the page stays', async (page) => {
   const middle = await middleOf(page, 'Body');
   await fingerPull(page, { x: middle.x, y: middle.y + (0.3 * middle.width) / 2 }, { x: middle.x + 60, y: middle.y + 70 });
   const turn = turnOf(wereKeys[2], (await quaternions(page))[2]).map(Math.abs);
-  assert.ok(Math.max(...turn) > 5 * degree && [...turn].sort()[1] < 1e-12, `${turn}`);
+  assert.ok(Math.max(...turn) > 5 * degree && turn.toSorted((a, b) => a - b)[1] < 1e-12, `${turn}`);
   assert.equal(await page.evaluate(() => scrollY), 0);
 }, phone);
 
