@@ -21,6 +21,7 @@ export class App {
     private readonly engine: Engine,
   ) {
     this.start = new Start((given) => void this.open(given));
+    hearDrops(place, () => this.front, (given) => void this.open(given));
     engine.onCurves((curves, of) => {
       if (of === this.awaited?.document) this.awaited.told(curves);
       this.session?.take(curves, of);
@@ -80,10 +81,9 @@ export class App {
     this.session?.end();
     this.start.element.remove();
     const handle = original.name === given.name ? given.handle : undefined; // keys of a recording are not written over it
-    const setting = { engine: this.engine, methods: this.methods, theme, handle, open: () => void this.pick() };
+    const setting = { engine: this.engine, methods: this.methods, theme, looks: given.looks, handle, open: () => void this.pick() };
     this.session = new Session(opened, first, curves, draft, setting);
     this.place.append(this.session.screen.element);
-    hearDrops(this.session.screen.element, (given) => void this.open(given));
     window.document.title = `${original.name} – orispline studio`;
   }
 

@@ -39,7 +39,9 @@ function show(given) {
   });
   view.atEnd(() => root.remove());
   const { body, sphere } = scenesOf(studio);
-  root.append(Object.assign(document.createElement('h1'), { textContent: 'Scenes' }), body, sphere);
+  const stages = Object.assign(document.createElement('div'), { className: 'stages' });
+  stages.append(body, sphere);
+  root.append(Object.assign(document.createElement('h1'), { textContent: 'Scenes' }), stages);
   view.atEnd(store.subscribe(['document'], ({ document }) => view.replace(reportFor(document))));
   view.choose({ time: keys[0].t });
   globalThis.studio = studio;
@@ -47,9 +49,10 @@ function show(given) {
 
 const layout = `
 body { margin: 0; }
-.orispline-studio { display: grid; grid-template: auto minmax(0, 1fr) / repeat(auto-fit, minmax(min(460px, 100%), 1fr)); gap: 12px; height: 520px; padding: 12px; box-sizing: border-box; }
-.orispline-studio > h1 { grid-column: 1 / -1; }
-@media (max-width: 700px) { .orispline-studio { height: 860px; grid-template-rows: auto repeat(2, minmax(0, 1fr)); } }
+.orispline-studio { display: flex; flex-direction: column; gap: 12px; height: 520px; padding: 12px; box-sizing: border-box; }
+.stages { flex: 1; grid-template: minmax(0, 1fr) / repeat(2, minmax(0, 1fr)); min-height: 0; }
+.stages .frame { height: auto; }
+@media (max-width: 700px) { .orispline-studio { height: 860px; } .stages { grid-template: repeat(2, minmax(0, 1fr)) / minmax(0, 1fr); } }
 `;
 
 /** The page as text. \`showKeys(keys)\` in it shows them. */

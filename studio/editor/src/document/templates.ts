@@ -4,6 +4,13 @@ import camera from '../../../../examples/data/camera_keys.csv?raw';
 import five from '../../../../examples/data/five_keys.csv?raw';
 import flight from '../../../../examples/data/flight_keys.csv?raw';
 
+/** What is up in the world of the keys, what the body is, and which of its axes is looked at. */
+export interface Looks {
+  readonly up: 'y' | 'z';
+  readonly body: 'box' | 'camera';
+  readonly axis: 'x' | 'z'; // whose way over the sphere is shown
+}
+
 export interface Template {
   readonly title: string;
   readonly sentence: string;
@@ -11,6 +18,7 @@ export interface Template {
   readonly text: string;
   readonly first: string; // methods of A and B
   readonly second: string;
+  readonly looks?: Looks;
 }
 
 const paperTensions = [0.1, 0.6, 0, 0.6, 0.1]; // of figure 3 of Tan et al. 2018
@@ -41,6 +49,7 @@ export const templates: readonly Template[] = [
     text: camera,
     first: 'auto',
     second: 'slerp',
+    looks: { up: 'y', body: 'camera', axis: 'z' }, // it looks along -z
   },
   {
     title: 'The flight',

@@ -39,7 +39,10 @@ export const sentences = (...texts: string[]): HTMLElement[] => texts.map((text)
 /** A text to be taken, for the clipboard may be refused. */
 export async function showText(place: HTMLElement, title: string, text: string, tell: (sentence: string) => void): Promise<void> {
   const area = element('textarea', { value: text, readOnly: true, spellcheck: false, rows: Math.min(18, text.split('\n').length + 1), attributes: { 'aria-label': title } });
-  area.addEventListener('focus', () => area.setSelectionRange(0, text.length, 'backward')); // its beginning stays in view
+  area.addEventListener('focus', () => {
+    area.select();
+    requestAnimationFrame(() => (area.scrollTop = 0)); // its beginning stays in view
+  });
   const answer = await ask(place, title, [area], [{ label: 'Copy', isFirst: true }, { label: 'Close' }]);
   if (answer !== 'Copy') return;
   try {

@@ -2,6 +2,7 @@
 // Keys of the keyboard that are heard everywhere. Views that give arrows a meaning of their own, such as the scenes, keep them to themselves;
 // space and arrows are the playback's.
 import { element } from 'orispline-viewer/look/element';
+import { marks } from '../store/reached';
 import type { Studio } from '../store/studio';
 import type { Actions } from '../timeline/actions';
 import { ask } from './dialog';
@@ -78,8 +79,8 @@ const places: [where: string, lines: [string, string][]][] = [
 ];
 
 export function showHelp(place: HTMLElement, shortcuts: Shortcut[]): void {
-  const list = (lines: [string, string][]) => element('dl', {}, ...lines.flatMap(([keys, does]) => [element('dt', {}, keys), element('dd', {}, does)]));
+  const list = (lines: readonly [string, string][]) => element('dl', {}, ...lines.flatMap(([keys, does]) => [element('dt', {}, keys), element('dd', {}, does)]));
   const everywhere = [...elsewhere, ...shortcuts.map(({ keys, does }): [string, string] => [keys, does])];
-  const parts = [['Everywhere', everywhere] as const, ...places].map(([where, lines]) => element('section', {}, element('h3', {}, where), list(lines)));
+  const parts = [['Everywhere', everywhere] as const, ...places, ['Marks of keys', Object.entries(marks)] as const].map(([where, lines]) => element('section', {}, element('h3', {}, where), list(lines)));
   void ask(place, 'Keyboard', [element('div', { className: 'help', tabIndex: 0, attributes: { role: 'region', 'aria-label': 'Keys and what they do' } }, ...parts)], [{ label: 'Close', isFirst: true }]);
 }

@@ -2,6 +2,7 @@
 // What a user opens: bytes with a name, from wherever they come.
 import { element } from 'orispline-viewer/look/element';
 import { sentence } from '../document/sentence';
+import type { Looks } from '../document/templates';
 import { mostKeys, type Engine, type Opened, type TooMany, type Trouble } from '../engine/protocol';
 import { ask } from './dialog';
 
@@ -17,6 +18,7 @@ export interface Given {
   name: string;
   method?: string; // text of A
   beside?: string;
+  looks?: Looks; // else those of a body that nothing is known of
   handle?: FileHandle; // where it can be written again
 }
 
@@ -66,24 +68,26 @@ async function fromTransfer({ items, files }: DataTransfer): Promise<Given | nul
 
 const isTypedInto = 'input, textarea, select, [contenteditable]';
 
-/** Files dropped anywhere, and text that is pasted where nothing else takes it. */
-export function hearDrops(place: HTMLElement, given: (given: Given) => void): void {
-  const mark = (is: boolean) => place.classList.toggle('is-dropped-on', is);
+/** Files dropped anywhere, and text that is pasted where nothing else takes it. `front`: what is marked while a file is above it. */
+export function hearDrops(place: HTMLElement, front: () => HTMLElement, given: (given: Given) => void): void {
+  const isAsking = () => !!place.querySelector('dialog[open]'); // what is asked comes first
+  const mark = (is: boolean) => front().classList.toggle('is-dropped-on', is);
   place.addEventListener('dragover', (event) => {
     if (!event.dataTransfer?.types.includes('Files')) return;
     event.preventDefault();
-    mark(true);
+    mark(!isAsking());
   });
   place.addEventListener('dragleave', (event) => !place.contains(event.relatedTarget as Node | null) && mark(false));
   place.addEventListener('drop', async (event) => {
     mark(false);
     if (!event.dataTransfer) return;
     event.preventDefault();
+    if (isAsking()) return;
     const found = await fromTransfer(event.dataTransfer);
     if (found) given(found);
   });
   place.ownerDocument.addEventListener('paste', (event) => {
-    if ((event.target as Element).closest?.(isTypedInto) || !place.isConnected) return;
+    if ((event.target as Element).closest?.(isTypedInto) || !place.isConnected || isAsking()) return;
     const text = event.clipboardData?.getData('text/plain');
     if (text) given({ bytes: new TextEncoder().encode(text), name: 'pasted.csv' });
   });

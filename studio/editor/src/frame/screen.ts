@@ -5,6 +5,7 @@ import { element } from 'orispline-viewer/look/element';
 import { coloursOf, paint } from 'orispline-viewer/look/theme';
 import { componentsChoice, plotControls, showPlots, type PlottedOf } from 'orispline-viewer/plots/plots';
 import { methodQuantities } from 'orispline-viewer/quantities/methods';
+import { letters } from '../document/document';
 import { AllKeys } from '../panels/allKeys';
 import { KeyPanel } from '../panels/keyPanel';
 import { KeyTable } from '../panels/keyTable';
@@ -47,7 +48,7 @@ export class Screen {
     const scenes = element('div', { className: 'stages' }, body, sphere);
     const work = element('div', { className: 'work' }, element('div', { className: 'upper' }, element('div', { className: 'seen' }, scenes, timeline.element), this.table.element), plots);
     root.append(headOf(studio, { ...wishes, help }), work, element('div', { className: 'foot' }, playback, new KeyPanel(studio, orientations).element), notices.element);
-    plots.append(plotControls(view, componentsChoice(view)));
+    plots.append(plotControls(view, componentsChoice(view, letters.first)));
     const quantities = methodQuantities(view).filter(({ id }) => plotted.includes(id));
     this.plotted = showPlots(view, plots, quantities, ['first', 'second', 'components']);
     hearShortcuts(studio, root.ownerDocument, shortcuts);

@@ -4,6 +4,7 @@ import type { State as ViewState } from 'orispline-viewer/store/store';
 import { Store as ViewStore } from 'orispline-viewer/store/store';
 import { keyWith, type StudioDocument } from '../document/document';
 import { sentence } from '../document/sentence';
+import type { Looks } from '../document/templates';
 import type { Curves, Engine, MethodInfo, Opened } from '../engine/protocol';
 import { Draft } from '../store/draft';
 import { Shown } from '../store/shown';
@@ -19,6 +20,7 @@ export interface Setting {
   engine: Engine;
   methods: readonly MethodInfo[];
   theme: ViewState['theme'] | null; // that of the session before
+  looks?: Looks;
   handle?: FileHandle;
   open: () => void;
 }
@@ -32,11 +34,11 @@ export class Session {
   private chosen: { id: number | null; t: number } = { id: null, t: NaN };
 
   /** `curves`: those of the document that is shown first, which is the draft's where there is one. */
-  constructor({ original, document, warnings }: Opened, first: StudioDocument, curves: Curves, draft: Draft, { engine, methods, theme, handle, open }: Setting) {
+  constructor({ original, document, warnings }: Opened, first: StudioDocument, curves: Curves, draft: Draft, { engine, methods, theme, looks, handle, open }: Setting) {
     const store = createStore(first, document);
     store.tellCurves(curves);
     const view = new ViewStore(this.shown.report(first, curves));
-    view.choose({ components: false, ...(theme ? { theme } : {}) });
+    view.choose({ components: false, ...looks, ...(theme ? { theme } : {}) });
     this.studio = { store, view, engine, methods, original };
     const saving = new Saving(this.studio, document, handle, () => this.screen);
     const place = () => this.screen.element;
@@ -54,8 +56,12 @@ export class Session {
   /** The curves of a document that may be this session's. */
   take(curves: Curves, of: StudioDocument): void {
     if (!this.asked.has(of)) return;
-    this.studio.store.tellCurves(curves);
-    this.studio.view.replace(this.shown.report(of, curves));
+    const { store, view } = this.studio;
+    store.tellCurves(curves);
+    const { t } = this.chosen;
+    const isAtKey = view.current().time === t;
+    view.replace(this.shown.report(of, curves));
+    if (isAtKey) view.choose({ time: t }); // the curves may be those of an earlier document, which end before
   }
 
   end(): void {
@@ -85,8 +91,7 @@ export class Session {
   private goTo(t: number): void {
     const { view } = this.studio;
     const { window: [from, to], extent } = view.current();
-    view.choose({ playing: false });
-    view.moveTo(t);
+    view.choose({ playing: false, time: t });
     if (t >= from && t <= to) return;
     const span = to - from;
     const first = Math.min(Math.max(t - span / 2, extent[0]), extent[1] - span);

@@ -3,7 +3,7 @@
 import { element } from 'orispline-viewer/look/element';
 import { coloursOf, paint } from 'orispline-viewer/look/theme';
 import { templates } from '../document/templates';
-import { hearDrops, picked, type Given } from './opening';
+import { picked, type Given } from './opening';
 
 export class Start {
   readonly element = element('div', { className: 'orispline-viewer orispline-studio start', tabIndex: -1 });
@@ -14,7 +14,7 @@ export class Start {
     const text = element('textarea', { rows: 4, spellcheck: false, placeholder: 't,qw,qx,qy,qz\n0,1,0,0,0\n1,0.7071,0,0,0.7071', attributes: { 'aria-label': 'Keys as CSV' } });
     const use = element('button', { type: 'button', className: 'side', onclick: () => this.given({ bytes: new TextEncoder().encode(text.value), name: 'pasted.csv' }) }, 'Use this text');
     const cards = templates.map((template) =>
-      element('button', { type: 'button', className: 'card', onclick: () => this.given({ bytes: new TextEncoder().encode(template.text), name: template.name, method: template.first, beside: template.second }) }, element('strong', {}, template.title), element('span', {}, template.sentence)),
+      element('button', { type: 'button', className: 'card', onclick: () => this.given({ bytes: new TextEncoder().encode(template.text), name: template.name, method: template.first, beside: template.second, looks: template.looks }) }, element('strong', {}, template.title), element('span', {}, template.sentence)),
     );
     this.element.append(
       element(
@@ -27,7 +27,6 @@ export class Start {
         element('section', { attributes: { 'aria-label': 'Templates' } }, element('h2', {}, 'Or begin with a template'), element('div', { className: 'cards' }, ...cards)),
       ),
     );
-    hearDrops(this.element, given);
     const dark = matchMedia('(prefers-color-scheme: dark)');
     const show = () => {
       const theme = dark.matches ? 'dark' : 'light';

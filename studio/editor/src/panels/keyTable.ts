@@ -123,13 +123,14 @@ export class KeyTable {
       ...form.names.map((name) => unit(name.split(',')[0], form.unit)),
       ...own.map(({ info }) => [info.name]),
       ...(hasPositions ? ['x', 'y', 'z'].map((axis) => unit(axis, 'm')) : []),
-      ['A reaches'],
+      ['A at the key'],
     ];
     const made = [form.id, hasPositions, ...own.map(({ which, info }) => `${which}:${info.name}`)].join();
     if (made === this.made) return;
     this.made = made;
     this.rows.clear();
     this.body.replaceChildren();
+    this.element.style.setProperty('--numbers', String(titles.length - 2));
     this.head.replaceChildren(...titles.map((title) => element('th', { scope: 'col' }, ...title)));
   }
 }

@@ -7,7 +7,9 @@ import { sentence } from '../document/sentence';
 import { withMethod } from '../edits/choice';
 import type { Studio } from '../store/studio';
 
-export function methodMenu({ store, methods }: Studio, which: Which): HTMLSelectElement {
+/** Its list has the titles of the methods; closed it shows the name, which is short. */
+export function methodMenu({ store, methods }: Studio, which: Which): HTMLElement {
+  const name = element('span', { className: 'name', attributes: { 'aria-hidden': 'true' } });
   const options = methods.map(({ name, title }) => element('option', { value: name, title }, `${name} – ${title}`));
   const select = element('select', { className: which, attributes: { 'aria-label': letters[which] } }, ...options);
   select.onchange = () => {
@@ -15,10 +17,10 @@ export function methodMenu({ store, methods }: Studio, which: Which): HTMLSelect
     if (method) store.edit(withMethod(store.current().document, which, method));
   };
   store.subscribe(['document'], ({ document }) => {
-    select.value = document[which].method;
+    select.value = name.textContent = document[which].method;
     select.title = methods.find(({ name }) => name === select.value)?.title ?? '';
   });
-  return select;
+  return element('span', { className: `named ${which}` }, select, name);
 }
 
 /** The reason, and what is seen meanwhile. */

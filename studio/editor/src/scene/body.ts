@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The body in space, moved by A, and B's where it is another one; the chosen key with its gizmo, and the keys beside it.
-import { Vector3 } from 'three';
+import { Group, Vector3 } from 'three';
 import { once } from 'orispline-viewer/data/once';
 import { hasPositions, type BodyShape, type Method } from 'orispline-viewer/data/report';
 import { element, menu } from 'orispline-viewer/look/element';
 import { roundStep } from 'orispline-viewer/look/number';
 import { isShownAt, orientationAt, vectorAt } from 'orispline-viewer/motion/orientation';
-import { angleBetween } from 'orispline-viewer/motion/quaternion';
+import { angleBetween, type Up } from 'orispline-viewer/motion/quaternion';
 import { FlightPath } from 'orispline-viewer/scene/flightPath';
 import { Bodies } from 'orispline-viewer/scene/bodies';
 import { Ground } from 'orispline-viewer/scene/ground';
@@ -14,7 +14,7 @@ import type { Painter } from 'orispline-viewer/scene/painter';
 import { Shapes } from 'orispline-viewer/scene/shapes';
 import type { Stage } from 'orispline-viewer/scene/stage';
 import { Trail } from 'orispline-viewer/scene/trail';
-import { ball } from 'orispline-viewer/scene/view';
+import { ball, standing, vertical } from 'orispline-viewer/scene/view';
 import type { State as ViewState } from 'orispline-viewer/store/store';
 import { keyWith, type Key, type Quaternion } from '../document/document';
 import type { Studio } from '../store/studio';
@@ -23,7 +23,8 @@ import { figureWith } from './figure';
 import { Gizmo, type Space } from './gizmo';
 import { keysBeside, Neighbours } from './neighbours';
 
-const shapes: [BodyShape, string][] = [['box', 'box'], ['axes', 'axes'], ['aircraft', 'aircraft']];
+const shapes: [BodyShape, string][] = [['box', 'box'], ['axes', 'axes'], ['aircraft', 'aircraft'], ['camera', 'camera']];
+const ups: [Up, string][] = [['z', 'z up'], ['y', 'y up']];
 const spaces: [Space, string][] = [['world', 'world axes'], ['local', 'body axes']];
 /** Lengths of the scene: in one place, or followed along its path. */
 const sizes = { fixed: { body: 1, reach: 2.4 }, follow: { body: 0.75, reach: 5 } };
@@ -43,6 +44,7 @@ export class Body {
   private readonly gizmo: Gizmo;
   private readonly forms = new Shapes();
   private readonly ground = new Ground();
+  private readonly floor = new Group(); // the ground, level in a world of another up
   private readonly way = new Trail({ width: 2.5, order: 2 });
   private readonly neighbours: Neighbours;
   private readonly swatches = { first: element('span'), second: element('span') };
@@ -57,24 +59,29 @@ export class Body {
     const { store, view: looked } = studio;
     const [shape, shapeSelect] = menu('Shape', shapes, (name) => looked.choose({ body: name as BodyShape }));
     const [space] = menu('Rings', spaces, (name) => this.gizmo.setSpace(name as Space));
-    const { figure, frame, stage } = figureWith(studio, painter, 'Body', [...Object.values(this.swatches), space, shape]);
+    const [up, upSelect] = menu('Up', ups, (axis) => looked.choose({ up: axis as Up }));
+    const { figure, frame, stage } = figureWith(studio, painter, 'Body', [...Object.values(this.swatches), space, up, shape]);
     this.figure = figure;
     this.stage = stage;
     this.gizmo = new Gizmo(stage, frame, { begin: () => this.begin(), turn: (by) => this.turn?.turn(by), end: () => (this.turn = undefined) });
     this.neighbours = new Neighbours(stage, (key) => this.place(key));
-    stage.scene.add(this.ground.object, this.way.object, this.neighbours.object);
+    this.floor.add(this.ground.object);
+    stage.scene.add(this.floor, this.way.object, this.neighbours.object);
     stage.scene.onBeforeRender = () => this.neighbours.arrange();
     this.hear();
-    stage.lookAt(view);
     looked.watchSize(frame, () => this.gizmo.fit());
     looked.atEnd(() => this.gizmo.dispose());
+    looked.subscribe(['up'], (state) => {
+      upSelect.value = state.up;
+      this.stand(state);
+    });
     looked.subscribe(['body'], (state) => {
       shapeSelect.value = state.body;
       this.reshape(state);
     });
     looked.subscribe(['first', 'second'], (state) => this.layPath(state));
     looked.subscribe(['body', 'theme', 'first', 'second'], (state) => this.paint(state));
-    looked.subscribe(['body', 'theme', 'first', 'second', 'time', 'playing'], () => this.show());
+    looked.subscribe(['body', 'theme', 'first', 'second', 'time', 'playing', 'up'], () => this.show());
     looked.atEnd(store.subscribe(['document', 'chosen'], () => this.show()));
   }
 
@@ -89,6 +96,13 @@ export class Body {
     this.bodies = { first: new Bodies(withAxes, 1, true), second: new Bodies(plain, 1, false), key: new Bodies(plain, 1, false) };
     this.stage.scene.add(...Object.values(this.bodies).map(({ object }) => object));
     this.neighbours.reshape(parts);
+  }
+
+  private stand({ up }: ViewState): void {
+    const turn = standing[up];
+    this.floor.quaternion.copy(turn);
+    this.stage.stand(vertical(up));
+    this.stage.lookAt({ ...view, eye: view.eye.clone().applyQuaternion(turn) });
   }
 
   private layPath({ first }: ViewState): void {
@@ -162,7 +176,7 @@ export class Body {
     this.gizmo.show(key && !playing ? { q: key.q, at } : null);
     const here = this.path?.atTime(time) ?? new Vector3();
     this.way.object.position.copy(here).negate();
-    this.ground.shift(here);
+    this.ground.shift(here.clone().applyQuaternion(standing[looked.current().up].clone().invert()));
     this.ground.shade(new Vector3(), first ? 0.6 * this.size.body : 0);
     this.neighbours.show(keysBeside(document.keys, key, time), document.keys, this.path !== undefined);
     this.stage.draw();

@@ -8,7 +8,7 @@ import { bodyAxis, type Axis } from 'orispline-viewer/motion/quaternion';
 import { directionsOf, Globe, globeOutline, lift, nameAxes, Pointer, wayOnSphere, waysOf } from 'orispline-viewer/scene/globe';
 import type { Painter } from 'orispline-viewer/scene/painter';
 import type { Place, Stage } from 'orispline-viewer/scene/stage';
-import { eyeBefore } from 'orispline-viewer/scene/view';
+import { eyeBefore, standing, vertical } from 'orispline-viewer/scene/view';
 import type { State as ViewState } from 'orispline-viewer/store/store';
 import { keyWith, type Key } from '../document/document';
 import type { Studio } from '../store/studio';
@@ -55,15 +55,27 @@ export class Sphere {
     for (const part of [this.globe, ...Object.values(this.ways), ...Object.values(this.pointers)]) stage.scene.add(part.object);
     this.hear(frame);
     const { subscribe } = view;
-    subscribe(['axis'], (state) => {
+    subscribe(['up'], ({ up }) => {
+      this.globe.stand(standing[up]);
+      stage.stand(vertical(up));
+    });
+    subscribe(['axis', 'up'], (state) => {
       select.value = state.axis;
-      stage.lookAt({ eye: eyeBefore(directionsOf(pathOf(store.current().document.keys), state.axis)), points: globeOutline });
+      this.look(state);
     });
     for (const which of both) subscribe([which, 'axis'], (state) => this.showWay(state, which));
     subscribe(['theme', 'first', 'second'], (state) => this.paint(state));
     subscribe(['axis'], () => this.showKeys());
     view.atEnd(store.subscribe(['document', 'chosen'], () => this.showKeys()));
     subscribe(['first', 'second', 'axis', 'theme', 'time'], (state) => this.showTime(state));
+  }
+
+  /** From where most of the keys are before the sphere, a little from above. */
+  private look({ axis, up }: ViewState): void {
+    const turn = standing[up];
+    const back = turn.clone().invert();
+    const directions = directionsOf(pathOf(this.studio.store.current().document.keys), axis).map((direction) => direction.applyQuaternion(back));
+    this.stage.lookAt({ eye: eyeBefore(directions).applyQuaternion(turn), points: globeOutline });
   }
 
   private paint(state: ViewState): void {

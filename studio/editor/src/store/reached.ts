@@ -2,14 +2,16 @@
 // How smooth the curve of A is at keys, in words.
 import type { State } from './store';
 
-const rates = ['velocity', 'acceleration', 'jerk'];
+/** What the marks of keys mean. */
+export const marks: Record<'◆' | '◇', string> = {
+  '◆': 'The curve of A is smooth at the key: neither velocity nor acceleration jumps; the jerk may.',
+  '◇': 'Velocity or acceleration of A jumps at the key.',
+};
+
+const words = ['orientation jumps', 'velocity jumps', 'acceleration jumps', 'smooth, jerk jumps', 'smooth'];
 
 /** No rate up to the order jumps. */
-export function reachedText(order: number | undefined): string {
-  if (order === undefined) return '';
-  if (order < 0) return 'orientation jumps';
-  return order < rates.length ? `${rates[order]} jumps` : 'smooth';
-}
+export const reachedText = (order: number | undefined): string => (order === undefined ? '' : words[Math.min(order + 1, words.length - 1)]);
 
 /** The order at each key, where the curve of A is that through these keys. */
 export function ordersOf({ curves, document }: Readonly<State>): ArrayLike<number> | null {
@@ -17,7 +19,7 @@ export function ordersOf({ curves, document }: Readonly<State>): ArrayLike<numbe
   return drawn && 'orders' in drawn && drawn.orders.length === document.keys.length ? drawn.orders : null;
 }
 
-const seen = 2; // a jump of the jerk is not
+const smooth = 2; // order: who sees the motion sees no jump of the jerk
 
 /** Whether velocity or acceleration jumps. */
-export const jumps = (order: number | undefined): boolean => order !== undefined && order < seen;
+export const jumps = (order: number | undefined): boolean => order !== undefined && order < smooth;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The keys at their times: full where the curve of A is smooth, hollow where velocity or acceleration jumps.
 import { element } from 'orispline-viewer/look/element';
+import { roundStep } from 'orispline-viewer/look/number';
 import { closestKeys } from 'orispline-viewer/plots/drawings';
 import type { Key } from '../document/document';
 import { timesFor } from '../edits/time';
@@ -13,6 +14,7 @@ import { svg, type Track } from './track';
 
 const reach = { mouse: 14, touch: 22 }; // [px]
 const onKey = 8; // [px]
+const besideKey = 2; // [px]
 const nearStep = 0.01; // of the window
 
 export const reachFor = ({ pointerType }: PointerEvent): number => (pointerType === 'mouse' ? reach.mouse : reach.touch);
@@ -106,7 +108,18 @@ export class Dots {
     this.studio.store.choose(id);
     this.focus();
     const { scale } = this.track; // as it is now: an end that is dragged changes it
-    return { moved: (dx: number, _: number, gesture: object) => this.actions.move(id, dx === 0 ? t : roundTime(scale, t + dx * perPixel(scale)), gesture) };
+    return { moved: (dx: number, _: number, gesture: object) => this.actions.move(id, dx === 0 ? t : this.beside(id, roundTime(scale, t + dx * perPixel(scale))), gesture) };
+  }
+
+  /** A little off the neighbours, for nobody means to put two keys a microsecond apart; a key that is nearer may stay. Numbers can be typed. */
+  private beside(id: number, time: number): number {
+    const { keys } = this.studio.store.current().document;
+    const index = keys.findIndex((key) => key.id === id);
+    if (index < 0) return time; // it was deleted while it was dragged
+    const [before, { t }, after] = [keys[index - 1], keys[index], keys[index + 1]];
+    const step = roundStep(besideKey * perPixel(this.track.scale));
+    const [low, high] = [before ? Math.min(before.t + step, t) : -Infinity, after ? Math.max(after.t - step, t) : Infinity];
+    return Number(Math.min(Math.max(time, low), high).toPrecision(15));
   }
 
   private hear(event: KeyboardEvent): void {
@@ -124,6 +137,6 @@ export class Dots {
     }
     if (!event.repeat) this.gesture = {};
     const { from, to } = this.track.scale;
-    this.actions.move(chosen.id, Number((chosen.t + sideways! * nearStep * stride(event) * (to - from)).toPrecision(15)), this.gesture);
+    this.actions.move(chosen.id, this.beside(chosen.id, Number((chosen.t + sideways! * nearStep * stride(event) * (to - from)).toPrecision(15))), this.gesture);
   }
 }

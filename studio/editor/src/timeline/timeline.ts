@@ -2,6 +2,7 @@
 // The keys over time, with a parameter of each: the group `Time`.
 import { element, menu } from 'orispline-viewer/look/element';
 import { ownParameters, type OwnParameter } from '../store/parameters';
+import { marks } from '../store/reached';
 import type { Studio } from '../store/studio';
 import type { Actions } from './actions';
 import { Bars } from './bars';
@@ -47,11 +48,11 @@ export class Timeline {
 
   private head(tools: HTMLElement[]): HTMLElement {
     const { view, store } = this.studio;
-    const button = (label: string, onclick: () => void, title = label) => element('button', { type: 'button', className: 'side', title, onclick }, label);
+    const button = (word: string, title: string, onclick: () => void) => element('button', { type: 'button', className: 'side', title, onclick, attributes: { 'aria-label': `${word} key` } }, word);
     const sign = (text: string, label: string, onclick: () => void) => element('button', { type: 'button', className: 'side sign', title: label, onclick, attributes: { 'aria-label': label } }, text);
-    const insert = button('Insert key', () => void this.actions.insert(view.current().time), 'Insert a key on the curve at this time (I)');
-    const duplicate = button('Duplicate key', () => this.actions.duplicate(), 'Duplicate the chosen key (Ctrl+D)');
-    const remove = button('Delete key', () => this.actions.remove(), 'Delete the chosen key (Delete)');
+    const insert = button('Insert', 'Insert a key on the curve at this time (I)', () => void this.actions.insert(view.current().time));
+    const duplicate = button('Duplicate', 'Duplicate the chosen key (Ctrl+D)', () => this.actions.duplicate());
+    const remove = button('Delete', 'Delete the chosen key (Delete)', () => this.actions.remove());
     const whole = sign('↔', 'Show all of the time', () => view.choose({ window: view.current().extent }));
     store.subscribe(['chosen', 'document'], ({ chosen, document }) => {
       duplicate.disabled = chosen === null;
@@ -59,7 +60,7 @@ export class Timeline {
     });
     view.subscribe(['window', 'extent'], ({ window, extent }) => (whole.disabled = window[0] <= extent[0] && window[1] >= extent[1]));
     const zoom = element('span', { className: 'buttons' }, sign('−', 'Zoom out', () => this.track.zoom(zoomStep)), sign('+', 'Zoom in', () => this.track.zoom(1 / zoomStep)), whole);
-    const legend = element('span', { className: 'legend' }, '◆ smooth ', '◇ jump');
+    const legend = element('span', { className: 'legend', title: Object.entries(marks).flat().join(' ') }, '◆ smooth ◇ jump');
     return element('div', { className: 'title' }, element('h2', {}, 'Time'), legend, element('span', { className: 'buttons' }, insert, duplicate, remove), this.parameterMenu, ...tools, zoom);
   }
 

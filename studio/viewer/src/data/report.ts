@@ -69,7 +69,7 @@ export interface Marks extends Path {
   error_deg: Numbers;
 }
 
-export type BodyShape = 'aircraft' | 'box' | 'axes';
+export type BodyShape = 'aircraft' | 'box' | 'axes' | 'camera';
 
 /** How far a joint is off at most, and when [s]. */
 export type Largest = [value: number, time: number];

@@ -4,6 +4,7 @@
 export type Quaternion = [w: number, x: number, y: number, z: number];
 export type Vector = [x: number, y: number, z: number];
 export type Axis = 'x' | 'y' | 'z';
+export type Up = 'y' | 'z'; // axis of the world
 
 // For every point of a curve there are quaternions in typed arrays. Lists of numbers would take several times as long: where V8 meets one
 // in code that has seen a list of something else, it makes it such a list, and then all that come from the same place.

@@ -229,7 +229,8 @@ export class Plot {
       swatch.style.background = colour;
       return element('span', {}, swatch, `${label} `, this.values[k]);
     });
-    this.caption.replaceChildren(element('strong', {}, title), ...(unit ? [element('small', {}, ` [${unit}] `)] : []), ...names, ...this.legend(), this.cut);
+    const ordered = [...names.filter((_, k) => !lines[k].yields), ...names.filter((_, k) => lines[k].yields)]; // what is drawn on top is named first
+    this.caption.replaceChildren(element('strong', {}, title), ...(unit ? [element('small', {}, ` [${unit}] `)] : []), ...ordered, ...this.legend(), this.cut);
     this.writeCuts();
     this.showTime(this.store.current());
   }

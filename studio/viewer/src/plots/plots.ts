@@ -18,11 +18,11 @@ function wholeButton({ choose, current, subscribe }: Store): HTMLElement {
   return button;
 }
 
-/** Whether the components of the first method are drawn too. */
-export function componentsChoice({ choose, subscribe }: Store): HTMLElement {
+/** Whether the components of the first method are drawn too. `whose`: what the page calls it. */
+export function componentsChoice({ choose, subscribe }: Store, whose = 'the first method'): HTMLElement {
   const box = element('input', { type: 'checkbox', onchange: () => choose({ components: box.checked }) });
   subscribe(['components'], ({ components }) => (box.checked = components));
-  return element('label', { className: 'choice' }, box, element('span', {}, 'Components x, y, z of the first method'));
+  return element('label', { className: 'choice' }, box, element('span', {}, `Components x, y, z of ${whose}`));
 }
 
 /** The controls of all plots, above them. */

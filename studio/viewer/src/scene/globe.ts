@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is on the unit sphere. Its front half hides the other one, so that what lies behind is drawn again, thin and faint.
-import { BufferGeometry, CircleGeometry, Color, GreaterDepth, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, ShaderMaterial, SphereGeometry, Vector3 } from 'three';
+import { BufferGeometry, CircleGeometry, Color, GreaterDepth, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, ShaderMaterial, SphereGeometry, Vector3, type Quaternion } from 'three';
 import { once } from '../data/once';
 import { isGap, type Path } from '../data/report';
 import type { Colours } from '../look/theme';
@@ -87,16 +87,24 @@ export class Globe {
   private readonly lines = [{ opacity: 0.08, ...behind }, { opacity: 0.22 }].map((look) => new LineBasicMaterial({ transparent: true, depthWrite: false, ...look }));
   private readonly axes = axisNames.map((axis) => ({ axis, trail: wayOnSphere(1.6, 3) }));
 
+  private readonly grid = new Group();
+
   constructor() {
-    const grid = graticule();
+    const lines = graticule();
+    this.grid.add(...this.lines.map((material, i) => Object.assign(new LineSegments(lines, material), { renderOrder: i * inFront })));
     this.object.add(
       new Mesh(new SphereGeometry(0.995, 48, 32), new ShaderMaterial({ vertexShader, fragmentShader, uniforms: this.uniforms })),
-      ...this.lines.map((material, i) => Object.assign(new LineSegments(grid, material), { renderOrder: i * inFront })),
+      this.grid,
       ...this.axes.map(({ axis, trail }) => {
         trail.set(Float32Array.of(0, 0, 0, ...zUp[axis].clone().multiplyScalar(axisLength).toArray()));
         return trail.object;
       }),
     );
+  }
+
+  /** Its poles are up and down; `turn` leads there from z. */
+  stand(turn: Quaternion): void {
+    this.grid.quaternion.copy(turn);
   }
 
   paint(colours: Colours): void {

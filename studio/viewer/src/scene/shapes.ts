@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes of bodies: x forward, y left, z up, about 1 long. A box has a nose, and says nothing of what it stands for.
+// Shapes of bodies: x forward, y left, z up, about 1 long; a camera looks along -z, y up, as those of three.js, Blender and OpenGL do. A box has a
+// nose, and says nothing of what it stands for.
 import { ExtrudeGeometry, LatheGeometry, Shape, SphereGeometry, Vector2, type BufferGeometry } from 'three';
 import type { BodyShape } from '../data/report';
 import type { Axis } from '../motion/quaternion';
@@ -74,6 +75,24 @@ const sides: [number, number][] = [
   [0.2, 0.29],
 ];
 
+const cone: [number, number][] = [
+  [0.2, 0.56],
+  [0.26, 0.54],
+  [0.13, 0.24],
+  [0, 0.24],
+];
+const housing: [number, number][] = [
+  [0.17, 0.2],
+  [-0.17, 0.2],
+  [-0.17, -0.2],
+  [0.17, -0.2],
+];
+const finder: [number, number][] = [
+  [0.06, 0.2],
+  [0, 0.3],
+  [-0.06, 0.2],
+];
+
 const made: Record<BodyShape, () => Part[]> = {
   aircraft: () => [
     { geometry: turned(fuselage, 24), paint: 1 },
@@ -83,6 +102,12 @@ const made: Record<BodyShape, () => Part[]> = {
     { geometry: new SphereGeometry(0.05, 16, 12).scale(2.4, 1, 1).translate(0.22, 0, 0.055), paint: 0.3, isDetail: true },
   ],
   box: () => [{ geometry: plate(sides, 0.26, 0.03), paint: 1 }, ...arrows(0.1, { x: 0.7, y: 0.52, z: 0.4 }, true)],
+  camera: () => [
+    { geometry: plate(housing, 0.6, 0.03).translate(0, 0, 0.05), paint: 1 },
+    { geometry: turned(cone, 4).rotateX(Math.PI / 4).rotateY(Math.PI / 2), paint: 0.75 },
+    { geometry: plate(finder, 0.2).translate(0, 0, 0.05), paint: 0.92 },
+    ...arrows(0.1, { x: 0.42, y: 0.5, z: 0.55 }, true),
+  ],
   axes: () => [{ geometry: new SphereGeometry(0.045, 16, 12), paint: 1 }, ...arrows(0, { x: 0.58, y: 0.58, z: 0.58 }, false)],
 };
 

@@ -20,9 +20,10 @@ const lost = 'The browser has taken the graphics away. The scene goes on when th
 export class Stage {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(32, 1, 0.1, 100);
-  readonly controls: OrbitControls;
+  controls: OrbitControls;
   readonly overlay: Overlay;
   readonly canvas = element('canvas', { attributes: { role: 'img' } });
+  private readonly sky = new HemisphereLight(0xffffff, 0x8c8c94, 1.75);
   private readonly size: Size = { width: 0, height: 0 };
   private awaited = false;
   private ended = false;
@@ -38,10 +39,7 @@ export class Stage {
     frame.append(this.canvas, sentence);
     this.overlay = new Overlay(frame, world);
     this.camera.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.camera, this.canvas);
-    this.controls.enablePan = false;
-    this.controls.addEventListener('change', () => this.draw());
-    this.controls.addEventListener('start', () => (this.view = undefined));
+    this.controls = this.controlled();
     this.light();
     store.subscribe(['theme'], (state) => this.overlay.paint(coloursOf(state)));
     store.watchSize(frame, () => this.fit(frame));
@@ -52,15 +50,30 @@ export class Stage {
     });
   }
 
+  private controlled(): OrbitControls {
+    const controls = new OrbitControls(this.camera, this.canvas);
+    controls.enablePan = false;
+    controls.addEventListener('change', () => this.draw());
+    controls.addEventListener('start', () => (this.view = undefined));
+    return controls;
+  }
+
+  /** Which way is up; what is seen is chosen anew then. */
+  stand(up: Vector3): void {
+    this.camera.up.copy(up);
+    this.sky.position.copy(up);
+    this.controls.dispose();
+    this.controls = this.controlled(); // these know but the way that was up when they were made
+  }
+
   /** From the sky and from the ground, and from where the user looks: no side is black. */
   private light(): void {
     const [key, fill] = [new DirectionalLight(0xffffff, 1.5), new DirectionalLight(0xffffff, 0.55)];
     key.position.set(-0.5, 0.9, 0.7); // from the eye: up to the left
     fill.position.set(0.9, -0.1, 0.5);
     this.camera.add(key, key.target, fill, fill.target);
-    const sky = new HemisphereLight(0xffffff, 0x8c8c94, 1.75);
-    sky.position.set(0, 0, 1);
-    this.scene.add(sky, this.camera);
+    this.sky.position.copy(this.camera.up);
+    this.scene.add(this.sky, this.camera);
   }
 
   /** What is seen, for those who do not see it. */

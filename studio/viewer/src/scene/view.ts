@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // From where points around the origin are seen best, and from how far.
-import { Vector3, type PerspectiveCamera } from 'three';
+import { Quaternion, Vector3, type PerspectiveCamera } from 'three';
+import type { Up } from '../motion/quaternion';
 
 const elevation = 0.42; // [rad]
 const azimuths = 48;
 const first = -0.6; // [rad] Of several that are as good: an axis does not point to the eye
+
+/** Turns a world of z up into one where another axis is. */
+export const standing: Record<Up, Quaternion> = { z: new Quaternion(), y: new Quaternion().setFromAxisAngle(new Vector3(1, 0, 0), -Math.PI / 2) };
+
+export const vertical = (up: Up): Vector3 => new Vector3(0, 0, 1).applyQuaternion(standing[up]);
 
 /** What is to be seen. */
 export interface View {
@@ -20,8 +26,8 @@ interface Screen {
   up: Vector3;
 }
 
-function screenOf(eye: Vector3): Screen {
-  const right = new Vector3(0, 0, 1).cross(eye).normalize();
+function screenOf(eye: Vector3, above = new Vector3(0, 0, 1)): Screen {
+  const right = above.clone().cross(eye).normalize();
   return { right, up: eye.clone().cross(right) };
 }
 
@@ -54,11 +60,12 @@ export const eyeAcross = (points: Vector3[]): Vector3 => bestEye((eye) => areaFr
 const plain = 0.5; // cosine: what is turned to the eye so far is seen well
 
 /** From where points of the unit sphere are on its front half. */
-export const eyeBefore = (points: Vector3[]): Vector3 => bestEye((eye) => points.reduce((sum, point) => sum + Math.min(Math.max(point.dot(eye), -0.2), plain), 0));
+export const eyeBefore = (points: Vector3[]): Vector3 =>
+  bestEye((eye) => points.reduce((sum, point) => sum + Math.min(Math.max(point.dot(eye), -0.2), plain), 0));
 
-/** Place of the camera, which looks at the origin, z up. */
-export function placeOf({ eye, points, share = whole }: View, { fov, aspect }: PerspectiveCamera): Vector3 {
-  const { right, up } = screenOf(eye);
+/** Place of the camera, which looks at the origin. */
+export function placeOf({ eye, points, share = whole }: View, { fov, aspect, up: above }: PerspectiveCamera): Vector3 {
+  const { right, up } = screenOf(eye, above);
   const slope = Math.tan((fov * Math.PI) / 360);
   const [across, high] = [slope * aspect * share.width, slope * share.height];
   const distance = points.reduce((most, point) => Math.max(most, point.dot(eye) + Math.max(Math.abs(point.dot(right)) / across, Math.abs(point.dot(up)) / high)), 0);

@@ -3,7 +3,7 @@
 import { hasPositions, hasSamples, type BodyShape, type Clip, type Method, type Report } from '../data/report';
 import { Moments } from '../look/moments';
 import { coloursOf, type Colours } from '../look/theme';
-import type { Axis } from '../motion/quaternion';
+import type { Axis, Up } from '../motion/quaternion';
 import { startingTime } from '../motion/startingTime';
 
 export interface State {
@@ -18,6 +18,7 @@ export interface State {
   playing: boolean;
   speed: number; // seconds of the motion per second
   axis: Axis;
+  up: Up;
   body: BodyShape;
   place: 'follow' | 'path' | 'fixed';
   components: boolean;
@@ -70,6 +71,7 @@ function firstState({ report, methods, extent }: Data, theme: State['theme']): S
     playing: false,
     speed: 1,
     axis: 'x',
+    up: 'z',
     body: report.body,
     place: report.skeleton || methods.some(hasPositions) ? 'follow' : 'fixed',
     components: true,
