@@ -142,20 +142,22 @@ npm_package = tools/build_wasm.sh -j $(JOBS) --target orispline_npm && \
   bindings/npm/build.sh build/release/orispline build/wasm/bindings/npm $(CURDIR)/build/npm-work $(CURDIR)/build/npm
 
 # How long a choice on the page of all methods takes, beside the page of an earlier template, which a short history may lack.
-# Then the npm package beside the native library and three.js; fills its tables in docs/benchmarks.md.
+# Then the npm package beside the native library and three.js, and the studio while a key is dragged; fills their tables in docs/benchmarks.md.
 bench-web: build
 	tools/setup.sh build test wasm
-	rm -rf build/bench-web/studio/report build/bench-web/studio/viewer build/bench-web/benchmarks build/bench-web/earlier.html
+	rm -rf $(addprefix build/bench-web/,studio/report studio/viewer studio/editor bindings benchmarks earlier.html)
 	tests/npm_ci.sh $(CURDIR)/studio $(CURDIR)/build/bench-web/studio
-	mkdir -p build/bench-web/benchmarks
-	cp -R studio/report studio/viewer build/bench-web/studio
+	mkdir -p build/bench-web/benchmarks build/bench-web/bindings/npm
+	cp -R studio/report studio/viewer studio/editor studio/pages.js build/bench-web/studio
 	cp -R benchmarks/web build/bench-web/benchmarks
+	cp -R bindings/npm/src build/bench-web/bindings/npm
 	build/release/orispline compare examples/data/flight_truth.csv --keep-every 8 --report build/bench-web/page.html > /dev/null
 	git show 5da2fce2:src/orispline/report/page_template.html > build/bench-web/earlier.html 2> /dev/null || rm build/bench-web/earlier.html
 	node build/bench-web/benchmarks/web/choosing.mjs build/bench-web/page.html $$(ls build/bench-web/earlier.html 2> /dev/null)
 	$(npm_package)
 	c++ -std=c++20 -O2 -Ibindings/c benchmarks/web/native.cpp -o build/bench-web/native -Lbuild/release/bindings/c -lorispline_c -Wl,-rpath,$(CURDIR)/build/release/bindings/c
-	benchmarks/web/run.py build/npm build/npm-work/node_modules build/bench-web/native --document docs/benchmarks.md
+	tools/build_studio.sh -j $(JOBS)
+	ORISPLINE_STUDIO_WASM=$(CURDIR)/build/wasm/bindings/npm/studio/studio.wasm benchmarks/web/run.py build/npm build/npm-work/node_modules build/bench-web/native build/studio/studio.html build/bench-web/benchmarks/web/studio.mjs --document docs/benchmarks.md
 
 # Of the headers that are installed, in build/docs/html, and of the Python package, in build/python/reference.
 docs: build
