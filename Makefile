@@ -2,7 +2,7 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build wasm test test-more python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python bench-web docs page studio web format tidy clean
+.PHONY: run build wasm test test-more python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python bench-web site page studio web deb format tidy clean
 .NOTPARALLEL:
 
 # How long the parts of `make test` take, in build/times.tsv: $(call timed,PART) COMMAND.
@@ -37,10 +37,10 @@ python_package = cmake --install build/release --prefix build/python/prefix > /d
   python3 bindings/python/build.py build/python build/python/prefix $(1)
 
 # One build of the library serves the command, the tests, the users' programs and the Python package, which comes last, where
-# Python's headers and the packages of its tests are to be had. Clang compiles the families, which are most templates.
-# The studio comes before the command that holds its page.
+# Python's headers and the packages of its tests are to be had, with the site, which has its reference. Clang compiles the families, which are most
+# templates. The studio comes before the command that holds its page.
 test: build
-	tools/setup.sh build test python spark wasm
+	tools/setup.sh build test python spark wasm site
 	$(build_wasm)
 	$(build_studio)
 	cmake --preset release -DORISPLINE_TESTS=ON
@@ -50,6 +50,8 @@ test: build
 	$(call timed,tests of the families by Clang) ctest --preset clang-families -j $(JOBS)
 	$(call timed,the tests) ctest --preset release -j $(JOBS) --output-junit junit.xml --test-output-size-passed 100000
 	$(call timed,the Python package) sh -c '$(call python_package,--test --or-skip)'
+	$(call timed,the site) $(site) --or-skip
+	$(call timed,tests of the site) tests/site/browse.sh build/site build/site-browser
 	@tests/summary.py build/release/junit.xml
 	@tools/timed.py $(times) --table
 
@@ -142,29 +144,30 @@ npm_package = tools/build_wasm.sh -j $(JOBS) --target orispline_npm && \
   bindings/npm/build.sh build/release/orispline build/wasm/bindings/npm $(CURDIR)/build/npm-work $(CURDIR)/build/npm
 
 # How long a choice on the page of all methods takes, beside the page of an earlier template, which a short history may lack.
-# Then the npm package beside the native library and three.js; fills its tables in docs/benchmarks.md.
+# Then the npm package beside the native library and three.js, and the studio while a key is dragged; fills their tables in docs/benchmarks.md.
 bench-web: build
 	tools/setup.sh build test wasm
-	rm -rf build/bench-web/studio/report build/bench-web/studio/viewer build/bench-web/benchmarks build/bench-web/earlier.html
+	rm -rf $(addprefix build/bench-web/,studio/report studio/viewer studio/editor bindings benchmarks earlier.html)
 	tests/npm_ci.sh $(CURDIR)/studio $(CURDIR)/build/bench-web/studio
-	mkdir -p build/bench-web/benchmarks
-	cp -R studio/report studio/viewer build/bench-web/studio
+	mkdir -p build/bench-web/benchmarks build/bench-web/bindings/npm
+	cp -R studio/report studio/viewer studio/editor studio/pages.js build/bench-web/studio
 	cp -R benchmarks/web build/bench-web/benchmarks
+	cp -R bindings/npm/src build/bench-web/bindings/npm
 	build/release/orispline compare examples/data/flight_truth.csv --keep-every 8 --report build/bench-web/page.html > /dev/null
 	git show 5da2fce2:src/orispline/report/page_template.html > build/bench-web/earlier.html 2> /dev/null || rm build/bench-web/earlier.html
 	node build/bench-web/benchmarks/web/choosing.mjs build/bench-web/page.html $$(ls build/bench-web/earlier.html 2> /dev/null)
 	$(npm_package)
 	c++ -std=c++20 -O2 -Ibindings/c benchmarks/web/native.cpp -o build/bench-web/native -Lbuild/release/bindings/c -lorispline_c -Wl,-rpath,$(CURDIR)/build/release/bindings/c
-	benchmarks/web/run.py build/npm build/npm-work/node_modules build/bench-web/native --document docs/benchmarks.md
+	tools/build_studio.sh -j $(JOBS)
+	ORISPLINE_STUDIO_WASM=$(CURDIR)/build/wasm/bindings/npm/studio/studio.wasm benchmarks/web/run.py build/npm build/npm-work/node_modules build/bench-web/native build/studio/studio.html build/bench-web/benchmarks/web/studio.mjs --document docs/benchmarks.md
 
-# Of the headers that are installed, in build/docs/html, and of the Python package, in build/python/reference.
-docs: build
-	tools/setup.sh build docs python
-	rm -rf build/docs
-	cmake --install build/release --component headers --prefix build/docs
-	doxygen docs/Doxyfile
-	tools/check_html.py . build/docs/html
-	$(call python_package,--docs --or-skip)
+# All pages and the references of Python, C++ and C as one site in build/site, which wants no network.
+site = tools/site/make.py build/python/venv/bin/python build/python/prefix/include build/site
+
+site: build
+	tools/setup.sh build python site
+	$(call python_package,)
+	$(site)
 
 # Builds the page of the reports anew, which is part of the library, and the widget of notebooks, which is part of the Python package.
 page:
@@ -187,6 +190,11 @@ web: build
 	$(npm_package)
 	cmake --preset release -DORISPLINE_TESTS=ON
 	ctest --preset release -R '^npm' --output-on-failure
+
+# The Debian packages in build/deb, compiled by dpkg-buildpackage in a copy of the source.
+deb:
+	tools/setup.sh build deb
+	tools/make_deb.py build/deb --jobs $(JOBS)
 
 format:
 	tools/setup.sh test

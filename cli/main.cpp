@@ -17,6 +17,7 @@
 #include "commands/completion/completion.hpp"
 #include "commands/convert/convert_options.hpp"
 #include "commands/difference/difference_options.hpp"
+#include "commands/help/help.hpp"
 #include "commands/inspect/inspect_options.hpp"
 #include "commands/mean/mean_options.hpp"
 #include "commands/methods/methods.hpp"
@@ -36,16 +37,14 @@
 
 namespace orispline::cli { namespace {
 
-constexpr auto app_footer = R"(Examples:
+constexpr auto app_examples = R"(Examples:
   orispline sample keys.csv --rate 100 -o motion.csv
   orispline convert keys.csv -o keys.tum
   orispline inspect keys.csv --method auto,quintic
   orispline compare flight.csv --keep-every 8
   orispline reduce flight.csv --tolerance 0.1deg -o keys.csv
   orispline studio keys.csv
-  orispline methods
-
-Exit codes: 0 success, 1 bad data, 2 bad usage, 3 file missing, unreadable or not writable.)";
+  orispline methods)";
 
 constexpr auto methods_footer = R"(Examples:
   orispline methods
@@ -75,12 +74,13 @@ constexpr auto completion_footer = R"(Examples:
 
 constexpr auto help_footer = R"(Examples:
   orispline help
-  orispline help sample)";
+  orispline help sample
+  orispline help --manual-pages man/man1)";
 
 Program program() {
   return {.name = "orispline",
           .description = "Smooth orientation curves through keyframes.",
-          .footer = app_footer,
+          .footer = formatted("{}\n\n{}", app_examples, exit_codes()),
           .version = formatted("orispline {}", version)};
 }
 
@@ -193,8 +193,8 @@ class CommandLine {
         command("reproduce", "Run the experiments of the papers anew", [this] { return reproduce(reproduce_); }));
     add_completion_options(command("completion", "Print a completion script for a shell",
                                    [this] { return completion(shell_, outlines(commands_)); }));
-    add_help_options(
-        command(std::string(help_command), "Print the help of a command", [] { return Expected<void>(); }));
+    add_help_options(command(std::string(help_command), "Print the help of a command",
+                             [this] { return help(help_, program(), commands_); }));
   }
 
   [[nodiscard]] ExitCode run(int argc, char** argv) {
@@ -265,7 +265,10 @@ class CommandLine {
 
   void add_help_options(Command& app) {
     app.footer = help_footer;
-    app.add_option(command_type, helped_, "Command to explain [list them all]")->type_name(command_type);
+    app.add_option(command_type, help_.command, "Command to explain [list them all]")->type_name(command_type);
+    app.add_option("--manual-pages", help_.manual_pages,
+                   "Write the manual pages of all commands, for man, into this folder")
+        ->type_name(folder_type);
   }
 
   std::deque<Command> commands_;
@@ -287,7 +290,7 @@ class CommandLine {
   TasksArguments tasks_;
   ReproduceArguments reproduce_;
   std::string shell_;
-  std::optional<std::string> helped_;
+  HelpArguments help_;
 };
 
 }}  // namespace orispline::cli

@@ -1,73 +1,81 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the HTML that Doxygen made has every page and picture of the documents, and no link into the void.
+"""Whether a site is whole: every page of the repository in its side bar, no link or anchor into the void, and nothing of it from elsewhere.
 
-usage: check_html.py ROOT HTML   ROOT has README.md and docs/, HTML is the folder that was made
+usage: check_html.py ROOT SITE   ROOT has docs/, SITE is the folder that was made from it
 """
-import html
+import html.parser
 import pathlib
 import re
 import sys
 import urllib.parse
 
-PICTURE = re.compile(r"!\[[^\]]*\]\(([^)\s]+)\)", re.S)
-REFERENCE = re.compile(r'<(?:a|img|object|link|script)\b[^>]*?\b(?:href|src|data)="([^"]+)"')
+LOADS = {"script": "src", "img": "src", "link": "href", "object": "data", "iframe": "src", "source": "src"}  # tag -> what a browser fetches by itself
+STYLE_LOADS = re.compile(r"(?:url\(|@import)\s*[\"']?((?:[a-z]+:)?//[^\"')\s]+)")
 
 
-def words(text):
-    """A heading as people read it."""
-    return re.sub(r"[^\w]+", " ", html.unescape(re.sub(r"<[^>]*>", "", text))).strip()
+class Page(html.parser.HTMLParser):
+    """The anchors of a page, its links, what it loads, and the links of its side bar."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.anchors, self.links, self.loaded, self.side_bar = {"", "top"}, set(), set(), set()
+        self.depth = 0  # of elements within the side bar
+        self.feed(path.read_text("utf-8"))
+
+    def handle_starttag(self, tag, attributes):
+        values = dict(attributes)
+        self.anchors |= {values[name] for name in ("id", "name") if values.get(name)}
+        if tag in LOADS and values.get(LOADS[tag]):
+            self.loaded.add(values[LOADS[tag]])
+        if tag == "a" and values.get("href"):
+            self.links.add(values["href"])
+            if self.depth:
+                self.side_bar.add(values["href"])
+        if tag == "div" and (self.depth or "sidebar-tree" in values.get("class", "")):
+            self.depth += 1
+
+    def handle_endtag(self, tag):
+        if tag == "div" and self.depth:
+            self.depth -= 1
 
 
-def title_of(document):
-    return words(re.search(r"^# (.*)$", document.read_text("utf-8"), re.M)[1].replace("`", ""))
+def is_elsewhere(link):
+    return bool(re.match(r"[a-z]+:|//", link))
 
 
-def titles_in(folder):
-    """The pages by their titles."""
-    pages = {}
-    for page in folder.glob("*.html"):
-        text = page.read_text("utf-8", errors="replace")
-        heading = re.search(r'<div class="title">(.*?)</div>', text, re.S)
-        if heading:
-            pages.setdefault(words(heading[1]), []).append(text)
-    return pages
+def broken_links(site, pages):
+    for path, page in pages.items():
+        for link in sorted(page.links | page.loaded):
+            if is_elsewhere(link):
+                continue
+            file, _, anchor = link.partition("#")
+            target = (path.parent / urllib.parse.unquote(file.partition("?")[0])).resolve() if file else path
+            if not target.is_file():
+                yield f"{path.relative_to(site)}: {link} is not in the site"
+            elif target in pages and urllib.parse.unquote(anchor) not in pages[target].anchors:
+                yield f"{path.relative_to(site)}: {link} has no such anchor"
 
 
-def missing_pages(root, folder):
-    titles = titles_in(folder)
-    for document in [root / "README.md", *sorted((root / "docs").rglob("*.md"))]:
-        name = document.relative_to(root)
-        texts = [(folder / "index.html").read_text("utf-8")] if document.name == "README.md" else titles.get(title_of(document))
-        if not texts:
-            yield f"{name}: no page has its title, '{title_of(document)}'"
-            continue
-        for picture in PICTURE.findall(document.read_text("utf-8")):
-            base = pathlib.PurePosixPath(picture).name
-            if not any(urllib.parse.unquote(link) == base for text in texts for link in REFERENCE.findall(text)):
-                yield f"{name}: its page does not show {picture}"
-            if not (folder / base).is_file():
-                yield f"{name}: {picture} is not in the HTML"
+def loads_from_elsewhere(site, pages):
+    for path, page in pages.items():
+        yield from (f"{path.relative_to(site)}: loads {link}" for link in sorted(page.loaded) if is_elsewhere(link) and not link.startswith("data:"))
+    for path in sorted(site.rglob("*.css")):
+        yield from (f"{path.relative_to(site)}: loads {link}" for link in STYLE_LOADS.findall(path.read_text("utf-8")))
 
 
-def spoilt_texts(folder):
-    """Where a command of Doxygen or the marks of the text are shown instead of what they mean."""
-    for page in [folder / "index.html", *sorted(folder.glob("md_*.html"))]:
-        text = re.sub(r'<div class="fragment">.*?</div><!-- fragment -->', "", page.read_text("utf-8"), flags=re.S)
-        for spoilt in re.findall(r"^@(?:image|code|endcode|ref)\b.*|<a [^>]*>`.*?</a>", text, re.M):
-            yield f"{page.name}: shows '{spoilt[:80]}'"
+def pages_without_a_place(root, pages, front):
+    """The documents to which no link of the side bar leads."""
+    for document in sorted((root / "docs").rglob("*.md")):
+        name = document.relative_to(root).with_suffix(".html").as_posix()
+        if name not in pages[front].side_bar:
+            yield f"{document.relative_to(root)}: is not in the side bar"
 
 
-def broken_links(folder):
-    for page in sorted(folder.glob("*.html")):
-        for link in set(REFERENCE.findall(page.read_text("utf-8", errors="replace"))):
-            path = urllib.parse.unquote(html.unescape(link).partition("#")[0])
-            if path and not re.match(r"[a-z]+:", path) and not (folder / path).exists():
-                yield f"{page.name}: {link} is not in the HTML"
-
-
-def main(root, folder):
-    faults = [*missing_pages(root, folder), *broken_links(folder), *spoilt_texts(folder)]
+def main(root, site):
+    site = site.resolve()
+    pages = {path: Page(path) for path in sorted(site.rglob("*.html"))}
+    faults = [*pages_without_a_place(root, pages, site / "index.html"), *broken_links(site, pages), *loads_from_elsewhere(site, pages)]
     for fault in faults:
         print(f"check_html: {fault}", file=sys.stderr)
     return 1 if faults else 0

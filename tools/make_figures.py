@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from band_figure import band_figure
+from concept_figures import concept_figures
 from gyro_figure import gyro_figure
 from mean_figure import mean_figure
 from rotations import DEGREE, conjugate, norm, times, to_world, turn
@@ -18,6 +19,7 @@ from sampled_motion import Motion, sampled
 from skeleton_figure import skeleton_figure
 from sphere_view import sphere
 from svg_drawing import BLUE, GREEN, GREY, INK, PURPLE, RED, Plot, document, legend, line, text
+from task_figures import table, task_figures
 
 ROOT = Path(__file__).resolve().parent.parent
 DATA, DOCS = ROOT / "examples" / "data", ROOT / "docs"
@@ -44,10 +46,6 @@ def curve(label, *options, method=None, keys=None):
 
 TIMED = ("timed-c1", "timed-c2", "timed-c3", "timed-sextic")
 JOINT_TIMES = Motion(text_of("five_keys.csv")).t
-
-
-def table(rows):
-    return "t,qw,qx,qy,qz\n" + "".join(",".join(map(repr, (t, *q))) + "\n" for t, q in rows)
 
 
 def with_handles(command):
@@ -287,6 +285,8 @@ def main():
     figures["families/beta-parameters"] = beta_parameters_figure(command)
     figures["families/auto-distance"] = auto_distance_figure(command)
     figures["skeletons"] = skeleton_figure(command)
+    figures |= concept_figures(command, text_of("five_keys.csv"))
+    figures |= task_figures(command)
     figures["mean"] = mean_figure(command)
     figures["families/measured"] = band_figure(command, Motion(text_of("flight_truth.csv")), table)
     figures["gyro"] = gyro_figure(command, Motion(text_of("flight_truth.csv")))

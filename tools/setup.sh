@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Provides what the given groups need: tools/setup.sh [build] [test] [check] [tidy] [docs] [bench] [python] [spark] [wasm]; without a group: build test.
+# Provides what the given groups need: tools/setup.sh [build] [test] [check] [tidy] [site] [bench] [python] [spark] [wasm] [deb]; without a group: build test.
 # Installs with apt what is missing; where that is not possible it names the missing packages. With --missing before the
 # groups it names them, and installs nothing.
 set -eu
@@ -33,7 +33,7 @@ check libclang-rt-dev?   fuzzer/FuzzedDataProvider.h
 check gcovr              gcovr
 tidy  clang              clang++
 tidy  clang-tidy         clang-tidy
-docs  doxygen            doxygen
+site  doxygen?           doxygen
 python python3           python3
 python python3-dev?      python3-config
 python python3-venv?     import:ensurepip
@@ -46,6 +46,13 @@ wasm  libclang-rt-22-dev-wasm32? ../lib/wasi/libclang_rt.builtins-wasm32.a
 wasm  wasi-libc?         wasm32-wasi/stdlib.h
 wasm  libsimde-dev?      simde/x86/sse2.h
 wasm  nodejs?            node
+deb   dpkg-dev           dpkg-buildpackage
+deb   debhelper          dh
+deb   fakeroot           fakeroot
+deb   python3            python3
+deb   lintian?           lintian
+deb   man-db?            man
+deb   mandoc?            mandoc
 bench libbenchmark-dev   benchmark/benchmark.h
 bench libglm-dev         glm/glm.hpp
 bench python3            python3

@@ -6,12 +6,19 @@
 //                                    each time into new memory
 //   fill METHOD RATES COUNT CALLS    likewise without times, into memory that was touched before
 //   write METHOD RATES COUNT FILE    `written`: the numbers of `sample`, quantity after quantity
+//   draw COUNT CALLS METHOD...       that of drawing a curve of each method, as the studio does: making it, COUNT even
+//                                    samples and both sides of every key with all rates, the orders that keys reach
+//   drawn COUNT FILE METHOD...       `written`: times, orientations, rates and orders of these curves, all as doubles
 // KEYS: doubles, the times of the keys and then w, x, y, z of each.
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <iostream>
+#include <iterator>
+#include <limits>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -100,6 +107,72 @@ Samples sampled(const Keys& keys, const orispline_curve* curve, std::size_t rate
   return samples;
 }
 
+/// Times of samples, of which those on the left of a key are asked for at the last double before it.
+struct Times {
+  std::vector<double> shown, asked;
+
+  void add(double shown_time, double asked_time) {
+    shown.push_back(shown_time);
+    asked.push_back(asked_time);
+  }
+};
+
+/// `count` even times, which begin at 0 s, and both sides of every key between the ends.
+Times times_of(const Keys& keys, std::size_t count) {
+  const double end = keys.times.back(), before = -std::numeric_limits<double>::infinity();
+  Times times;
+  auto key = std::next(keys.times.begin());
+  for (std::size_t k = 0; k < count; ++k) {
+    const double time = k + 1 == count ? end : end * static_cast<double>(k) / static_cast<double>(count - 1);
+    bool is_key = false;
+    for (; *key < end && *key <= time; ++key) {
+      is_key = *key == time;
+      times.add(*key, std::nextafter(*key, before));
+      times.add(*key, *key);
+    }
+    if (!is_key) times.add(time, time);
+  }
+  return times;
+}
+
+/// A curve as the studio draws it.
+class Drawn {
+ public:
+  Drawn(const Keys& keys, const std::string& method, std::size_t count)
+      : times_(times_of(keys, count)),
+        numbers_(std::make_unique_for_overwrite<double[]>(width * times_.asked.size())),
+        orders_(keys.times.size()) {
+    orispline_curve* curve = made(keys, method);
+    const std::size_t rows = times_.asked.size();
+    std::vector<orispline_output> outputs{{ORISPLINE_ORIENTATION, ORISPLINE_DOUBLE, numbers_.get(), 0}};
+    for (std::size_t k = 0; k < 3; ++k)
+      outputs.push_back({static_cast<orispline_quantity>(ORISPLINE_ANGULAR_VELOCITY + k), ORISPLINE_DOUBLE,
+                         numbers_.get() + (4 + 3 * k) * rows, 0});
+    orispline_error* error = nullptr;
+    check(orispline_sample_at(curve, times_.asked.data(), rows, ORISPLINE_WXYZ, nullptr, 1, outputs.data(),
+                              outputs.size(), &error),
+          error);
+    check(orispline_curve_orders(curve, orders_.data(), orders_.size(), &error), error);
+    orispline_curve_free(curve);
+  }
+
+  void write(std::ostream& file) const {
+    const std::vector<double> orders(orders_.begin(), orders_.end());
+    const auto put = [&file](const double* numbers, std::size_t count) {
+      file.write(reinterpret_cast<const char*>(numbers), static_cast<std::streamsize>(count * sizeof(double)));
+    };
+    put(times_.shown.data(), times_.shown.size());
+    put(numbers_.get(), width * times_.shown.size());
+    put(orders.data(), orders.size());
+  }
+
+ private:
+  static constexpr std::size_t width = 4 + 3 * 3;  // of orientation and rates
+  Times times_;
+  std::unique_ptr<double[]> numbers_;
+  std::vector<std::int32_t> orders_;
+};
+
 template <class Work>
 double taken(int calls, const Work& work) {
   const std::clock_t start = std::clock();
@@ -107,12 +180,34 @@ double taken(int calls, const Work& work) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
+void obey_drawing(const Keys& keys, const std::string& order, std::istringstream& words) {
+  std::size_t count = 0;
+  std::string third;
+  words >> count >> third;
+  const std::vector<std::string> methods{std::istream_iterator<std::string>(words), {}};
+  if (order == "draw") {
+    std::cout << taken(std::stoi(third), [&] {
+      for (const std::string& method : methods) Drawn(keys, method, count);
+    }) << std::endl;
+    return;
+  }
+  std::ofstream file(third, std::ios::binary);
+  for (const std::string& method : methods) Drawn(keys, method, count).write(file);
+  file.close();
+  std::cout << "written" << std::endl;
+}
+
 void obey(const Keys& keys, const std::string& line) {
   std::istringstream words(line);
   std::string order, method, file;
   std::size_t rates = 0, count = 0;
   int calls = 0;
-  words >> order >> method;
+  words >> order;
+  if (order == "draw" || order == "drawn") {
+    obey_drawing(keys, order, words);
+    return;
+  }
+  words >> method;
   if (order == "make") {
     words >> calls;
     std::cout << taken(calls, [&] { orispline_curve_free(made(keys, method)); }) << std::endl;
@@ -135,7 +230,7 @@ void obey(const Keys& keys, const std::string& line) {
                static_cast<std::streamsize>(samples.size * sizeof(double)));
     std::cout << "written" << std::endl;
   } else {
-    stop("found the order '" + order + "', wanted make, sample, fill or write");
+    stop("found the order '" + order + "', wanted make, sample, fill, write, draw or drawn");
   }
   orispline_curve_free(curve);
 }

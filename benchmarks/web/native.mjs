@@ -45,6 +45,18 @@ export class Native {
     return readFileSync(file);
   }
 
+  /** Of a curve of each method as the studio draws it. */
+  async draw(methods, count, calls) {
+    return Number(await this.told(`draw ${count} ${calls} ${methods.join(' ')}`));
+  }
+
+  /** Times, orientations, rates and orders of these curves. */
+  async drawn(methods, count) {
+    const file = join(this.folder, 'drawn.bin');
+    await this.told(`drawn ${count} ${file} ${methods.join(' ')}`);
+    return readFileSync(file);
+  }
+
   end() {
     this.child.stdin.end();
   }

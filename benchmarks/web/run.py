@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The npm package beside the native library and three.js: run.py PACKAGE TOOLS NATIVE [--document PAGE]
+"""The npm package beside the native library and three.js, and the studio: run.py PACKAGE TOOLS NATIVE STUDIO SCRIPT [--document PAGE]
 
-PACKAGE is the built package, TOOLS the node_modules of its tools, NATIVE the program of native.cpp. It prints tables, and with PAGE
-fills the block of that page between its own markers.
+PACKAGE is the built package, TOOLS the node_modules of its tools, NATIVE the program of native.cpp, STUDIO the built page of the studio,
+SCRIPT studio.mjs beside the sources of the studio and its tools. It prints tables, and with PAGE fills the block of that page between
+its own markers.
 """
 import argparse
 import datetime
@@ -44,21 +45,27 @@ def sizes_table(sizes):
 
 def text(found, load):
     yield f"{machine()}; {datetime.date.today().isoformat()}; {found['versions']}; load {load:.1f} at the start and"
-    yield f"{os.getloadavg()[0]:.1f} at the end, of other programs too."
-    yield from ("", *ratios_table(found["ratios"]), "", *sizes_table(found["sizes"]), "")
+    yield f"{os.getloadavg()[0]:.1f} at the end, of other programs too; the studio in Chromium {found['studio']['version']}."
+    yield from ("", *ratios_table(found["ratios"]), "", *ratios_table(found["studio"]["ratios"]), "", *sizes_table(found["sizes"]), "")
+
+
+def measured(*words):
+    run = subprocess.run(["node", *words], stdout=subprocess.PIPE, check=False)
+    if run.returncode:
+        sys.exit(run.returncode)  # it has said why
+    return json.loads(run.stdout)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    for name in ("package", "tools", "native"):
+    for name in ("package", "tools", "native", "studio", "script"):
         parser.add_argument(name, type=lambda path: pathlib.Path(path).resolve())
     parser.add_argument("--document", type=pathlib.Path)
     chosen = parser.parse_args()
     load = os.getloadavg()[0]
-    measured = subprocess.run(["node", HERE / "package.mjs", chosen.package, chosen.tools, chosen.native], stdout=subprocess.PIPE, check=False)
-    if measured.returncode:
-        sys.exit(measured.returncode)  # it has said why
-    lines = list(text(json.loads(measured.stdout), load))
+    found = measured(HERE / "package.mjs", chosen.package, chosen.tools, chosen.native)
+    found["studio"] = measured(chosen.script, chosen.studio, chosen.native)
+    lines = list(text(found, load))
     print("\n".join(lines))
     if chosen.document:
         fill_block(chosen.document, START, END, lines)

@@ -2,7 +2,7 @@
 // Two contenders in turn, by processor time. A contender is a function of a number of calls, which gives the time that they took [s].
 const rounds = 41, turn = 0.02, warm = 1.5; // [s]
 
-const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
+export const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
 
 /** A contender of this process, its other threads included: V8 collects and compiles on them. */
 export const here = (work) => (calls) => {

@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/exit_code.hpp"
 
+#include <orispline/base/formatted.hpp>
+
 #include "options/option_text.hpp"
 #include "options/reading_flags.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
+
+std::string exit_codes() {
+  std::string text = "Exit codes:";
+  for (const auto& [code, meaning] : exit_meanings) text += formatted(" {} {},", static_cast<int>(code), meaning);
+  text.back() = '.';
+  return text;
+}
 
 std::string message_of(const Error& error) { return describe(with_flags(with_reading_flags(error))); }
 

@@ -54,7 +54,7 @@ class Setup(unittest.TestCase):
     def test_asks_nothing_of_apt_when_all_is_there(self):
         self.machine.add_command("doxygen")
         self.machine.add_apt("exit 1")
-        run = self.machine.setup("docs")
+        run = self.machine.setup("site")
         self.assertEqual((run.returncode, run.stdout, run.stderr, self.machine.orders()), (0, "", "", []))
 
     def test_installs_only_what_is_missing(self):
@@ -68,16 +68,17 @@ class Setup(unittest.TestCase):
                          [f"{options} update", f"{options} install -y --no-install-recommends clang"])
 
     def test_fails_and_names_the_package_when_apt_fails(self):
+        self.machine.add_command("clang++")
         self.machine.add_apt("exit 100")
-        run = self.machine.setup("docs")
+        run = self.machine.setup("tidy")
         self.assertEqual(run.returncode, 1)
-        self.assertIn("not here (Debian's names of the packages): doxygen\n", run.stderr)
+        self.assertIn("not here (Debian's names of the packages): clang-tidy\n", run.stderr)
 
     def test_fails_and_names_the_packages_without_apt(self):
         self.machine.add_header("fuzzer/FuzzedDataProvider.h")
-        run = self.machine.setup("check", "docs")
+        run = self.machine.setup("check", "tidy")
         self.assertEqual(run.returncode, 1)
-        self.assertIn("clang gcovr doxygen\nsetup: install them, then try again\n", run.stderr)
+        self.assertIn("clang gcovr clang clang-tidy\nsetup: install them, then try again\n", run.stderr)
 
     def test_finds_the_headers_of_the_compiler_itself(self):
         for command in ("clang++", "gcovr"):
@@ -103,10 +104,10 @@ class Setup(unittest.TestCase):
         header = self.machine.folder / "lib/llvm-19/lib/clang/19/include/fuzzer/FuzzedDataProvider.h"
         header.parent.mkdir(parents=True)
         header.touch()
-        run = self.machine.setup("--missing", "check", "docs")
-        self.assertEqual((run.returncode, run.stdout, run.stderr, self.machine.orders()), (0, "gcovr doxygen\n", "", []))
-        self.machine.add_command("doxygen")
-        self.assertEqual(self.machine.setup("--missing", "docs").stdout, "")
+        run = self.machine.setup("--missing", "check", "tidy")
+        self.assertEqual((run.returncode, run.stdout, run.stderr, self.machine.orders()), (0, "gcovr clang-tidy\n", "", []))
+        self.machine.add_command("clang-tidy")
+        self.assertEqual(self.machine.setup("--missing", "tidy").stdout, "")
 
     def test_asks_python_for_its_modules(self):
         self.machine.add_command("python3-config")

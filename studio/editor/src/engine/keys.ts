@@ -6,10 +6,17 @@ import type { Key, Quaternion, Vector } from '../document/document';
 
 const rates = ['angularVelocities', 'angularAccelerations', 'angularJerks'] as const;
 
+/** Row after row. */
+function flat(keys: readonly Key[], width: number, rowOf: (key: Key) => readonly number[]): Float64Array {
+  const numbers = new Float64Array(width * keys.length);
+  keys.forEach((key, k) => numbers.set(rowOf(key), width * k));
+  return numbers;
+}
+
 export function dataOf(keys: readonly Key[]): KeyData {
-  const data: KeyData = { times: Float64Array.from(keys, ({ t }) => t), orientations: Float64Array.from(keys.flatMap(({ q }) => q)), order: 'wxyz' };
-  if (keys[0]?.p) data.positions = Float64Array.from(keys.flatMap(({ p }) => p ?? []));
-  for (const [k, name] of rates.entries()) if (keys[0]?.rates[k]) data[name] = Float64Array.from(keys.flatMap((key) => key.rates[k]));
+  const data: KeyData = { times: flat(keys, 1, ({ t }) => [t]), orientations: flat(keys, 4, ({ q }) => q), order: 'wxyz' };
+  if (keys[0]?.p) data.positions = flat(keys, 3, ({ p }) => p ?? []);
+  for (const [k, name] of rates.entries()) if (keys[0]?.rates[k]) data[name] = flat(keys, 3, (key) => key.rates[k]);
   return data;
 }
 

@@ -24,7 +24,8 @@ export function before(time: number): number {
 export function mergedTimes(even: Float64Array, inner: readonly number[]): { times: Float64Array; left: number[] } {
   const times: number[] = [], left: number[] = [];
   let next = 0;
-  for (const time of [...even, Number.POSITIVE_INFINITY]) {
+  for (let k = 0; k <= even.length; ++k) {
+    const time = k < even.length ? even[k] : Number.POSITIVE_INFINITY;
     let isInner = false;
     for (; inner[next] <= time; ++next) {
       isInner = inner[next] === time;

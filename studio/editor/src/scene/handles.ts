@@ -3,7 +3,7 @@
 import { Vector3 } from 'three';
 import { bodyAxis, type Axis } from 'orispline-viewer/motion/quaternion';
 import { lift } from 'orispline-viewer/scene/globe';
-import type { Stage } from 'orispline-viewer/scene/stage';
+import type { Place, Stage } from 'orispline-viewer/scene/stage';
 import type { Key } from '../document/document';
 
 const reach = { mouse: 12, touch: 22 }; // [px] of a handle
@@ -51,14 +51,17 @@ export class Handles {
 
   isBehind = (direction: Vector3): boolean => direction.dot(this.stage.camera.position) < lift;
 
-  private placeOf = ({ direction }: Handle) => this.stage.placeOf(direction.clone().multiplyScalar(lift));
+  private get places(): Place[] {
+    return this.stage.placesOf(this.handles.map(({ direction }) => direction.clone().multiplyScalar(lift)));
+  }
 
-  /** As the camera is. */
+  /** As the camera is. All is measured before anything is moved, else the browser lays the page out for each. */
   arrange(): void {
     const { left, top } = this.svg.getBoundingClientRect();
+    const { places } = this;
     this.ring.setAttribute('visibility', 'hidden');
     this.handles.forEach((handle, i) => {
-      const { clientX, clientY } = this.placeOf(handle);
+      const { clientX, clientY } = places[i];
       const isBehind = this.isBehind(handle.direction);
       const put = (one: SVGCircleElement, name: string) => {
         one.setAttribute('class', isBehind ? `${name} behind` : name);
@@ -76,8 +79,9 @@ export class Handles {
   under(event: PointerEvent): Key | null {
     const most = event.pointerType === 'touch' ? reach.touch : reach.mouse;
     let [best, least]: [Key | null, number] = [null, Infinity];
-    for (const handle of this.handles) {
-      const { clientX, clientY } = this.placeOf(handle);
+    const { places } = this;
+    for (const [i, handle] of this.handles.entries()) {
+      const { clientX, clientY } = places[i];
       const off = Math.hypot(clientX - event.clientX, clientY - event.clientY);
       if (off > most) continue;
       const rank = off + (this.isBehind(handle.direction) ? 2 * most : 0) - (handle.key.id === this.chosen ? most : 0);

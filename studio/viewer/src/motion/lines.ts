@@ -4,27 +4,32 @@ import type { Numbers } from '../data/numbers';
 import { isGap, type Path } from '../data/report';
 import { isShownAt, orientationAt, quaternionAt, segmentOf, spanAt } from './orientation';
 import { polyline, type Piece, type Polyline } from './polyline';
-import { angleBetween, bodyAxis, type Axis, type Quaternion } from './quaternion';
+import { angleBetween, angleOf, axisOf, four, type Axis, type Place, type Quaternion } from './quaternion';
 
 /** [deg] Of a chord from what it stands for. */
 export const chordTolerance = 0.005;
 
 const radian = 180 / Math.PI; // [deg]
 
-/** The orientation between two samples at a time. */
-function turnsIn(path: Path, i: number): ((t: number) => Quaternion) | null {
+/** The orientation between two samples at a time: it lies where that of another time is written next. */
+function turnsIn(path: Path, i: number, into: Place): ((t: number) => Place) | null {
   const segment = segmentOf(path, i);
-  const [from, step] = [path.t[i], path.t[i + 1] - path.t[i]];
-  return segment && ((t) => segment((t - from) / step));
+  if (!segment) return null;
+  const from = path.t[i], step = path.t[i + 1] - from;
+  return (t) => {
+    segment(into, (t - from) / step);
+    return into;
+  };
 }
 
 /** Values of the orientations of a path. */
-const piecesOf =
-  (path: Path, valuesOf: (q: Quaternion) => number[]) =>
-  (i: number): Piece | null => {
-    const turns = turnsIn(path, i);
+function piecesOf(path: Path, valuesOf: (q: Place) => number[]): (i: number) => Piece | null {
+  const place = four();
+  return (i) => {
+    const turns = turnsIn(path, i, place);
     return turns && ((t) => valuesOf(turns(t)));
   };
+}
 
 /** Its first orientation. */
 function startOf(path: Path): Quaternion | null {
@@ -36,7 +41,8 @@ function startOf(path: Path): Quaternion | null {
 export function anglesFromStart(path: Path): Polyline {
   const start = startOf(path);
   if (!start) return { t: new Float64Array(), values: new Float64Array() };
-  return polyline(path.t, piecesOf(path, (q) => [angleBetween(start, q)]), chordTolerance);
+  const from = four(start);
+  return polyline(path.t, piecesOf(path, (q) => [angleOf(from, q)]), chordTolerance);
 }
 
 /** The same at any time; NaN in a gap. */
@@ -46,7 +52,7 @@ export function angleFromStartAt(path: Path): (time: number) => number {
 }
 
 /** The way of a body axis over the unit sphere. */
-export const wayOverSphere = (path: Path, axis: Axis): Polyline => polyline(path.t, piecesOf(path, (q) => bodyAxis(q, axis)), chordTolerance / radian);
+export const wayOverSphere = (path: Path, axis: Axis): Polyline => polyline(path.t, piecesOf(path, (q) => axisOf(q, axis)), chordTolerance / radian);
 
 /** All times of both, each once. */
 function unionOf(some: Numbers, others: Numbers): Float64Array {
@@ -59,11 +65,12 @@ function unionOf(some: Numbers, others: Numbers): Float64Array {
 /** The angle between both [deg], where both are. */
 export function anglesApart(path: Path, other: Path): Polyline {
   const times = unionOf(path.t, other.t);
-  const turnsAt = (one: Path, t: number) => (t < one.t[0] || t > one.t[one.t.length - 1] ? null : turnsIn(one, spanAt(one.t, t)));
+  const [here, there] = [four(), four()];
+  const turnsAt = (one: Path, t: number, into: Place) => (t < one.t[0] || t > one.t[one.t.length - 1] ? null : turnsIn(one, spanAt(one.t, t), into));
   const pieceOf = (i: number): Piece | null => {
     const middle = (times[i] + times[i + 1]) / 2;
-    const [first, second] = [turnsAt(path, middle), turnsAt(other, middle)];
-    return first && second && ((t) => [angleBetween(first(t), second(t))]);
+    const [first, second] = [turnsAt(path, middle, here), turnsAt(other, middle, there)];
+    return first && second && ((t) => [angleOf(first(t), second(t))]);
   };
   return polyline(times, pieceOf, chordTolerance);
 }

@@ -2,7 +2,7 @@
 // Orientations and positions between the samples.
 import type { Numbers } from '../data/numbers';
 import { isGap, type Clock, type Path } from '../data/report';
-import { exponential, inverse, logarithm, product, type Quaternion, type Vector } from './quaternion';
+import { exponential, exponentialsOf, four, inverse, logarithm, multiply, product, quaternionIn, type Place, type Quaternion, type Vector } from './quaternion';
 
 export const quaternionAt = ({ q }: Path, i: number): Quaternion => [q[4 * i], q[4 * i + 1], q[4 * i + 2], q[4 * i + 3]];
 
@@ -24,22 +24,35 @@ export function fraction(times: Numbers, i: number, t: number): number {
   return step > 0 ? Math.min(Math.max((t - times[i]) / step, 0), 1) : 0;
 }
 
+/** Writes the orientation at a part of the way, 0 to 1. */
+export type Segment = (into: Place, u: number) => void;
+
 /** From one orientation to the next along the shorter arc. */
-function arc(from: Quaternion, to: Quaternion): (u: number) => Quaternion {
-  const turn = logarithm(product(inverse(from), to));
-  return (u) => product(from, exponential(turn, u));
+function arc(from: Quaternion, to: Quaternion): Segment {
+  const [start, turned] = [four(from), exponentialsOf(logarithm(product(inverse(from), to)))];
+  return (into, u) => {
+    turned(into, u);
+    multiply(into, start, into);
+  };
 }
+
+const turn = four();
 
 /**
  * The cubic of Kim, Kim and Shin (1995), which has the rates at both ends; the turns are a third of the step times these. The
  * library chooses the samples so that this formula is near to the curve.
  */
-function cubic(from: Quaternion, first: Vector, to: Quaternion, last: Vector): (u: number) => Quaternion {
-  const left = logarithm(product(inverse(product(from, exponential(first))), product(to, inverse(exponential(last)))));
-  return (u) => {
+function cubic(from: Quaternion, first: Vector, to: Quaternion, last: Vector): Segment {
+  const between = logarithm(product(inverse(product(from, exponential(first))), product(to, inverse(exponential(last)))));
+  const start = four(from), atFirst = exponentialsOf(first), inside = exponentialsOf(between), atLast = exponentialsOf(last);
+  return (into, u) => {
     const rest = 1 - u;
-    const turned = product(from, exponential(first, 1 - rest * rest * rest));
-    return product(product(turned, exponential(left, u * u * (3 - 2 * u))), exponential(last, u * u * u));
+    atFirst(into, 1 - rest * rest * rest);
+    multiply(into, start, into);
+    inside(turn, u * u * (3 - 2 * u));
+    multiply(into, into, turn);
+    atLast(turn, u * u * u);
+    multiply(into, into, turn);
   };
 }
 
@@ -48,15 +61,15 @@ const mostTurn = 20 * Math.PI; // in a third of a step: rates that turn more are
 /** With rates, unless these are noise. */
 type Rated = Path & { w?: Numbers; straight?: boolean };
 
-/** Between sample i and the next one, for 0 to 1: nothing where there is a gap. */
-export function segmentOf(path: Rated, i: number): ((u: number) => Quaternion) | null {
+/** Between sample i and the next one: nothing where there is a gap. */
+export function segmentOf(path: Rated, i: number): Segment | null {
   const { t, w, straight } = path;
   if (isGap(path, i) || isGap(path, i + 1)) return null;
   const [from, to] = [quaternionAt(path, i), quaternionAt(path, i + 1)];
   if (!w || straight || w.length < 3 * t.length) return arc(from, to);
   const third = (t[i + 1] - t[i]) / 3;
-  const turn = (k: number): Vector => [third * w[3 * k], third * w[3 * k + 1], third * w[3 * k + 2]];
-  const [first, last] = [turn(i), turn(i + 1)];
+  const turnAt = (k: number): Vector => [third * w[3 * k], third * w[3 * k + 1], third * w[3 * k + 2]];
+  const [first, last] = [turnAt(i), turnAt(i + 1)];
   const isSampled = Math.max(Math.hypot(...first), Math.hypot(...last)) <= mostTurn; // NaN is not
   return isSampled ? cubic(from, first, to, last) : arc(from, to);
 }
@@ -71,7 +84,10 @@ export function isShownAt(path: Path, t: number): boolean {
 export function orientationAt(path: Rated, t: number): Quaternion {
   const i = spanAt(path.t, t);
   const u = path.t.length > 1 ? fraction(path.t, i, t) : 0;
-  return u > 0 && u < 1 ? segmentOf(path, i)!(u) : quaternionAt(path, i + u);
+  if (!(u > 0 && u < 1)) return quaternionAt(path, i + u);
+  const place = four();
+  segmentOf(path, i)!(place, u);
+  return quaternionIn(place);
 }
 
 export function vectorAt(times: Numbers, values: Numbers, t: number): Vector {

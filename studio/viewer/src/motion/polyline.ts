@@ -28,13 +28,13 @@ export function polyline(times: Numbers, pieceOf: (interval: number) => Piece | 
   let last: readonly number[] = [];
   const push = (time: number, value: readonly number[]) => {
     t.push(time);
-    values.push(...value);
+    for (let k = 0; k < value.length; ++k) values.push(value[k]);
     last = value;
   };
 
   /** From a, which is in the line, to b: halved until the quarters are near to the chord. */
   const reach = (piece: Piece, a: number, atA: readonly number[], b: number, atB: readonly number[], middle: readonly number[], halvings: number) => {
-    const [first, third] = [0.25, 0.75].map((part) => piece(a + part * (b - a)));
+    const first = piece(a + 0.25 * (b - a)), third = piece(a + 0.75 * (b - a));
     const off = Math.max(offChord(atA, atB, 0.25, first), offChord(atA, atB, 0.5, middle), offChord(atA, atB, 0.75, third));
     if (off <= seen * tolerance || halvings === 0) return push(b, atB);
     const half = a + (b - a) / 2;

@@ -30,7 +30,7 @@ export function nameAxes(overlay: Overlay): void {
   for (const axis of axisNames) overlay.name(axis, zUp[axis].clone().multiplyScalar(nameAt));
 }
 
-const wayOf = (axis: Axis) => once((path: Path) => thinned(Float32Array.from(wayOverSphere(path, axis).values, (value) => lift * value), unseen));
+const wayOf = (axis: Axis) => once((path: Path) => thinned(new Float32Array(wayOverSphere(path, axis).values.map((value) => lift * value)), unseen));
 
 /** The way of a body axis, as a trail takes it. */
 export const waysOf = { x: wayOf('x'), y: wayOf('y'), z: wayOf('z') };

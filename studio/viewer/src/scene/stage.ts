@@ -77,13 +77,17 @@ export class Stage {
     return caster.ray;
   }
 
-  /** Where a point of the scene is seen. */
-  placeOf(point: Vector3): Place {
+  /** Where points of the scene are seen. */
+  placesOf(points: readonly Vector3[]): Place[] {
     const { left, top, width, height } = this.canvas.getBoundingClientRect();
     this.camera.updateMatrixWorld();
-    const { x, y } = point.clone().project(this.camera);
-    return { clientX: left + (width * (1 + x)) / 2, clientY: top + (height * (1 - y)) / 2 };
+    return points.map((point) => {
+      const { x, y } = point.clone().project(this.camera);
+      return { clientX: left + (width * (1 + x)) / 2, clientY: top + (height * (1 - y)) / 2 };
+    });
   }
+
+  placeOf = (point: Vector3): Place => this.placesOf([point])[0];
 
   /** In the next frame, once, however often it is asked for. */
   draw(): void {
