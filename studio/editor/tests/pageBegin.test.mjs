@@ -81,3 +81,29 @@ test('a file is picked: by a file chooser, or by what gives access to the disk',
   await other.isOpen('more.csv');
   await other.finish();
 });
+
+test('a file opens also while what is open is edited, and the same file opens with its edits', async () => {
+  const studio = await studioWith({ text: five });
+  await studio.page.evaluate(async (text) => {
+    const { store } = window.studio.current.studio;
+    const edit = () => {
+      const { document } = store.current();
+      store.edit({ ...document, keys: document.keys.with(1, { ...document.keys[1], t: document.keys[1].t + 0.001 }) });
+    };
+    let isOpen = false;
+    const opened = window.studio.open({ bytes: new TextEncoder().encode(text), name: 'next.csv' }).then(() => (isOpen = true));
+    while (!isOpen) {
+      edit();
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+    await opened;
+  }, five.replace('\n5,', '\n9,'));
+  await studio.isOpen('next.csv');
+  await studio.dot(2).focus();
+  await studio.keyboard.press('ArrowRight');
+  const times = await studio.times();
+  await studio.page.evaluate((text) => window.studio.open({ bytes: new TextEncoder().encode(text), name: 'next.csv' }), five.replace('\n5,', '\n9,'));
+  await studio.notice(/from before are here again/).waitFor();
+  assert.deepEqual(await studio.times(), times);
+  await studio.finish();
+});

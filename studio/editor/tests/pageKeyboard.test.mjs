@@ -155,9 +155,11 @@ test('methods are chosen, their settings set, and menus and dialogs opened and l
 test('every key of the keyboard that is listed does what the list says', async () => {
   const studio = await studioWith({ text: five });
   await studio.keyboard.press('?');
+  await studio.dialog('Keyboard').waitFor();
   const listed = await studio.dialog('Keyboard').locator('dt').allTextContents();
   for (const key of ['Ctrl+Z', 'Ctrl+S', 'Ctrl+O', 'Ctrl+D', '[', ']', 'I', 'Delete', '?', 'Space', 'Page Up, Page Down']) assert.ok(listed.includes(key), key);
   await studio.keyboard.press('Escape');
+  await studio.dialog('Keyboard').waitFor({ state: 'detached' });
   await studio.keyboard.press(']');
   const { name, text } = await studio.download(() => studio.keyboard.press('Control+s'));
   assert.deepEqual([name, text], ['keys.csv', five]);
