@@ -16,6 +16,7 @@ const reach = { mouse: 14, touch: 22 }; // [px]
 const onKey = 8; // [px]
 const besideKey = 2; // [px]
 const nearStep = 0.01; // of the window
+const leastInterval = 0.05; // of the mean one, where keys are dense
 
 export const reachFor = ({ pointerType }: PointerEvent): number => (pointerType === 'mouse' ? reach.mouse : reach.touch);
 
@@ -117,8 +118,9 @@ export class Dots {
     const index = keys.findIndex((key) => key.id === id);
     if (index < 0) return time; // it was deleted while it was dragged
     const [before, { t }, after] = [keys[index - 1], keys[index], keys[index + 1]];
-    const step = roundStep(besideKey * perPixel(this.track.scale));
-    const [low, high] = [before ? Math.min(before.t + step, t) : -Infinity, after ? Math.max(after.t - step, t) : Infinity];
+    const interval = (keys[keys.length - 1].t - keys[0].t) / (keys.length - 1);
+    const apart = Math.min(roundStep(besideKey * perPixel(this.track.scale)), leastInterval * interval);
+    const [low, high] = [before ? Math.min(before.t + apart, t) : -Infinity, after ? Math.max(after.t - apart, t) : Infinity];
     return Number(Math.min(Math.max(time, low), high).toPrecision(15));
   }
 
