@@ -197,7 +197,8 @@ web: build
 
 # The Debian packages in build/deb, compiled by dpkg-buildpackage in a copy of the source.
 deb:
-	tools/setup.sh build deb
+	tools/setup.sh build deb test wasm
+	$(build_studio)
 	tools/make_deb.py build/deb --jobs $(JOBS)
 
 # make release VERSION=0.2.0 [OUT=FOLDER]; docs/releasing.md tells what it asks for and how it is signed.

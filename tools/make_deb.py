@@ -82,6 +82,7 @@ def make_tree(folder):
         (tree / part).parent.mkdir(parents=True, exist_ok=True)
         copy = shutil.copytree if (ROOT / part).is_dir() else shutil.copy2
         copy(ROOT / part, tree / part, **({"ignore": shutil.ignore_patterns("__pycache__", "node_modules")} if copy is shutil.copytree else {}))
+    put_studio(tree)
     for file in sorted((ROOT / "packaging/debian").rglob("*")):
         if file.is_file():
             name = str(file.relative_to(ROOT / "packaging/debian")).removesuffix(".in")
@@ -91,6 +92,16 @@ def make_tree(folder):
             place.chmod(file.stat().st_mode)
     (tree / "debian/copyright").write_text(copyright_file(), "utf-8")
     return tree
+
+
+def put_studio(tree):
+    """The page that the command has in it, where it is built."""
+    page = pathlib.Path("build/studio/studio.html")
+    if not (ROOT / page).is_file():
+        print("make_deb.py: the command in the packages will have no studio, for its page was not built; 'make studio' builds it", file=sys.stderr)
+        return
+    (tree / page.parent).mkdir(parents=True)
+    shutil.copy2(ROOT / page, tree / page)
 
 
 def check_tools():

@@ -23,7 +23,11 @@ export class App {
     this.start = new Start((given) => void this.open(given));
     hearDrops(place, () => this.front, (given) => void this.open(given));
     engine.onCurves((curves, of) => {
-      if (of === this.awaited?.document) this.awaited.told(curves);
+      const { awaited } = this;
+      if (of === awaited?.document) {
+        this.awaited = null;
+        awaited.told(curves);
+      } else if (awaited) engine.draw(awaited.document); // what is still open was edited meanwhile
       this.session?.take(curves, of);
     });
   }
@@ -75,6 +79,7 @@ export class App {
   private async show(opened: Opened, given: Given): Promise<void> {
     const { original, document } = opened;
     const draft = new Draft({ hash: original.hash, opened: document, shelf: () => localStorage, tell: (sentence) => this.tell(sentence) });
+    this.session?.keepDraft(); // it may be that of the same file
     const first = draft.read() ?? document;
     const curves = await this.curvesOf(first);
     const theme = this.session?.theme ?? null;

@@ -89,3 +89,29 @@ test('the plots call the two methods A and B, as all of the page does', async ()
   assert.doesNotMatch(text, /first method|two methods/);
   await studio.finish();
 });
+
+test('a file opens also while what is open is edited, and the same file opens with its edits', async () => {
+  const studio = await studioWith({ text: five });
+  await studio.page.evaluate(async (text) => {
+    const { store } = window.studio.current.studio;
+    const edit = () => {
+      const { document } = store.current();
+      store.edit({ ...document, keys: document.keys.with(1, { ...document.keys[1], t: document.keys[1].t + 0.001 }) });
+    };
+    let isOpen = false;
+    const opened = window.studio.open({ bytes: new TextEncoder().encode(text), name: 'next.csv' }).then(() => (isOpen = true));
+    while (!isOpen) {
+      edit();
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+    await opened;
+  }, five.replace('\n5,', '\n9,'));
+  await studio.isOpen('next.csv');
+  await studio.dot(2).focus();
+  await studio.keyboard.press('ArrowRight');
+  const times = await studio.times();
+  await studio.page.evaluate((text) => window.studio.open({ bytes: new TextEncoder().encode(text), name: 'next.csv' }), five.replace('\n5,', '\n9,'));
+  await studio.notice(/from before are here again/).waitFor();
+  assert.deepEqual(await studio.times(), times);
+  await studio.finish();
+});

@@ -157,6 +157,7 @@ test('methods are chosen, their settings set, and menus and dialogs opened and l
 test('every key of the keyboard that is listed does what the list says', async () => {
   const studio = await studioWith({ text: five });
   await studio.keyboard.press('?');
+  await studio.dialog('Keyboard').waitFor();
   const listed = await studio.dialog('Keyboard').locator('dt').allTextContents();
   for (const key of ['Ctrl+Z', 'Ctrl+S', 'Ctrl+O', 'Ctrl+D', '[', ']', 'I', 'Delete, Backspace', '?', 'Space', 'Page Up, Page Down']) assert.ok(listed.includes(key), key);
   const manual = readFileSync(join(process.env.ORISPLINE_EXAMPLES, '../../docs/studio.md'), 'utf8').split('## Keyboard')[1].split('\n## ')[0];
@@ -164,6 +165,7 @@ test('every key of the keyboard that is listed does what the list says', async (
   const inSections = await studio.dialog('Keyboard').locator('section:not(:last-child) dt').allTextContents(); // behind them are no keys
   assert.deepEqual(inSections.sort(), told.sort());
   await studio.keyboard.press('Escape');
+  await studio.dialog('Keyboard').waitFor({ state: 'detached' });
   await studio.keyboard.press(']');
   const { name, text } = await studio.download(() => studio.keyboard.press('Control+s'));
   assert.deepEqual([name, text], ['keys.csv', five]);

@@ -4,10 +4,10 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { withoutGraphics } from '../../report/tests/browser.mjs';
 import { example, placeOf, studioWith, withDisk } from './wholePage.mjs';
 import { checkPlotted, columnsOf, methodText, same, state } from './plotted.mjs';
 import { walk } from './walk.mjs';
-import { withoutGraphics } from '../../report/tests/browser.mjs';
 
 const edits = 200;
 const rowsOf = (text) => text.split('\n').filter((line) => line !== '' && !line.startsWith('#'));

@@ -75,7 +75,7 @@ const said = async (page) => {
 let ofArrays;
 pageOf('data in arrays are shown', JSON.stringify(asArrays), async (page) => {
   ofArrays = await said(page);
-  assert.match(ofArrays[0], /b 14\.32.*a 28\.65/);
+  assert.match(ofArrays[0], /a 28\.65.*b 14\.32/);
   assert.equal(await page.locator('.plots .facts').isVisible(), false); // how exact they are is not known
 });
 pageOf('data in bytes are shown as those in arrays are, with how exact the drawing is', JSON.stringify(asBytes), async (page) => {

@@ -34,7 +34,7 @@ export class Session {
   private chosen: { id: number | null; t: number } = { id: null, t: NaN };
 
   /** `curves`: those of the document that is shown first, which is the draft's where there is one. */
-  constructor({ original, document, warnings }: Opened, first: StudioDocument, curves: Curves, draft: Draft, { engine, methods, theme, looks, handle, open }: Setting) {
+  constructor({ original, document, warnings }: Opened, first: StudioDocument, curves: Curves, private readonly draft: Draft, { engine, methods, theme, looks, handle, open }: Setting) {
     const store = createStore(first, document);
     store.tellCurves(curves);
     const view = new ViewStore(this.shown.report(first, curves));
@@ -46,7 +46,7 @@ export class Session {
     this.screen = new Screen(this.studio, { open, save: () => void saving.save(), copies: copiesOf(this.studio, place, tell), exports: exportsOf(this.studio, place, tell) });
     for (const warning of warnings) this.screen.notices.tell(sentence(warning), { isTrouble: true });
     this.follow();
-    this.keep(draft, document, first);
+    this.keep(document, first);
   }
 
   get theme(): ViewState['theme'] {
@@ -98,11 +98,14 @@ export class Session {
     view.choose({ window: [first, first + span] });
   }
 
-  private keep(draft: Draft, opened: StudioDocument, first: StudioDocument): void {
+  /** What is edited survives, whatever comes next. */
+  keepDraft = (): void => this.draft.flush();
+
+  private keep(opened: StudioDocument, first: StudioDocument): void {
+    const { draft } = this;
     const { store, original } = this.studio;
-    const flush = () => draft.flush();
-    addEventListener('pagehide', flush);
-    this.endings.push(draft.follow(store), flush, () => removeEventListener('pagehide', flush));
+    addEventListener('pagehide', this.keepDraft);
+    this.endings.push(draft.follow(store), this.keepDraft, () => removeEventListener('pagehide', this.keepDraft));
     if (first === opened) return;
     const discard = () => {
       store.edit(opened);
