@@ -20,8 +20,13 @@ const withModule = {
   },
 };
 
+const { wanted } = JSON.parse(readFileSync(new URL('src/document/browsers.json', import.meta.url), 'utf8'));
+
+/** Which browsers the page wants, in what it says to others. */
+const withBrowsers = { name: 'with-browsers', transformIndexHtml: (html) => html.replace('__ORISPLINE_BROWSERS__', wanted) };
+
 export default defineConfig({
-  plugins: [viteSingleFile(), sealed({ notices, scripts: " 'wasm-unsafe-eval'", workers: '; worker-src blob:' }), withModule],
+  plugins: [viteSingleFile(), sealed({ notices, scripts: " 'wasm-unsafe-eval'", workers: '; worker-src blob:' }), withModule, withBrowsers],
   resolve: { alias: [library] },
   server: { fs: { allow: ['../..'] } },
   build: { target: 'es2022', modulePreload: false, reportCompressedSize: false },

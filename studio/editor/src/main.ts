@@ -12,6 +12,9 @@ function given(): Given | null {
   return { bytes: Uint8Array.from(atob(content), (c) => c.charCodeAt(0)), name, method: method ?? undefined, beside: beside ?? undefined };
 }
 
-const studio = new App(document.querySelector('main')!, startEngine());
-Object.assign(globalThis, { studio }); // for who looks into it from the console
-void studio.begin(given());
+const place = document.querySelector('main');
+if (place) {
+  const studio = new App(place, startEngine());
+  Object.assign(globalThis, { studio }); // for who looks into it from the console
+  void studio.begin(given());
+}

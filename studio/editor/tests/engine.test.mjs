@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the engine answers, beside the command.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -167,4 +168,30 @@ test('one time, and what is baked', () => {
   assert.ok(q.every((x, i) => Math.abs(x - keys[4].q[i]) < 1e-12) && p.every((x, i) => Math.abs(x - keys[4].p[i]) < 1e-9));
   assert.equal(ask.at({ ...opened('five_keys.csv').document, choice, time: 1 }).p, null);
   assert.equal(JSON.parse(ask.bake({ keys, choice, tolerance: 1e-4 })).orispline, 'baked');
+});
+
+test('where the library names an option the page names the command that has it', () => {
+  const said = (text, name = 'keys.csv') => {
+    try {
+      return ask.open({ bytes: bytesOf(text), name }).warnings.join();
+    } catch (reason) {
+      return engine.troubleOf(reason).message;
+    }
+  };
+  const joint = (extension) => `the studio edits one track, so take that of one joint: orispline convert walk.${extension} --joint hips -o keys.csv`;
+  for (const name of ['walk.bvh', 'keys.csv']) assert.equal(said('HIERARCHY\nROOT hips\n', name), `found a BVH file, which is not read as rows; ${joint('bvh')}`);
+  assert.equal(said('glTF\x02', 'walk.glb'), `found a glTF file, which is not read as rows; ${joint('glb')}`);
+  for (const name of ['walk.gltf', 'keys.json']) assert.match(said('{"asset":{}}', name), /^found a JSON file, which is not read as rows; where it is glTF, the studio .* walk\.gltf --joint .*; of other JSON write the keys as rows below a header, t,qw,qx,qy,qz$/);
+  const row = 't,qw,qx,qy,qz\n';
+  const cures = [
+    ['0,1,0,0,0\n1,1,0,0,0\n', '--order'], ['t,roll,pitch,yaw\n1,1,0,0\n2,1,0,0\n', '--angle-unit'], ['frame,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n', '--fps'], ['a,b\n0,1\n', '--columns'],
+    [`${row}1,1,0,0,0\n0,1,0,0,0\n`, '--sort'], [`${row}1,1,0,0,0\n1,1,0,0,0\n`, '--drop-duplicates'], [`${row}0,1,0,0,3\n1,1,0,0,0\n`, '--normalise'], [`${row}0,1,0,0,0\n1,nan,0,0,0\n`, '--drop-invalid'],
+  ];
+  const options = execFileSync(process.env.ORISPLINE_COMMAND, ['studio', '--help'], { encoding: 'utf8' });
+  for (const [text, option] of cures) {
+    assert.ok(said(text).endsWith(`; orispline studio reads it with ${option}`), said(text));
+    assert.ok(options.includes(option), option);
+  }
+  assert.match(said(`${row}1700000000000,1,0,0,0\n1700000001000,1,0,0,0\n`), /; set --time-scale of orispline studio if they are not$/);
+  for (const text of ['hello', '', ...cures.map(([one]) => one)]) assert.doesNotMatch(said(text), /`|input_format/);
 });

@@ -7,3 +7,4 @@ export * from '../src/engine/latest';
 export * from '../src/engine/library';
 export * from '../src/engine/module';
 export * from '../src/engine/times';
+export * from '../src/engine/trouble';

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What can go wrong on the built page: a sentence each, and nothing is lost.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
+import { pathToFileURL } from 'node:url';
 import { withoutGraphics } from '../../report/tests/browser.mjs';
 import { example, five, profile, studioWith, withDisk } from './wholePage.mjs';
 
+const { wanted } = JSON.parse(readFileSync(new URL('../src/document/browsers.json', import.meta.url), 'utf8'));
 const header = 't,qw,qx,qy,qz\n';
 const wholeSentence = /^\S.*\S\.$/s;
 
@@ -190,10 +194,32 @@ test('a browser whose WebAssembly has no SIMD is told which ones have', async ()
   const text = await studio.page.locator('.trouble').textContent();
   assert.match(text, wholeSentence);
   assert.match(text, /SIMD/);
-  assert.match(text, /Chrome|Firefox|Safari/);
+  assert.ok(text.includes(wanted), text);
   await studio.page.getByRole('button', { name: 'Five keys' }).click();
   await studio.page.waitForFunction(() => document.querySelector('.trouble').textContent.startsWith('five_keys.csv: found no WebAssembly with SIMD'));
   await studio.finish();
+});
+
+for (const [name, without] of Object.entries({
+  popovers: () => delete HTMLElement.prototype.popover,
+  'lists that are spliced into others': () => delete Array.prototype.toSpliced,
+  'streams that unpack': () => delete globalThis.DecompressionStream,
+}))
+  test(`a browser without ${name} is told which ones have all that the page uses`, async () => {
+    const context = await profile();
+    const page = await context.newPage();
+    const complaints = [];
+    page.on('pageerror', ({ message }) => complaints.push(message));
+    await page.addInitScript(without);
+    await page.goto(pathToFileURL(process.env.ORISPLINE_STUDIO_PAGE).href);
+    assert.equal(await page.locator('body').innerText(), `This browser is too old for the studio, which wants ${wanted}.`);
+    assert.deepEqual(complaints, []);
+    await context.close();
+  });
+
+test('the manual names the same browsers', () => {
+  const manual = readFileSync(join(process.env.ORISPLINE_EXAMPLES, '../../docs/studio.md'), 'utf8').replace(/\s+/g, ' ');
+  assert.ok(manual.includes(`${wanted} have all that it uses`), wanted);
 });
 
 const isFull = () => (Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); });

@@ -82,6 +82,14 @@ test('a file is picked: by a file chooser, or by what gives access to the disk',
   await other.finish();
 });
 
+test('the plots call the two methods A and B, as all of the page does', async () => {
+  const studio = await studioWith({ text: five });
+  const text = await studio.page.getByRole('group', { name: 'Plots' }).innerText();
+  for (const wanted of ['Components x, y, z of A', 'Angle from A to B']) assert.ok(text.includes(wanted), text);
+  assert.doesNotMatch(text, /first method|two methods/);
+  await studio.finish();
+});
+
 test('a file opens also while what is open is edited, and the same file opens with its edits', async () => {
   const studio = await studioWith({ text: five });
   await studio.page.evaluate(async (text) => {

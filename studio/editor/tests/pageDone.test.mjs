@@ -32,6 +32,20 @@ test('a key is dragged, its tension pulled, undone, saved: only its line is anot
   await studio.finish();
 });
 
+test('a file of Euler angles is saved byte for byte while no key is changed, and the page says what it writes else', async () => {
+  const text = '# orispline: method=squad\n# degrees\nt,yaw_deg,pitch_deg,roll_deg,mark\n5,0,0,0,a\n6,30,0,0,b\n7.25,30,20,0,c\n';
+  const studio = await studioWith({ text });
+  assert.equal((await save(studio)).text, text);
+  await studio.notice(/^keys\.csv is saved\.$/).waitFor();
+  await studio.method('A').selectOption('timed-c2');
+  await studio.drawn();
+  assert.equal((await save(studio)).text, text.replace('=squad', '=timed-c2'));
+  await studio.dragBy(studio.dot(2), 9, 0);
+  assert.match((await save(studio)).text, /qw,qx,qy,qz/);
+  await studio.notice(/All rows were written anew/).waitFor();
+  await studio.finish();
+});
+
 test('where there is a column of tensions, a key that is dragged and pulled changes its line only', async () => {
   const studio = await studioWith();
   await studio.page.getByRole('button', { name: 'Five keys' }).click();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The built page, used by the keyboard alone. Nothing in here touches a mouse, and what has the focus was reached by Tab.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { five, studioWith, turnOf } from './wholePage.mjs';
 
@@ -157,7 +159,11 @@ test('every key of the keyboard that is listed does what the list says', async (
   await studio.keyboard.press('?');
   await studio.dialog('Keyboard').waitFor();
   const listed = await studio.dialog('Keyboard').locator('dt').allTextContents();
-  for (const key of ['Ctrl+Z', 'Ctrl+S', 'Ctrl+O', 'Ctrl+D', '[', ']', 'I', 'Delete', '?', 'Space', 'Page Up, Page Down']) assert.ok(listed.includes(key), key);
+  for (const key of ['Ctrl+Z', 'Ctrl+S', 'Ctrl+O', 'Ctrl+D', '[', ']', 'I', 'Delete, Backspace', '?', 'Space', 'Page Up, Page Down']) assert.ok(listed.includes(key), key);
+  const manual = readFileSync(join(process.env.ORISPLINE_EXAMPLES, '../../docs/studio.md'), 'utf8').split('## Keyboard')[1].split('\n## ')[0];
+  const told = manual.split('\n').filter((line) => /^\|(?!--| where)/.test(line)).map((line) => line.split(' | ').at(-2).replace(/^\| /, ''));
+  const inSections = await studio.dialog('Keyboard').locator('section:not(:last-child) dt').allTextContents(); // behind them are no keys
+  assert.deepEqual(inSections.sort(), told.sort());
   await studio.keyboard.press('Escape');
   await studio.dialog('Keyboard').waitFor({ state: 'detached' });
   await studio.keyboard.press(']');

@@ -44,6 +44,20 @@ test('a text stays as it is, byte for byte, while no key is changed', async () =
   }
 });
 
+test('a text of any form stays as it is while no key is changed, but for the line that names the method', async () => {
+  const euler = '# orispline: method=slerp\n# a note\nt,yaw_deg,pitch_deg,roll_deg,mark\n5,0,0,0,a\n6,370,0,0,b\n';
+  const turned = [[1, 0, 0, 0], [Math.cos(Math.PI / 36), 0, 0, Math.sin(Math.PI / 36)]];
+  const keys = turned.map((q, i) => ({ id: i + 1, row: i, t: i, q, p: null, rates: [], own: {} }));
+  const rowsOf = (text) => text.split('\n').slice(1).join('\n');
+  const engine = { ask: async (name, { text }) => (name === 'read' && rowsOf(text) === rowsOf(euler) ? keys : 'anew') };
+  const opened = { version: 1, keys, first: { method: 'slerp', settings: {} }, second: auto };
+  const savedAs = (document) => savedText(originalOf(euler, '5'), document, engine, opened);
+  assert.deepEqual(await savedAs(opened), { text: euler, isWhole: false });
+  assert.deepEqual(await savedAs({ ...opened, second: opened.first, keys: keys.map((key) => ({ ...key })) }), { text: euler, isWhole: false });
+  assert.deepEqual(await savedAs({ ...opened, first: auto }), { text: euler.replace('=slerp', '=auto'), isWhole: false });
+  assert.deepEqual(await savedAs(edit.turnedTo(opened, 2, [0.6, 0.8, 0, 0])), { text: 'anew', isWhole: true });
+});
+
 test('of a key that is turned the four numbers of its quaternion are written', async () => {
   const text = await saved(plain, '10.5', (document) => edit.turnedTo(document, 2, [0.6, 0.8, 0, 0]));
   assert.equal(text, plain.replace('  0.8,0.6,0,0', '  0.6,0.8,0,0'));
@@ -160,6 +174,8 @@ test('a column that a setting stands above stays; values from a list in the meth
   const list = '# orispline: method=timed-c2:tension=0.1,0.2\nt,qw,qx,qy,qz\n0,1,0,0,0\n1,0.8,0.6,0,0\n';
   const listed = documentIn(list, { method: 'timed-c2', settings: {} });
   listed.keys.forEach((key, i) => (key.own = { tension: [0.1, 0.2][i] }));
+  const other = await savedText(originalOf(list, '0'), { ...listed, first: { method: 'timed-c2', settings: { ends: 'rest' } } }, engine, listed);
+  assert.deepEqual(other, { text: '# orispline: method=timed-c2:ends=rest\nt,qw,qx,qy,qz,tension\n0,1,0,0,0,0.1\n1,0.8,0.6,0,0,0.2\n', isWhole: false });
   const turned = await savedText(originalOf(list, '0'), edit.turnedTo(listed, 2, [0.6, 0.8, 0, 0]), engine, listed);
   assert.deepEqual(turned, { text: list.replace('0.8,0.6', '0.6,0.8'), isWhole: false });
   const own = await savedText(originalOf(list, '0'), edit.withOwn(listed, 2, 'first', tension, 0.3), engine, listed);

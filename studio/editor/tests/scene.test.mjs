@@ -224,6 +224,28 @@ for (const name of ['Body', 'Sphere'])
     assert.deepEqual(await undoneOnce(page), { document: wereKeys, canUndo: false }); // all of it was one gesture
   });
 
+for (const name of ['Body', 'Sphere'])
+  onPage(`with the focus on ${name}, Alt with arrows turns the view and no key`, async (page) => {
+    await choose(page, 3);
+    await canvasOf(page, name).focus();
+    const directions = () =>
+      page.getByRole('group', { name }).locator('svg line').evaluateAll((all) => all.map((line) => ['x1', 'y1', 'x2', 'y2'].map((end) => Number(line.getAttribute(end))).join()).join(' '));
+    const shown = () => (name === 'Body' ? directions() : handleOf(page, 1).then(({ x, y }) => `${Math.round(x)} ${Math.round(y)}`));
+    const seen = [await shown()];
+    for (const key of ['ArrowRight', 'ArrowUp', 'ArrowLeft', 'ArrowDown']) {
+      await page.keyboard.press(`Alt+${key}`);
+      await drawn(page);
+      seen.push(await shown());
+    }
+    assert.equal(new Set(seen.slice(0, 4)).size, 4, seen.join('\n'));
+    if (name === 'Sphere') assert.equal(seen[4], seen[0]);
+    for (let i = 0; i < 50; ++i) await page.keyboard.press('Alt+ArrowUp'); // the eye stays below the zenith
+    await drawn(page);
+    assert.doesNotMatch(await shown(), /NaN/);
+    assert.deepEqual(await quaternions(page), wereKeys);
+    assert.equal(await page.evaluate(() => studio.store.current().canUndo), false);
+  });
+
 onPage('arrows move what is in front on the sphere as they point, and another key is another step', async (page) => {
   const middle = await middleOf(page, 'Sphere');
   await pull(page, await handleOf(page, 2), { x: middle.x, y: middle.y });
@@ -246,7 +268,7 @@ onPage('a scene tells the chosen key and how it is turned, and which keys to pre
   await choose(page, 2);
   const scene = page.getByRole('group', { name: 'Body' }).getByRole('application');
   assert.equal(await scene.getAttribute('aria-label'), 'Key 2 of 5 at 1.000 s: yaw 50.0°, pitch 0°, roll 0°');
-  assert.match(await page.locator(`#${await scene.getAttribute('aria-describedby')}`).textContent(), /^Arrow keys, Page Up and Page Down turn the chosen key by 1°, .* 0\.1°\.$/);
+  assert.match(await page.locator(`#${await scene.getAttribute('aria-describedby')}`).textContent(), /^Arrow keys, Page Up and Page Down turn the chosen key by 1°, .* 0\.1°\. Alt with arrow keys turns the view\.$/);
   await scene.focus();
   await page.keyboard.press('Shift+ArrowUp');
   assert.match(await page.getByRole('group', { name: 'Body' }).getByRole('status').first().textContent(), /^Key 2 of 5/);

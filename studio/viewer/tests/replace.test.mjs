@@ -96,6 +96,51 @@ onPage('other data are shown by the views that there are', async (page) => {
   assert.deepEqual([time, axis, theme], [1, 'y', 'dark']);
 });
 
+/** Of each line of a plot: the value where its dot is, and the one that is written beside its name. */
+const pointed = (page, id) =>
+  page.evaluate((id) => {
+    const figure = document.querySelector(`[data-quantity=${id}]`);
+    const over = figure.querySelector('.u-over').getBoundingClientRect();
+    const line = figure.querySelector('.u-cursor-x').getBoundingClientRect();
+    const dots = [...figure.querySelectorAll('.now')].filter(({ hidden }) => !hidden).map((dot) => dot.getBoundingClientRect());
+    const middles = dots.map(({ left, top, width, height }) => ({ x: left + width / 2 - line.left, y: (over.bottom - top - height / 2) / over.height }));
+    return { middles, written: [...figure.querySelectorAll('figcaption span > b')].map(({ textContent }) => Number(textContent)) };
+  }, id);
+
+onPage('the dot of a line is where its value is, also of lines that changed while the time stays', async (page) => {
+  await page.evaluate(() => show(reportWith(1)));
+  await page.evaluate(() => store.choose({ time: 1, components: false }));
+  await drawn(page);
+  for (const angle of [1, 2, 0.5]) {
+    await page.evaluate((angle) => store.replace(reportWith(angle)), angle);
+    await drawn(page);
+    const { middles, written } = await pointed(page, 'w');
+    assert.deepEqual(written, [angle / 2, angle / 4]);
+    const share = Math.min(...middles.map(({ y }) => y)) / Math.max(...middles.map(({ y }) => y));
+    assert.ok(middles.length === 2 && Math.abs(share - 0.5) < 0.01 && middles.every(({ x }) => Math.abs(x) < 2), JSON.stringify(middles));
+  }
+});
+
+onPage('where a line jumps, dots and values are those behind the jump, of all lines', async (page) => {
+  await page.evaluate(() => {
+    const report = reportWith(1, { count: 5 }); // at 0, 0.5, 1, 1.5 and 2 s
+    for (const [k, { samples }] of report.methods.entries()) {
+      samples.t = Float64Array.of(0, 0.5, 1, 1, 2);
+      samples.w = new Float64Array([1, 1, 1, 3, 3].flatMap((rate) => [0, 0, (k + 1) * rate]));
+    }
+    show(report);
+    store.choose({ components: true });
+  });
+  for (const [time, wanted] of [[1, [0, 0, 3, 3, 6]], [0.999, [0, 0, 1, 1, 2]], [1.001, [0, 0, 3, 3, 6]]]) {
+    await page.evaluate((time) => store.moveTo(time), time);
+    await drawn(page);
+    const { middles, written } = await pointed(page, 'w');
+    assert.deepEqual([...written].sort(), wanted, `${time}`);
+    const unit = Math.max(...middles.map(({ y }) => y)) / Math.max(...wanted);
+    assert.deepEqual(middles.map(({ y }) => Math.round(y / unit)).sort(), wanted, `${time}`);
+  }
+});
+
 onPage('time and window stay in what there is, and the whole stays the whole', async (page) => {
   await page.evaluate(() => show(reportWith(1)));
   const after = (changes, end) =>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The worker as the page sees it.
+import browsers from '../document/browsers.json';
 import type { StudioDocument } from '../document/document';
 import type { Redrawn } from './drawings';
 import { Latest } from './latest';
@@ -13,7 +14,7 @@ type Waiting = { resolve: (told: unknown) => void; reject: (trouble: Trouble) =>
 /** Samples that are drawn of so many keys. */
 const countFor = (keys: number): number => Math.max(600, 4 * keys + 1);
 
-const without: Trouble = { message: 'The library cannot be started here, since this browser gives the page no worker; open the page in Chrome, Firefox or Safari.' };
+const without: Trouble = { message: `The library cannot be started here, since this browser gives the page no worker; open the page in ${browsers.wanted}.` };
 const closed: Trouble = { message: 'The library was closed, so it answers no more; load the page again.' };
 
 export class WorkerEngine implements Engine {

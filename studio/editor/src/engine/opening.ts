@@ -3,6 +3,7 @@
 import type { KeyInfo, KeyTrack } from 'orispline/key_track';
 import type { Choice, Key, Original, StudioDocument } from '../document/document';
 import { choiceOf, perKey } from './choices';
+import { curedOnPage } from './cures';
 import { sha256 } from './hash';
 import { keysIn } from './keys';
 import { type Library, used } from './library';
@@ -61,7 +62,7 @@ export class Opening {
       const { info } = track, original = { ...originalOf(bytes, name.replace(/(\.[^.]*)?$/, '_keys.csv'), info), text: '' };
       if (info.count > mostKeys)
         throw new Error(`The recording needs ${info.count} keys within ${tolerance}, and ${mostKeys} can be edited: state a larger tolerance.`);
-      const said = warnings.map(({ message }) => message), first = this.choiceIn(info, said);
+      const said = warnings.map(({ message }) => curedOnPage(message)), first = this.choiceIn(info, said);
       return { original, document: documentOf(this.keysIn(track, false), first, besideOf(first), this.methods), warnings: said };
     });
   }
@@ -87,7 +88,7 @@ export class Opening {
   }
 
   private warningsOf({ warnings, count, columns }: KeyInfo, keys: readonly Key[]): string[] {
-    const said = ((warnings ?? []) as { message: string }[]).map(({ message }) => message);
+    const said = ((warnings ?? []) as { message: string }[]).map(({ message }) => curedOnPage(message));
     if (count === 1) said.push('The file has one key, and so the body rests; insert another key to see it turn.');
     if (columns.some(({ name }) => name.startsWith('inner_'))) said.push('The file has inner quaternions, which the studio does not use.');
     if (keys.some(({ q }, k) => k > 0 && keys[k - 1].q.reduce((sum, x, i) => sum + x * q[i], 0) < 0))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The text of the file that keys are saved in.
 import type { Key, Original, StudioDocument } from '../document/document';
-import { sameChoice, sameContent } from '../document/same';
+import { sameChoice, sameContent, sameKey } from '../document/same';
 import { countedFromFirst } from '../document/times';
 import type { Engine } from '../engine/protocol';
 import { withRecipe } from './recipe';
@@ -30,27 +30,33 @@ function areUntouched(keys: readonly Key[], opened: readonly Key[], name: string
 
 /**
  * Names that columns and keys do not share: columns that a setting of the method stands above, which stay as they are; and values that keys
- * have from a list in the method's text, which need no column until they are changed.
+ * have from a list in the method's text, which need no column until they are changed or the text is.
  */
-function apart(before: readonly Key[], keys: readonly Key[], opened: readonly Key[]): { columns: string[]; values: string[] } {
+function apart(before: readonly Key[], keys: readonly Key[], opened: readonly Key[], isSameChoice: boolean): { columns: string[]; values: string[] } {
   const [inFile, atFirst, now] = [before, opened, keys].map(namesOf);
   return {
     columns: inFile.filter((name) => !atFirst.includes(name) && !now.includes(name)),
-    values: atFirst.filter((name) => !inFile.includes(name) && now.includes(name) && areUntouched(keys, opened, name)),
+    values: !isSameChoice ? [] : atFirst.filter((name) => !inFile.includes(name) && now.includes(name) && areUntouched(keys, opened, name)),
   };
 }
 
-/** The rows of the file with what was changed; null where the file is no simple one, or the library reads something else out of them. */
+const areSame = (some: readonly Key[], others: readonly Key[]): boolean => some.length === others.length && some.every((key, i) => sameKey(key, others[i]));
+
+/**
+ * The rows of the file with what was changed, where it is a simple one; those of any file where no key was. Null where there are none, or the
+ * library reads something else out of them.
+ */
 async function changedRows(original: Original, document: StudioDocument, engine: Engine, opened: StudioDocument): Promise<string | null> {
   const { name } = original;
   try {
     const read = await engine.ask('read', { text: original.text, name });
-    const { columns, values } = apart(read, document.keys, opened.keys);
+    const isSameChoice = sameChoice(opened.first, document.first);
+    const { columns, values } = apart(read, document.keys, opened.keys, isSameChoice);
     const [before, keys] = [without(read, columns), without(document.keys, values)];
-    const rows = composed(original, before, keys);
+    const hasColumns = namesOf(keys).every((own) => namesOf(before).includes(own));
+    const rows = hasColumns && areSame(document.keys, opened.keys) ? original.text : composed(original, before, keys);
     if (rows === null) return null;
-    const isSameMethod = sameChoice(opened.first, document.first) && namesOf(keys).every((own) => namesOf(before).includes(own));
-    const text = isSameMethod ? rows : withRecipe(rows, document.first);
+    const text = isSameChoice && hasColumns ? rows : withRecipe(rows, document.first);
     return sameKeys(without(await engine.ask('read', { text, name }), columns), keys) ? text : null;
   } catch {
     return null; // what cannot be read is written anew

@@ -43,7 +43,7 @@ export function shortcutsOf({ store, view }: Studio, actions: Actions, { open, s
     { keys: '[', does: 'Choose the key before', is: plain('['), act: () => step(-1) },
     { keys: ']', does: 'Choose the next key', is: plain(']'), act: () => step(1) },
     { keys: 'I', does: 'Insert a key on the curve at this time', is: plain('i', 'I'), act: () => void actions.insert(view.current().time) },
-    { keys: 'Delete', does: 'Delete the chosen key', is: plain('Delete', 'Backspace'), act: () => actions.remove() },
+    { keys: 'Delete, Backspace', does: 'Delete the chosen key', is: plain('Delete', 'Backspace'), act: () => actions.remove() },
     { keys: '?', does: 'Show this list', is: plain('?'), act: help },
   ];
 }
@@ -72,10 +72,12 @@ const elsewhere: [keys: string, does: string][] = [
   ['Home, End', 'Go to the first or the last moment that is shown'],
 ];
 const places: [where: string, lines: [string, string][]][] = [
-  ['On a key of the timeline', [['← →', 'Move it in time, with Shift ten times as far, with Ctrl a tenth'], ['↑ ↓', 'Go to the key before, to the next one'], ['Home, End', 'Go to the first or the last key'], ['Tab', 'Go to its bar']]],
-  ['On a bar', [['↑ ↓', 'Change the value, with Shift ten times as much, with Ctrl a tenth']]],
-  ['On the body or the sphere', [['← → ↑ ↓', 'Turn the chosen key about the axes of the screen by 1°, with Shift by 10°, with Ctrl by 0.1°'], ['Page Up, Page Down', 'Turn it about the line of sight']]],
-  ['In a field', [['↑ ↓', 'Step the number, with Shift ten times as far, with Ctrl a tenth'], ['Escape', 'Take back what was typed']]],
+  ['On the body or the sphere', [['← → ↑ ↓', 'Turn the chosen key about the axes of the screen by 1°, with Shift by 10°, with Ctrl by 0.1°'], ['Page Up, Page Down', 'Turn it about the line of sight likewise'], ['Alt+← → ↑ ↓', 'Look from elsewhere']]],
+  ['On a key of the timeline', [['← →', 'Move it in time, with Shift ten times as far, with Ctrl a tenth'], ['↑ ↓', 'Choose the key before, the next one'], ['Page Up, Page Down', 'Choose the key ten before, ten later'], ['Home, End', 'Choose the first or last key'], ['Tab', 'Go to its bar']]],
+  ['On a bar', [['↑ ↓, ← →', 'Change the value, with Shift ten times as much, with Ctrl a tenth'], ['Page Up, Page Down', 'Change it ten times as much']]],
+  ['On the slider All keys', [['← → ↑ ↓', 'Change the value of all keys'], ['Page Up, Page Down', 'Change it ten times as much'], ['Home, End', 'Go to the least and the most']]],
+  ['In a field', [['↑ ↓', 'Step the number, with Shift ten times as far, with Ctrl a tenth'], ['Enter', 'Take what was typed'], ['Escape', 'Take back what was typed']]],
+  ['While dragging', [['Escape', 'End the drag where it began']]],
 ];
 
 export function showHelp(place: HTMLElement, shortcuts: Shortcut[]): void {

@@ -19,6 +19,7 @@ import { hearShortcuts, shortcutsOf, showHelp } from './keyboard';
 import { Notices } from './notices';
 
 const plotted = ['w', 'a', 'j', 'apart']; // quantities, in this order
+const titles: Record<string, string> = { apart: `Angle from ${letters.first} to ${letters.second}` }; // where the page has words of its own
 
 const group = (className: string, label: string, ...children: HTMLElement[]) => element('div', { className, attributes: { role: 'group', 'aria-label': label } }, ...children);
 
@@ -49,7 +50,7 @@ export class Screen {
     const work = element('div', { className: 'work' }, element('div', { className: 'upper' }, element('div', { className: 'seen' }, scenes, timeline.element), this.table.element), plots);
     root.append(headOf(studio, { ...wishes, help }), work, element('div', { className: 'foot' }, playback, new KeyPanel(studio, orientations).element), notices.element);
     plots.append(plotControls(view, componentsChoice(view, letters.first)));
-    const quantities = methodQuantities(view).filter(({ id }) => plotted.includes(id));
+    const quantities = methodQuantities(view).filter(({ id }) => plotted.includes(id)).map((one) => ({ ...one, title: titles[one.id] ?? one.title }));
     this.plotted = showPlots(view, plots, quantities, ['first', 'second', 'components']);
     hearShortcuts(studio, root.ownerDocument, shortcuts);
     view.atEnd(() => root.remove());

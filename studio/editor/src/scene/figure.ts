@@ -4,12 +4,12 @@ import { element } from 'orispline-viewer/look/element';
 import type { Painter } from 'orispline-viewer/scene/painter';
 import { Stage } from 'orispline-viewer/scene/stage';
 import type { Studio } from '../store/studio';
-import { hearTurns } from './keyboard';
+import { hearLooks, hearTurns } from './keyboard';
 import { keyWords } from './words';
 
 export type Name = 'Body' | 'Sphere';
 
-const howTo = 'Arrow keys, Page Up and Page Down turn the chosen key by 1°, with Shift by 10°, with Ctrl by 0.1°.';
+const howTo = 'Arrow keys, Page Up and Page Down turn the chosen key by 1°, with Shift by 10°, with Ctrl by 0.1°. Alt with arrow keys turns the view.';
 
 const figureOf = (name: Name, caption: HTMLElement[], ...children: HTMLElement[]) =>
   element('div', { className: `scene ${name.toLowerCase()}`, attributes: { role: 'group', 'aria-label': name } }, element('div', { className: 'caption' }, element('strong', {}, name), ...caption), ...children);
@@ -39,6 +39,7 @@ export function figureWith(studio: Studio, painter: Painter, name: Name, caption
   stage.canvas.addEventListener('pointerdown', ({ pointerType }) => pointerType !== 'mouse' && stage.canvas.focus({ preventScroll: true })); // as a mouse does
   const tell = () => stage.describe(keyWords(store.current(), view.moments) ?? `${name}: no key is chosen`);
   view.atEnd(store.subscribe(['document', 'chosen'], tell));
+  hearLooks(stage);
   hearTurns(studio, stage, () => (said.textContent = keyWords(store.current(), view.moments)));
   return { figure, frame, stage };
 }

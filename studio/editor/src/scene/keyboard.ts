@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The chosen key, turned from the keyboard about the axes of the screen.
+// The chosen key, turned from the keyboard about the axes of the screen, and the eye, moved around it.
 import { Vector3 } from 'three';
 import type { Stage } from 'orispline-viewer/scene/stage';
 import type { StudioDocument } from '../document/document';
@@ -38,5 +38,19 @@ export function hearTurns({ store, view }: Studio, { canvas, camera }: Stage, tu
     store.edit(turnedInWorld(document, key.id, by.toArray()), gesture);
     last = { time: event.timeStamp, id: key.id, document: store.current().document };
     turned();
+  });
+}
+
+const looks: Record<string, [aside: number, upwards: number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+const look = (5 * Math.PI) / 180;
+
+/** Alt with arrows moves the eye to where they point, as a drag of what is empty does. */
+export function hearLooks(stage: Stage): void {
+  stage.canvas.addEventListener('keydown', (event) => {
+    if (!event.altKey || event.ctrlKey || event.metaKey || !(event.key in looks)) return;
+    event.preventDefault(); // a browser may go back in its history
+    event.stopPropagation();
+    const [aside, upwards] = looks[event.key];
+    stage.orbit(aside * look, upwards * look);
   });
 }

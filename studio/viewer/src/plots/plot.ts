@@ -29,6 +29,9 @@ function chooseWindow({ scales: { x } }: uPlot, { current, choose }: Store): voi
   if (x.min !== undefined && x.max !== undefined && (x.min !== from || x.max !== to)) choose({ window: [x.min, x.max] });
 }
 
+/** NaN is not. */
+const isWithin = ({ min = NaN, max = NaN }: uPlot.Scale, value: number): boolean => value >= min && value <= max;
+
 /** What a plot draws besides its lines, as it is at the moment. */
 interface Drawn {
   lines: Line[];
@@ -52,10 +55,11 @@ interface Hooks {
   ready: () => void;
   range: () => uPlot.Range.MinMax;
   drawn: () => Drawn;
+  placed: () => void; // lines and scales are others
   thinned: (what: keyof Thinned, is: boolean) => void;
 }
 
-function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, drawn, thinned }: Hooks, { width, height }: Size): uPlot.Options {
+function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, drawn, placed, thinned }: Hooks, { width, height }: Size): uPlot.Options {
   const { current, moveTo } = store;
   const { lines, colours } = drawn();
   const axis = { stroke: colours.faint, font, ticks: { stroke: colours.grid, size: 4 } };
@@ -75,11 +79,11 @@ function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, dra
       { ...axis, grid: { stroke: colours.grid, width: 1 }, size: 52, values: (_, ticks) => ticks.map(tick) },
     ],
     series: [{}, ...lines.map(({ label, colour, width, dashes }) => ({ label, stroke: colour, width, dash: dashes, spanGaps: false, points: { show: false } }))],
-    cursor: { y: false, points: { size: 7 }, drag: { x: true, y: false, setScale: true }, bind: { mouseleave: () => null } },
+    cursor: { y: false, points: { show: false }, drag: { x: true, y: false, setScale: true }, bind: { mouseleave: () => null } },
     hooks: {
       ready: [ready],
       drawClear: [before],
-      draw: [(plot) => limit !== undefined && drawLimit(plot, limit, colours), (plot) => marks && thinned('marks', drawMarks(plot, marks, colours))],
+      draw: [placed, (plot) => limit !== undefined && drawLimit(plot, limit, colours), (plot) => marks && thinned('marks', drawMarks(plot, marks, colours))],
       setCursor: [(plot) => plot.cursor.event && !current().playing && moveTo(plot.posToVal(plot.cursor.left!, 'x'))],
       setScale: [(plot, key) => key === 'x' && chooseWindow(plot, store)],
     },
@@ -115,6 +119,7 @@ export class Plot {
   private cuts: Cut[] = [];
   private rounding = rounding;
   private values: HTMLElement[] = []; // of each line, beside its name
+  private dots: HTMLElement[] = []; // of each line, on it
   private readonly cut = element('span', { className: 'cut' });
   readonly thinned: Thinned = { keys: false, marks: false };
 
@@ -185,12 +190,16 @@ export class Plot {
       ready: () => this.plot && this.showTime(this.store.current()), // before that, places in the plot are not known
       range: () => this.range(),
       drawn: () => this.drawn,
+      placed: () => this.placeDots(),
       thinned: (what, is) => {
         this.thinned[what] = is;
         this.told();
       },
     };
     this.plot = new uPlot(optionsOf(this.store, this.quantity, hooks, this.size), data, this.frame);
+    this.dots = this.drawn.lines.map(() => element('div', { className: 'now' }));
+    this.dots.forEach((dot, k) => (dot.style.background = this.drawn.lines[k].colour));
+    this.plot.over.append(...this.dots);
     followFinger(this.plot, this.store.moveTo);
   }
 
@@ -215,6 +224,20 @@ export class Plot {
     const { plot } = this;
     if (plot && (!plot.cursor.event || plot.posToVal(plot.cursor.left!, 'x') !== time)) plot.setCursor({ left: plot.valToPos(time, 'x'), top: 1 }, false);
     this.drawn.lines.forEach(({ valueAt }, k) => (this.values[k].textContent = this.written(valueAt(time))));
+    this.placeDots();
+  }
+
+  /** Each where its line has the value that is written; uPlot's own are at a sample beside it, and stay when lines change below them. */
+  private placeDots(): void {
+    const { plot, dots } = this;
+    if (!plot || dots.length !== this.drawn.lines.length) return; // what is drawn waits for its turn
+    const { time } = this.store.current();
+    const { x, y } = plot.scales;
+    this.drawn.lines.forEach(({ valueAt }, k) => {
+      const value = valueAt(time);
+      dots[k].hidden = !isWithin(x, time) || !isWithin(y, value);
+      dots[k].style.transform = `translate(${plot.valToPos(time, 'x')}px, ${plot.valToPos(value, 'y')}px)`;
+    });
   }
 
   private written = (value: number) => this.quantity.text?.(value, this.store.current()) ?? shown(value, this.rounding);

@@ -15,6 +15,8 @@ export interface Place {
   clientY: number;
 }
 
+const closest = 0.02; // [rad] of the eye to the vertical
+
 const lost = 'The browser has taken the graphics away. The scene goes on when they are back.';
 
 export class Stage {
@@ -120,6 +122,19 @@ export class Stage {
     this.view = view;
     this.camera.position.copy(placeOfCamera(view, this.camera));
     this.controls.update();
+    this.draw();
+  }
+
+  /** Moves the eye around what it looks at [rad], never quite to above or below. */
+  orbit(aside: number, upwards: number): void {
+    this.view = undefined;
+    const { camera, controls } = this;
+    const from = camera.position.clone().sub(controls.target);
+    const polar = from.angleTo(camera.up);
+    const wanted = Math.min(Math.max(polar - upwards, closest), Math.PI - closest);
+    from.applyAxisAngle(camera.up.clone().cross(from).normalize(), wanted - polar).applyAxisAngle(camera.up, aside);
+    camera.position.copy(controls.target).add(from);
+    controls.update();
     this.draw();
   }
 
