@@ -33,7 +33,7 @@ for (const [title, name, count] of [['Five keys', 'five_keys.csv', 5], ['A camer
 
 test('a template is begun by touch', async () => {
   const studio = await studioWith({}, phone);
-  await studio.page.getByRole('button', { name: 'Five keys' }).tap();
+  await studio.tap(studio.page.getByRole('button', { name: 'Five keys' }));
   await studio.isOpen('five_keys.csv');
   assert.deepEqual((await studio.keys()).map(({ own }) => own.tension), [0.1, 0.6, 0, 0.6, 0.1]);
   await studio.finish();

@@ -59,7 +59,7 @@ const isOwn = (url, page) => url === page || url.startsWith('blob:');
 export async function studioWith(given = {}, { within, first, complaints: allowed = [], ...options } = {}) {
   const context = within ?? (await profile(options));
   const page = await context.newPage();
-  page.setDefaultTimeout(0); // other work may be beside it
+  page.setDefaultTimeout(120_000); // other work may be beside it
   await page.addInitScript(watched);
   if (first) await page.addInitScript(typeof first === 'string' ? { content: first } : first);
   const [complaints, requests] = [[], []];
@@ -95,7 +95,7 @@ export class Studio {
   /** Until curves are those of the keys as they are, and on the screen. */
   async drawn() {
     await this.page.waitForFunction(() => studio.current && drawnOf === studio.current.studio.store.current().document);
-    await this.page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    await this.frames();
   }
 
   /** What a function tells of `{ store, view, engine, methods, original }` in the page. */
@@ -159,6 +159,21 @@ export class Studio {
     for (const place of places) for (let part = 0.25; part <= 1; part += 0.25) await touch('touchMove', { x: from.x + part * (place.x - from.x), y: from.y + part * (place.y - from.y) });
     await touch('touchEnd');
   }
+
+  /** A tap. A browser drops one that a busy page does not take in time; then it is done again, as a user does. */
+  async tap(locator) {
+    const click = await locator.evaluateHandle((one) => {
+      const click = { isHeard: false };
+      one.addEventListener('click', () => (click.isHeard = true), { once: true });
+      return click;
+    });
+    const isHeard = () => this.page.waitForFunction((click) => click.isHeard, click, { timeout: 2000 }).then(() => true, () => false);
+    do await locator.tap();
+    while (!(await isHeard()));
+  }
+
+  /** Until the page has been drawn twice. */
+  frames = () => this.page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 
   /** Where the handle of a key is on the sphere. */
   handle = (n) =>

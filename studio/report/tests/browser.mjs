@@ -65,7 +65,7 @@ export function withoutGraphics() {
 /** Opens a file; the page's complaints and what it asks of the network are collected in it. `first` runs in it before all else. */
 export async function open(browser, file, { first, ...options } = {}) {
   const page = await browser.newPage({ viewport: { width: 1400, height: 1000 }, ...options });
-  page.setDefaultTimeout(0); // other work may be beside it
+  page.setDefaultTimeout(120_000); // other work may be beside it
   await page.addInitScript(withPixels);
   if (first) await page.addInitScript(first);
   const complaints = [];
