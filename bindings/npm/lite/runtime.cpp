@@ -10,8 +10,9 @@ _LIBCPP_BEGIN_NAMESPACE_STD
 void __libcpp_verbose_abort(const char*, ...) noexcept { __builtin_trap(); }
 _LIBCPP_END_NAMESPACE_STD
 
-extern "C" void __cxa_pure_virtual() { __builtin_trap(); }
-extern "C" void abort() { __builtin_trap(); }
+// Weak, for Zig, which links the libraries that have them too before it comes to these.
+extern "C" [[gnu::weak]] void __cxa_pure_virtual() { __builtin_trap(); }
+extern "C" [[gnu::weak]] void abort() { __builtin_trap(); }
 
 void* operator new(std::size_t size) {
   void* const memory = std::malloc(size);
