@@ -33,7 +33,7 @@ function rightSides({ t, q, w, a, j, p }) {
 }
 
 test('the methods are those of the command', () => {
-  assert.deepEqual(ask.methods(null), methods.map((method) => ({ ...method, choices: method.choices.map((choice) => ({ ...choice, values: choice.words })) })));
+  assert.deepEqual(ask.methods(null), methods);
 });
 
 for (const name of ['five_keys.csv', 'flight_keys.csv'])

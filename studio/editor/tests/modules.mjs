@@ -54,4 +54,4 @@ export const tcb = {
   closes: false,
 };
 
-export const shoemake = { name: 'shoemake', parameters: [], choices: [{ name: 'timing', values: ['time', 'published'], default: 'time' }], ends: ['natural'], closes: false };
+export const shoemake = { name: 'shoemake', parameters: [], choices: [{ name: 'timing', words: ['time', 'published'], default: 'time' }], ends: ['natural'], closes: false };

@@ -35,7 +35,7 @@ function stub() {
     method('slerp', 'Spherical linear interpolation'),
     method('timed-c2', 'Local quintic spline, C2 in time', { parameters: [parameter('tension', 0.5), parameter('tension2', 1)], ends, closes: true }),
     method('quintic', 'Tan’s quintic G2 spline with tension', { parameters: [parameter('tension', 0.5)], ends, closes: true }),
-    method('hermite-c1', 'Cubic Hermite curve through rates of the keys', { choices: [{ name: 'stencil', values: ['5', '3'], default: '5' }] }),
+    method('hermite-c1', 'Cubic Hermite curve through rates of the keys', { choices: [{ name: 'stencil', words: ['5', '3'], default: '5' }] }),
     method('refused', 'A method that refuses all keys'),
   ];
   const trouble = (message) => Promise.reject({ message });

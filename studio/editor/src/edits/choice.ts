@@ -6,7 +6,7 @@ import type { Choice, Setting, StudioDocument, Which } from '../document/documen
 export interface Known {
   readonly name: string;
   readonly parameters: readonly { readonly name: string; readonly min: number; readonly max: number }[];
-  readonly choices: readonly { readonly name: string; readonly values: readonly string[] }[];
+  readonly choices: readonly { readonly name: string; readonly words: readonly string[] }[];
   readonly ends: readonly string[];
   readonly closes: boolean;
 }
@@ -47,7 +47,7 @@ export function knows(method: Known, name: string, value: Setting): boolean {
   if (rateNames.includes(name)) return method.ends.includes('clamped') && isRate(value);
   const parameter = method.parameters.find((candidate) => candidate.name === name);
   if (parameter) return typeof value === 'number' && parameter.min <= value && value <= parameter.max;
-  return typeof value === 'string' && (method.choices.find((candidate) => candidate.name === name)?.values.includes(value) ?? false);
+  return typeof value === 'string' && (method.choices.find((candidate) => candidate.name === name)?.words.includes(value) ?? false);
 }
 
 /** Another method. Settings that it knows are kept; others are dropped. */

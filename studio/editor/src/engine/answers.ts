@@ -12,9 +12,6 @@ import type { Given, MethodInfo, Name, Told } from './protocol';
 import { evenSamples } from './samples';
 import { tableOf } from './table';
 
-const listOf = (library: Library): MethodInfo[] =>
-  (library.methods() as unknown as MethodInfo[]).map((method) => ({ ...method, choices: method.choices.map((choice) => ({ ...choice, values: choice.words })) }));
-
 type Questioned = { [N in Name]: (given: Given<N>) => N extends 'curves' ? Redrawn : Told<N> };
 
 /** Answers one question after another, by a new library where a fault has ended the last one. */
@@ -44,7 +41,7 @@ export class Answering {
 
 /** An answer to each question of the protocol. */
 export function answersOf(library: Library): Questioned {
-  const methods = listOf(library), opening = new Opening(library, methods), drawings = new Drawings(library, methods);
+  const methods = library.methods() as MethodInfo[], opening = new Opening(library, methods), drawings = new Drawings(library, methods);
   const withCurve = <Result>(edited: readonly Key[], choice: Choice, work: (curve: WholeCurve, counted: Counted) => Result): Result => {
     const counted = countedOf(edited), { keys } = counted;
     return used(library.curve(choice.method, dataOf(keys), settingsOf(choice, keys, methods)), (curve) => work(curve, counted));

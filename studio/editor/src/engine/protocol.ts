@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the page asks of the worker, which has the library, and what it is told. Lists of vectors and quaternions (w, x, y, z) are flat.
+import type { MethodInfo as LibraryMethod, ParameterInfo } from 'orispline/orispline';
 import type { Choice, Key, Original, Quaternion, StudioDocument, Vector, Which } from '../document/document';
 
 /** A sentence of the library, with the place that it is about. */
@@ -39,28 +40,11 @@ export interface TooMany {
   count: number;
 }
 
-export interface ParameterInfo {
-  name: string;
-  default: number;
-  min: number;
-  max: number;
-  per_key: boolean;
-  ghosts: number;
-  tensor: boolean;
-}
+export type { ParameterInfo };
 
-/** What the library says of a method: what `orispline methods --json` lists. */
-export interface MethodInfo {
-  name: string;
-  title: string;
-  min_keys: number;
-  continuity_uniform: number;
-  continuity_uneven: number;
-  closes: boolean;
-  parameters: ParameterInfo[];
-  choices: { name: string; words: string[]; values: string[]; default?: string }[]; // `values` are the words
-  ends: string[];
-  [member: string]: unknown;
+/** What the library says of a method. */
+export interface MethodInfo extends LibraryMethod {
+  choices: { name: string; words: string[]; default?: string }[];
 }
 
 export const mostKeys = 1000; // that can be edited

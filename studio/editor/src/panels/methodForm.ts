@@ -44,7 +44,7 @@ export class MethodForm {
     const { parameters, choices, closes } = method;
     const lines = [
       ...parameters.map((parameter) => this.parameter(parameter)),
-      ...choices.map(({ name, values, default: usual }) => this.words(name, values, usual ?? values[0])),
+      ...choices.map(({ name, words, default: usual }) => this.words(name, words, usual ?? words[0])),
       ...(method.ends.length > 0 ? [this.ends(method), this.rate(0), this.rate(1)] : []),
       ...(closes ? [this.closed(), this.period()] : []),
     ];
