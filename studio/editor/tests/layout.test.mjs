@@ -1,34 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // The places of things on screens of desktops, with the table of keys beside them.
 import assert from 'node:assert/strict';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { launch, open } from '../../report/tests/browser.mjs';
+import { test } from 'node:test';
+import { opener } from './opener.mjs';
 import { panelPage } from './panelPage.mjs';
 
 const row = (i) => [i, Math.cos(0.1 * i), Math.sin(0.1 * i), 0, 0];
 const csv = (count, places) => [places ? 't,qw,qx,qy,qz,px,py,pz' : 't,qw,qx,qy,qz', ...Array.from({ length: count }, (_, i) => [...row(i), ...(places ? [i, 0, 0] : [])].join())].join('\n');
-let [browser, folder, file] = [];
-
-before(async () => {
-  folder = mkdtempSync(join(tmpdir(), 'orispline-'));
-  file = join(folder, 'studio.html');
-  writeFileSync(file, await panelPage());
-  browser = await launch();
-});
-after(async () => {
-  await browser?.close();
-  rmSync(folder, { recursive: true });
-});
+const opened = opener(panelPage);
 
 const boxOf = (page, selector) => page.locator(selector).boundingBox();
 
 for (const [width, height] of [[1400, 900], [1280, 720], [1120, 700]])
   for (const [count, places, method] of [[5, false, 'timed-c2'], [5, true, 'slerp'], [1000, true, 'timed-c2']])
     test(`with the table nothing is covered or cut on ${width} by ${height} pixels: ${count} keys${places ? ' with positions' : ''}, ${method}`, async () => {
-      const page = await open(browser, file, { viewport: { width, height } });
+      const page = await opened({ viewport: { width, height } });
       await page.evaluate(([text, method]) => begin(text, 'keys.csv', { method }), [csv(count, places), method]);
       await page.getByRole('button', { name: 'Table', exact: true }).click();
       const [timeline, track, plots, upper, caption] = await Promise.all(['.timeline', '.track', '.plots', '.upper', '.body > .caption'].map((selector) => boxOf(page, selector)));
@@ -42,7 +28,7 @@ for (const [width, height] of [[1400, 900], [1280, 720], [1120, 700]])
     });
 
 test('the long text of a method with settings wraps no menu of the body', async () => {
-  const page = await open(browser, file, { viewport: { width: 1400, height: 900 } });
+  const page = await opened({ viewport: { width: 1400, height: 900 } });
   await page.evaluate(([text]) => begin(text, 'keys.csv', { method: 'timed-c2' }), [csv(5, false)]);
   await page.evaluate(() => {
     const { store } = app.current.studio;
@@ -57,7 +43,7 @@ test('the long text of a method with settings wraps no menu of the body', async 
 });
 
 test('a closed menu of methods shows a name, its list the titles', async () => {
-  const page = await open(browser, file, { viewport: { width: 1400, height: 900 } });
+  const page = await opened({ viewport: { width: 1400, height: 900 } });
   await page.evaluate(([text]) => begin(text, 'keys.csv', { method: 'hermite-c1' }), [csv(5, false)]);
   const menu = page.getByRole('combobox', { name: 'A', exact: true });
   const name = page.locator('.named.first .name');

@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The screen of the studio, used in a browser, on an engine without a worker.
 import assert from 'node:assert/strict';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { faultsOf, launch, open, screens, tooWide } from '../../report/tests/browser.mjs';
+import { test } from 'node:test';
+import { faultsOf, screens, tooWide } from '../../report/tests/browser.mjs';
+import { opener } from './opener.mjs';
 import { panelPage } from './panelPage.mjs';
 
 const keys = 't,qw,qx,qy,qz\n0,1,0,0,0\n1,0.8,0.6,0,0\n2.5,0.6,0,0.8,0\n4,0,0,1,0\n5,0.6,0,0,0.8';
-let [browser, folder, file] = [];
-
-before(async () => {
-  folder = mkdtempSync(join(tmpdir(), 'orispline-'));
-  file = join(folder, 'studio.html');
-  writeFileSync(file, await panelPage());
-  browser = await launch();
-});
-after(async () => {
-  await browser?.close();
-  rmSync(folder, { recursive: true });
-});
+const opened = opener(panelPage);
 
 async function studioOf(given = keys, { method = 'timed-c2', name = 'keys.csv', ...options } = {}) {
-  const page = await open(browser, file, options);
+  const page = await opened(options);
   await page.evaluate(([text, name, method]) => begin(text, name, { method }), [given, name, method]);
   await page.getByRole('group', { name: 'Time', exact: true }).waitFor();
   const state = (read) => page.evaluate(`(({ store, view }) => (${read})(store.current(), view.current()))(app.current.studio)`);
@@ -375,7 +362,7 @@ for (const [name, options] of Object.entries(screens))
     await button('Settings of A').click();
     assert.deepEqual((await faultsOf(page)).filter((fault) => !fault.startsWith('minor')), []);
     await close();
-    const start = await open(browser, file, options);
+    const start = await opened(options);
     assert.deepEqual((await faultsOf(start)).filter((fault) => !fault.startsWith('minor')), []);
     assert.deepEqual(await tooWide(start), []);
     await start.finish();

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keys that are turned in the scenes, by mouse, finger and keyboard, in a browser.
 import assert from 'node:assert/strict';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { drawn, faultsOf, launch, open, phone, screens, withoutGraphics } from '../../report/tests/browser.mjs';
+import { test } from 'node:test';
+import { drawn, faultsOf, phone, screens, withoutGraphics } from '../../report/tests/browser.mjs';
+import { opener } from './opener.mjs';
 import { scenePage } from './scenePage.mjs';
 
 const degree = Math.PI / 180;
@@ -27,21 +25,11 @@ function turnOf(from, to) {
 }
 const xAxis = ([w, x, y, z]) => [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)];
 
-const folder = mkdtempSync(join(tmpdir(), 'orispline-scene-'));
-const file = join(folder, 'page.html');
-let browser;
-before(async () => {
-  writeFileSync(file, await scenePage());
-  browser = await launch();
-});
-after(async () => {
-  await browser.close();
-  rmSync(folder, { recursive: true });
-});
+const opened = opener(scenePage);
 
 const onPage = (name, steps, options = {}) =>
   test(name, async () => {
-    const page = await open(browser, file, { viewport: { width: 1200, height: 540 }, ...options });
+    const page = await opened({ viewport: { width: 1200, height: 540 }, ...options });
     await page.evaluate((given) => showKeys(given), options.keys ?? keys);
     await drawn(page);
     await steps(page);
@@ -362,7 +350,7 @@ onPage('another axis of the world is up, in both scenes, and keys turn about the
 });
 
 test('scenes come and go without a rest, and are drawn with one context', async () => {
-  const page = await open(browser, file, { viewport: { width: 1200, height: 540 } });
+  const page = await opened({ viewport: { width: 1200, height: 540 } });
   for (let i = 0; i < 20; ++i) {
     await page.evaluate((keys) => showKeys(keys), keys);
     await drawn(page);
