@@ -13,11 +13,7 @@ case $2 in
   package | player) ;;
   browser)
     [ -f "$1/full.wasm" ] || skip "the modules were not compiled; make web compiles them"
-    for browser in chromium chromium-browser google-chrome none; do
-      if command -v "$browser" >/dev/null; then break; fi
-    done
-    [ "$browser" != none ] || skip "Chromium is not here"
-    CHROMIUM=$(command -v "$browser")
+    CHROMIUM=$("$here/../chromium.sh") || skip "Chromium is not here"
     export CHROMIUM
     ;;
   arguments) [ -f "$1/full.wasm" ] || skip "the modules were not compiled; make web compiles them" ;;

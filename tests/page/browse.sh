@@ -3,11 +3,10 @@
 # browse.sh FOLDER: runs the tests of the viewer and of the page in Chromium, in a folder that prepare.sh has filled. Without the browser
 # or the packages it skips (exit 77).
 set -eu
+here=$(cd "$(dirname "$0")" && pwd)
 cd "$1"
 
 [ -d node_modules/playwright-core ] || { echo "page: skipped, its packages are not here"; exit 77; }
-for browser in chromium chromium-browser google-chrome none; do
-  if command -v "$browser" >/dev/null; then break; fi
-done
-[ "$browser" != none ] || { echo "page: skipped, Chromium is not here and could not be installed"; exit 77; }
-CHROMIUM=$(command -v "$browser") exec node --test viewer/tests/*.test.mjs report/tests/*.test.mjs
+CHROMIUM=$("$here/../chromium.sh") || { echo "page: skipped, Chromium is not here and could not be installed"; exit 77; }
+export CHROMIUM
+exec node --test viewer/tests/*.test.mjs report/tests/*.test.mjs

@@ -16,9 +16,7 @@ packages=$("$here/../npm_ci.sh" "$here/../../studio" "$(mkdir -p "$folder" && cd
   [ $? -eq 77 ] && skip "${packages#skipped: }"
   exit 1
 }
-for browser in chromium chromium-browser google-chrome none; do
-  if command -v "$browser" >/dev/null; then break; fi
-done
-[ "$browser" != none ] || skip "Chromium is not here and could not be installed"
+CHROMIUM=$("$here/../chromium.sh") || skip "Chromium is not here and could not be installed"
+export CHROMIUM
 cp "$here/site.test.mjs" "$here/../../studio/report/tests/browser.mjs" "$folder"
-SITE=$(cd "$site" && pwd) CHROMIUM=$(command -v "$browser") exec node --test "$folder/site.test.mjs"
+SITE=$(cd "$site" && pwd) exec node --test "$folder/site.test.mjs"

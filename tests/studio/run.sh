@@ -3,6 +3,7 @@
 # run.sh FOLDER TEST: one test of the studio in a folder that tests/page/prepare.sh has filled. Where it lacks what the test asks for, it is skipped
 # (exit 77).
 set -eu
+here=$(cd "$(dirname "$0")" && pwd)
 cd "$1"
 skip() {
   echo "skipped: $1"
@@ -21,11 +22,7 @@ names() {
 ! names ORISPLINE_STUDIO_PAGE "$2" || [ -f "$ORISPLINE_STUDIO_PAGE" ] || skip "the studio's page was not built; make studio builds it"
 if names browser.mjs "$2"; then
   [ -d node_modules/playwright-core ] || skip "the packages of the tests are not here"
-  for browser in chromium chromium-browser google-chrome none; do
-    if command -v "$browser" >/dev/null; then break; fi
-  done
-  [ "$browser" != none ] || skip "Chromium is not here and could not be installed"
-  CHROMIUM=$(command -v "$browser")
+  CHROMIUM=$("$here/../chromium.sh") || skip "Chromium is not here and could not be installed"
   export CHROMIUM
 fi
 [ -f "${ORISPLINE_NPM-}/full.js" ] || unset ORISPLINE_NPM
