@@ -17,6 +17,7 @@ import sys
 import textwrap
 
 from make_third_party import NOTICES
+from recipes import version_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 PARTS = ("CMakeLists.txt", "LICENSE", "NOTICE", "THIRD_PARTY", "README.md", "CHANGELOG.md", "bindings/c", "cli", "cmake", "docs", "examples", "papers", "src")
@@ -26,14 +27,11 @@ PAGE, IN_PAGE = "src/orispline/report/page_template.html", ("three.js", "uPlot")
 OURS = "2026 The orispline developers"
 
 
-def found(pattern, file):
-    return re.search(pattern, (ROOT / file).read_text("utf-8"))[1]
-
-
 def words():
     """What stands between two @ in the files of packaging/debian."""
-    version = found(r"project\(\s*orispline\s+VERSION (\S+)", "CMakeLists.txt")
-    return {"VERSION": version, "SERIES": version.rpartition(".")[0], "C_ABI": found(r"#define ORISPLINE_C_ABI (\d+)", "bindings/c/orispline.h"),
+    version = version_of(ROOT)
+    c_abi = re.search(r"#define ORISPLINE_C_ABI (\d+)", (ROOT / "bindings/c/orispline.h").read_text("utf-8"))[1]
+    return {"VERSION": version, "SERIES": version.rpartition(".")[0], "C_ABI": c_abi,
             "DATE": email.utils.formatdate(source_time())}
 
 
