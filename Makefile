@@ -104,6 +104,7 @@ nightly: check test-more random sweep
 	$(MAKE) tidy
 	rm -rf build/twice
 	tools/release.py twice build/twice
+	tools/abi.py compare build/twice/one/build/deb
 
 # The properties, each on many random cases from a seed that is new every time; it is printed to have them again.
 random: CASES = 5000

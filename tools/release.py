@@ -22,6 +22,7 @@ import sys
 import tarfile
 import tempfile
 
+import abi
 import recipes
 import spdx
 
@@ -75,10 +76,11 @@ def check_changelog(root, version):
 
 
 def changes(root):
-    """Paths that are not as in the commit, but for folders of releases."""
+    """Paths that are not as in the commit, but for folders of releases and what a release has written beside them."""
     lines = git(root, "status", "--porcelain", "-z").split("\0")
     paths = [line.split(maxsplit=1)[1] for line in lines if len(line.split(maxsplit=1)) > 1]
-    return [path for path in paths if not (root / path / "SHA256SUMS").is_file()]
+    written = abi.KEPT.relative_to(ROOT).as_posix()
+    return [path for path in paths if not (root / path / "SHA256SUMS").is_file() and not path.startswith(written)]
 
 
 def check_tree(root):
@@ -226,6 +228,8 @@ def release(root, version, out):
     finally:
         shutil.rmtree(part, ignore_errors=True)
     print(f"{out}/SHA256SUMS")
+    for path in abi.write(root / "build/deb", root / abi.KEPT.relative_to(ROOT)):
+        print(f"{path}: commit it")
 
 
 def different(one, two):

@@ -53,6 +53,7 @@ deb   python3            python3
 deb   lintian?           lintian
 deb   man-db?            man
 deb   mandoc?            mandoc
+deb   abigail-tools?     abidw
 bench libbenchmark-dev   benchmark/benchmark.h
 bench libglm-dev         glm/glm.hpp
 bench python3            python3

@@ -4,7 +4,8 @@
 
 The wheel goes into FOLDER/dist, by the tools in the virtual environment FOLDER/venv, where it is installed with what its tests
 need; the environment is made anew only when what it is made from has changed. With PREFIX, where an orispline is installed, only
-the module is compiled, else the library too. On Linux the wheel is the one that auditwheel repaired, and abi3audit has checked it.
+the module is compiled, else the library too. On Linux the wheel is the one that auditwheel repaired, and abi3audit has
+checked it; twine has checked both.
 """
 import argparse
 import hashlib
@@ -102,7 +103,9 @@ def built(python, folder, prefix, sdist):
         run(*build, dist, "--sdist")
     wheel, = raw.glob("*.whl")
     dist.mkdir(exist_ok=True)
-    return repaired(python, wheel, dist) if sys.platform == "linux" else shutil.copy(wheel, dist)
+    final = repaired(python, wheel, dist) if sys.platform == "linux" else shutil.copy(wheel, dist)
+    run(python, "-m", "twine", "check", "--strict", *dist.iterdir())
+    return final
 
 
 def report_sizes(wheel):

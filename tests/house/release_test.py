@@ -99,6 +99,7 @@ class Release(unittest.TestCase):
 
     def test_changes_are_refused_but_for_releases(self):
         self.repository.write("earlier/SHA256SUMS", "")
+        self.repository.write("packaging/abi/liborispline.so.3.4.abi", "")
         release.check_all(self.root, VERSION, self.out)
         self.repository.write("left behind.txt", "")
         self.assertIn("left behind.txt among them", self.refusal())
@@ -164,6 +165,7 @@ class Release(unittest.TestCase):
     def test_a_folder_is_complete_and_has_the_same_sums_twice(self):
         self.build_parts()
         self.enterContext(mock.patch.object(release, "make", side_effect=lambda *_: self.repository.write(release.PAGE, "page")))
+        self.enterContext(mock.patch.object(release.abi, "write", return_value=[]))
         self.enterContext(mock.patch.object(release, "pack_npm", lambda root, part: (part / f"orispline-{VERSION}.tgz").touch()))
         self.enterContext(contextlib.redirect_stdout(io.StringIO()))
         outs = self.root / "a", self.root / "b"  # within the tree, as `make release OUT=a` has it
