@@ -9,7 +9,7 @@ import { example, placeOf, studioWith, withDisk } from './wholePage.mjs';
 import { checkPlotted, columnsOf, methodText, same, state } from './plotted.mjs';
 import { walk } from './walk.mjs';
 
-const edits = 200;
+const [walks, edits] = [Number(process.env.ORISPLINE_WALKS ?? 2), 200];
 const rowsOf = (text) => text.split('\n').filter((line) => line !== '' && !line.startsWith('#'));
 const withTensions = rowsOf(example('five_keys.csv')).map((row, i) => `${row},${i === 0 ? 'tension' : (0.13 * i).toFixed(2)}`);
 const files = {
@@ -44,7 +44,7 @@ function checkSaved(name, text, now) {
 const withoutScenes = `(${withDisk})(); (${withoutGraphics})();`;
 
 for (const [number, [name, [text, method]]] of Object.entries(files).entries())
-  test(`five walks of ${edits} edits from ${name}`, async (context) => {
+  test(`${walks} walks of ${edits} edits from ${name}`, async (context) => {
     const studio = await studioWith({}, { first: number < 2 ? withDisk : withoutScenes, viewport: { width: 800, height: 600 } });
     await studio.page.evaluate(([name, text, method]) => {
       Object.assign(window, { disk: { [name]: text }, picked: name });
@@ -58,7 +58,7 @@ for (const [number, [name, [text, method]]] of Object.entries(files).entries())
     };
     const began = await studio.ask(state);
     checkSaved(name, text, began);
-    for (let i = 1; i <= 5; ++i) {
+    for (let i = 1; i <= walks; ++i) {
       const tried = await studio.page.evaluate(`(${walk})(${JSON.stringify({ seed: 1000 * number + i, edits })})`);
       await studio.drawn();
       const now = await studio.ask(state);
