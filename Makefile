@@ -97,6 +97,13 @@ fuzz:
 	cmake --build --preset fuzz -j $(JOBS)
 	tests/fuzz/run.py build/fuzz/tests/fuzz $(SECONDS) --jobs $(JOBS)
 
+# The source of the Python package, in an environment with nothing but pip.
+define from_source
+	rm -rf build/alone && python3 -m venv build/alone
+	build/alone/bin/python -m pip install --quiet --no-cache-dir $(1)/orispline-*.tar.gz
+	cd build/alone && bin/orispline --version && bin/python -c 'import orispline; print(orispline.__version__)'
+endef
+
 # What is too long for every change; docs/testing.md tells what each part finds. Ten minutes a target are an hour of fuzzing.
 nightly: check test-more random sweep
 	$(MAKE) fuzz SECONDS=600
@@ -105,6 +112,7 @@ nightly: check test-more random sweep
 	rm -rf build/twice
 	tools/release.py twice build/twice
 	tools/abi.py compare build/twice/one/build/deb
+	$(call from_source,build/twice/one/build/python/dist)
 
 # The properties, each on many random cases from a seed that is new every time; it is printed to have them again.
 random: CASES = 5000
