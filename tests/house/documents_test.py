@@ -189,7 +189,7 @@ class Documents(unittest.TestCase):
     def test_commands_name_the_example_data_as_they_are(self):
         for page in PAGES:
             for line in re.findall(r"^(?:\$ )?orispline .*", page.read_text("utf-8"), re.M):
-                for name in re.findall(r"(?<= )\S*(?:flight|robot|camera|five)\w*\.csv", line.partition(" -o ")[0]):
+                for name in re.findall(r"(?<= )\S*(?:(?:flight|robot|camera|five)\w*\.csv|walking\.bvh)", line.partition(" -o ")[0]):
                     self.assertTrue((ROOT / name).is_file(), f"{page.name}: {line}")
 
     def test_every_link_leads_somewhere(self):
