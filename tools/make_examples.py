@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the example keyframes in examples/data: a simulated flight with its dense truth, a robot, a camera,
-and the five keys of the figures.
+"""Makes the example data in examples/data: keyframes of a simulated flight with its dense truth, of a robot and of a camera,
+the five keys of the figures, and the motion capture of a walking figure.
 
   tools/make_examples.py           writes the files
   tools/make_examples.py --check   makes them again in memory and compares them byte for byte
@@ -14,6 +14,7 @@ from pathlib import Path
 
 from rotations import DEGREE, X, Y, Z, cross, ease, times, turn, unit
 from simulated_flight import chosen_keys, fly
+from walking_figure import recording
 
 DATA = Path(__file__).resolve().parent.parent / "examples" / "data"
 
@@ -132,7 +133,8 @@ def files():
             "flight_keys.csv": ABOUT["flight_keys.csv"] + "\n".join(keys) + "\n",
             "robot_keys.csv": table("robot_keys.csv", robot_keys()),
             "camera_keys.csv": table("camera_keys.csv", camera_keys()),
-            "five_keys.csv": table("five_keys.csv", five_keys())}
+            "five_keys.csv": table("five_keys.csv", five_keys()),
+            "walking.bvh": recording()}
 
 
 def first_difference(name, wanted):

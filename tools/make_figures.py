@@ -14,6 +14,7 @@ from band_figure import band_figure
 from concept_figures import concept_figures
 from gyro_figure import gyro_figure
 from mean_figure import mean_figure
+from page_figures import page_figures
 from rotations import DEGREE, conjugate, norm, times, to_world, turn
 from sampled_motion import Motion, sampled
 from skeleton_figure import skeleton_figure
@@ -287,6 +288,7 @@ def main():
     figures["skeletons"] = skeleton_figure(command)
     figures |= concept_figures(command, text_of("five_keys.csv"))
     figures |= task_figures(command)
+    figures |= page_figures(command)
     figures["mean"] = mean_figure(command)
     figures["families/measured"] = band_figure(command, Motion(text_of("flight_truth.csv")), table)
     figures["gyro"] = gyro_figure(command, Motion(text_of("flight_truth.csv")))

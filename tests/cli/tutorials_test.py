@@ -14,7 +14,7 @@ class Tutorials(CommandTest):
     @with_pages
     def test_what_they_show_is_so(self):
         pages = sorted(TUTORIALS.glob("*.md"))
-        self.assertGreater(len(pages), 2)
+        self.assertGreater(len(pages), 3)
         (self.folder / "examples").symlink_to(ROOT / "examples")
         for page in pages:
             text, printed = page.read_text("utf-8"), ""

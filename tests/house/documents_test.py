@@ -172,6 +172,11 @@ class Documents(unittest.TestCase):
             for part in parts:
                 self.assertIn(words(part), code, page)
 
+    def test_what_a_page_says_that_an_example_prints_is_what_it_prints(self):
+        for page, example in (("c.md", "11_in_c"), ("files-in-cpp.md", "08_files"), ("optimise.md", "07_optimise"), ("performance.md", "06_batch")):
+            shown = re.search(r"^```text\n(.*?)^```", text_of(page), re.M | re.S)[1]
+            self.assertIn(shown, (ROOT / f"examples/expected/{example}.txt").read_text("utf-8"), page)
+
     def test_the_index_lists_every_public_header_and_pages_include_no_other(self):
         public = {path.name for path in (ROOT / "src/orispline").glob("*.hpp")}
         listed = [name for row in rows("index.md", ["`#include <orispline/…>`"])
@@ -189,7 +194,7 @@ class Documents(unittest.TestCase):
     def test_commands_name_the_example_data_as_they_are(self):
         for page in PAGES:
             for line in re.findall(r"^(?:\$ )?orispline .*", page.read_text("utf-8"), re.M):
-                for name in re.findall(r"(?<= )\S*(?:flight|robot|camera|five)\w*\.csv", line.partition(" -o ")[0]):
+                for name in re.findall(r"(?<= )\S*(?:(?:flight|robot|camera|five)\w*\.csv|walking\.bvh)", line.partition(" -o ")[0]):
                     self.assertTrue((ROOT / name).is_file(), f"{page.name}: {line}")
 
     def test_every_link_leads_somewhere(self):

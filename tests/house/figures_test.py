@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The pictures of concepts and of tasks are those that the command's output gives: figures_test.py COMMAND."""
+"""The pictures of concepts, of tasks and of other pages are those that the command's output gives: figures_test.py COMMAND."""
 import pathlib
 import sys
 import unittest
@@ -8,6 +8,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 from concept_figures import concept_figures  # noqa: E402
+from page_figures import page_figures  # noqa: E402
 from task_figures import task_figures  # noqa: E402
 
 
@@ -22,6 +23,9 @@ class Figures(unittest.TestCase):
 
     def test_the_pictures_of_tasks_are_current(self):
         self.assert_current(task_figures(sys.argv[1]), lambda name: name)
+
+    def test_the_first_pictures_of_pages_are_current(self):
+        self.assert_current(page_figures(sys.argv[1]), lambda name: name)
 
 
 if __name__ == "__main__":
