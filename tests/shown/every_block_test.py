@@ -18,7 +18,7 @@ TAKEN = {  # the use of a block, and what takes it
     "cmake": "compiled_test.py",
     "python": "tests/python/test_documents.py",
     "js": "scripts_test.py",
-    "ts": "studio/editor/tests/readme.test.mjs",
+    "ts": "studio/viewer/tests/viewer.test.mjs",
 }
 
 
