@@ -5,7 +5,7 @@ import collections
 import re
 import unittest
 
-from pages import PAGES, all_blocks, blocks
+from pages import PAGES, all_blocks, blocks, outputs_of
 
 TAKEN = {  # the use of a block, and what takes it
     "sh": "lines_test.py",
@@ -27,6 +27,11 @@ class EveryBlock(unittest.TestCase):
         found = collections.Counter(block.use for block in all_blocks())
         self.assertEqual(set(found), set(TAKEN))
         print("blocks of pages:", ", ".join(f"{count} {use}" for use, count in found.most_common()))
+
+    def test_every_output_is_of_some_code(self):
+        for page in PAGES:
+            said = sum(block.use == "output" for block in blocks(page))
+            self.assertEqual(said, len(outputs_of(page, "sh")) + len(outputs_of(page, "python")), page)
 
     def test_every_fence_is_a_block(self):
         for page in PAGES:

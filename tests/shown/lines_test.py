@@ -6,7 +6,7 @@ import re
 import sys
 
 from lines import run, shell_of
-from pages import PAGES, ROOT, blocks, name_of
+from pages import PAGES, ROOT, blocks, name_of, outputs_of
 
 sys.path.insert(0, str(ROOT / "tests/cli"))
 from command import COMMAND, CommandTest, main, with_pages  # noqa: E402
@@ -90,9 +90,8 @@ class Lines(CommandTest):
                 shown, found = list(without_times(line.shown)), list(without_times(text))
                 self.assertEqual(found[-len(shown):], shown, f"{line.place}: {line.text}")
         everything = list(without_times("".join(printed)))
-        for block in blocks(page):
-            if block.use == "output":
-                self.assertTrue(in_order(without_times(block.text), everything), f"{block.place}: not what the page's lines print")
+        for block in outputs_of(page, "sh"):
+            self.assertTrue(in_order(without_times(block.text), everything), f"{block.place}: not what the page's lines print")
 
     @with_pages
     def test_every_line_runs_and_prints_what_it_says(self):

@@ -46,3 +46,14 @@ def blocks(page):
 
 def all_blocks():
     return [block for page in PAGES for block in blocks(page)]
+
+
+def outputs_of(page, kind):
+    """What a page shows as the output of `sh` or of `python`: of what stands nearest above it, where Python prints something."""
+    above, found = "", []
+    for block in blocks(page):
+        if block.use in ("sh", "session") or block.use == "python" and "print(" in block.text:
+            above = "python" if block.use == "python" else "sh"
+        elif block.use == "output" and above == kind:
+            found.append(block)
+    return found
