@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the blocks of C++ that compiled_test.py compiles take as the reader's own: for the Nth of PAGE.md the namespace PAGE_N. It is
-// declared and never defined, for they are not linked.
+// What the blocks of C++ that compiled_test.py compiles take as the reader's own: for the Nth of PAGE.md the namespace
+// PAGE_N. It is declared and never defined, for they are not linked.
 
 #include <orispline/align.hpp>
 #include <orispline/mean.hpp>

@@ -6,7 +6,7 @@ import re
 import sys
 
 from lines import run, shell_of
-from pages import PAGES, ROOT, blocks, name_of, outputs_of
+from pages import FENCE, PAGES, ROOT, blocks, name_of, outputs_of
 
 sys.path.insert(0, str(ROOT / "tests/cli"))
 from command import COMMAND, CommandTest, main, with_pages  # noqa: E402
@@ -28,6 +28,7 @@ NOT_RUN = {  # how a line begins, and why it is not run here
     r"ORISPLINE_STUDIO_WASM=|node editor/": "wants the packages of the studio, in its folder; tests/studio builds the page",
     r"orispline sample keys\.csv .*--count 10000000 ": "writes 2 GB",
 }
+OF_OTHERS = {"--prefix"}  # options of other programs, where no name stands before them
 TIME = re.compile(r"time \[m?s\]")
 
 
@@ -59,6 +60,10 @@ def in_order(wanted, lines):
     """Whether all wanted lines are among the others, in their order."""
     rest = iter(lines)
     return all(line in rest for line in wanted)
+
+
+def options_in(text):
+    return set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", text))
 
 
 class Lines(CommandTest):
@@ -124,6 +129,17 @@ class Lines(CommandTest):
             self.write("rows.csv", block.text)
             with self.subTest(block.place):
                 self.output_of("inspect rows.csv")
+
+    def test_options_within_sentences_are_there(self):
+        commands = re.findall(r"^  ([a-z]+)  ", self.output_of("help"), re.M)
+        helps = {command: options_in(self.output_of(f"help {command}")) for command in commands} | {"": options_in(self.output_of("help"))}
+        anywhere = set().union(*helps.values()) | OF_OTHERS
+        for page in (page for page in PAGES if page.name != "CHANGELOG.md"):
+            for code in re.findall(r"`([^`]+)`", FENCE.sub("", page.read_text("utf-8"))):
+                words = code.split()
+                taken = helps.get(words[1] if len(words) > 1 else "", anywhere) if words[:1] == ["orispline"] else anywhere
+                if words and (words[0] == "orispline" or words[0].startswith("--")):
+                    self.assertEqual(options_in(code) - taken, set(), f"{page.name}: {code}")
 
     def test_what_is_made_is_a_target_of_the_makefile(self):
         targets = re.search(r"^\.PHONY: (.*)", (ROOT / "Makefile").read_text("utf-8"), re.M)[1].split()
