@@ -183,6 +183,12 @@ class Documents(unittest.TestCase):
                 for name in re.findall(r"(?<= )\S*(?:flight|robot|camera|five)\w*\.csv", line.partition(" -o ")[0]):
                     self.assertTrue((ROOT / name).is_file(), f"{page.name}: {line}")
 
+    def test_extras_of_the_python_package_that_pages_name_are_there(self):
+        extras = re.search(r"^\[project\.optional-dependencies\]\n(.*?)^\[", (ROOT / "pyproject.toml").read_text("utf-8"), re.M | re.S)[1]
+        for page in PAGES:
+            for extra in re.findall(r"orispline\[(\w+)\]", page.read_text("utf-8")):
+                self.assertRegex(extras, rf"(?m)^{extra} = ", page)
+
     def test_links_are_written_in_the_one_way_that_is_followed(self):
         for page in PAGES:
             text = re.sub(r"`[^`\n]*`", "", FENCE.sub("", page.read_text("utf-8")))
