@@ -10,14 +10,16 @@ import sys
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools"))
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests/shown")]
 import make_field_tables  # noqa: E402
+from pages import FENCE, PAGES  # noqa: E402
 
 DOCS = ROOT / "docs"
-PAGES = [*ROOT.glob("*.md"), *DOCS.rglob("*.md")]
 HEADINGS = ["Formula", "Continuity", "Picture", "When to use it", "Source", "Errata"]
 ORDERS = "⁰¹²³"
 STATED = re.compile(rf"(C[{ORDERS}](?:, C[{ORDERS}])*)(?: \([^)]*\))? / (the same|C[{ORDERS}](?:, C[{ORDERS}])*)")
+SOURCES = ["benchmarks", "bindings", "cli", "examples", "papers", "src", "studio", "tools"]
+SUFFIXES = {".c", ".cpp", ".h", ".hpp", ".ipynb", ".js", ".mjs", ".py", ".pyi", ".ts"}
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 
 
@@ -161,17 +163,6 @@ class Documents(unittest.TestCase):
             for result in task["results"] + task.get("results_of_gyros", []):
                 self.assertIn(f"`{result['name']}`", page, task["task"])
 
-    def test_the_code_of_a_page_is_that_of_its_example(self):
-        def words(text):
-            return " ".join(text.split())
-        for page, example, count in (("optimise.md", "07_optimise.cpp", 5), ("files-in-cpp.md", "08_files.cpp", 2),
-                                     ("own-blending.md", "10_own_family.cpp", 1), ("c.md", "11_in_c.c", 2)):
-            code = words((ROOT / "examples" / example).read_text("utf-8"))
-            parts = re.findall(r"^```(?:cpp|c)\n(.*?)^```", text_of(page), re.M | re.S)
-            self.assertEqual(len(parts), count, page)
-            for part in parts:
-                self.assertIn(words(part), code, page)
-
     def test_what_a_page_says_that_an_example_prints_is_what_it_prints(self):
         for page, example in (("c.md", "11_in_c"), ("files-in-cpp.md", "08_files"), ("optimise.md", "07_optimise"), ("performance.md", "06_batch")):
             shown = re.search(r"^```text\n(.*?)^```", text_of(page), re.M | re.S)[1]
@@ -197,7 +188,26 @@ class Documents(unittest.TestCase):
                 for name in re.findall(r"(?<= )\S*(?:(?:flight|robot|camera|five)\w*\.csv|walking\.bvh)", line.partition(" -o ")[0]):
                     self.assertTrue((ROOT / name).is_file(), f"{page.name}: {line}")
 
+    def test_extras_of_the_python_package_that_pages_name_are_there(self):
+        extras = re.search(r"^\[project\.optional-dependencies\]\n(.*?)^\[", (ROOT / "pyproject.toml").read_text("utf-8"), re.M | re.S)[1]
+        for page in PAGES:
+            for extra in re.findall(r"orispline\[(\w+)\]", page.read_text("utf-8")):
+                self.assertRegex(extras, rf"(?m)^{extra} = ", page)
+
+    def test_links_are_written_in_the_one_way_that_is_followed(self):
+        for page in PAGES:
+            text = re.sub(r"`[^`\n]*`", "", FENCE.sub("", page.read_text("utf-8")))
+            self.assertEqual(text.count("]("), len(LINK.findall(text)), page)
+            self.assertIsNone(re.search(r"^\[[^\]]+\]:|<(?:a|img|source)\b", text, re.M), page)
+
+    def test_pages_that_sources_name_are_there(self):
+        for place in SOURCES:
+            for path in (path for path in (ROOT / place).rglob("*") if path.suffix in SUFFIXES and "node_modules" not in path.parts):
+                for name in re.findall(r"\bdocs/[\w/-]+\.md", path.read_text("utf-8")):
+                    self.assertTrue((ROOT / name).is_file(), f"{path}: {name}")
+
     def test_every_link_leads_somewhere(self):
+        """Of those within the project; what is elsewhere would want a network."""
         for page in PAGES:
             for target in LINK.findall(page.read_text("utf-8")):
                 path, _, anchor = target.partition("#")

@@ -24,4 +24,4 @@ esac
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 (cd "$1" && npm pack --silent --pack-destination "$folder" >/dev/null)
-"$here/consume.sh" "$folder"/orispline-*.tgz
+exec python3 "$here/../shown/scripts_test.py" "$folder"/orispline-*.tgz

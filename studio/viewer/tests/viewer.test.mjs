@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Viewers in a page of somebody else, in a browser.
 import assert from 'node:assert/strict';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -23,20 +23,24 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-/** Puts a viewer into an element; runs in the page. */
-function show(id, names) {
+/** What a viewer shows, as the library writes it. */
+function documentOf(names) {
   const samples = { t: [0, 1], q: [1, 0, 0, 0, 0.8, 0, 0, 0.6], w: [0, 0, 1, 0, 0, 1], a: [0, 0, 0, 0, 0, 0], j: [0, 0, 0, 0, 0, 0], torque: [], p: [], error_t: [], error_deg: [] };
   const methods = names.map((name) => ({ name, continuity: 'C0', failure: '', measures: { cost: 1 }, samples, keys: null }));
   const columns = [{ id: 'cost', label: 'Cost', unit: '', explanation: '', better: 'less', is_time: false, rounding: 0 }];
-  const report = orispline.readDocument({ methods, columns, keys: { t: samples.t, q: samples.q, p: [] } });
-  globalThis[id] = orispline.createViewer(document.getElementById(id), report);
+  return { methods, columns, keys: { t: samples.t, q: samples.q, p: [] } };
+}
+
+/** Puts a viewer into an element; runs in the page. */
+function show(id, shown) {
+  globalThis[id] = orispline.createViewer(document.getElementById(id), orispline.readDocument(shown));
 }
 
 const onPage = (name, steps, options = {}) =>
   test(name, async () => {
     const page = await open(browser, file, options);
     await page.evaluate(show.toString());
-    const put = (id, ...names) => page.evaluate(`(${show})(${JSON.stringify(id)}, ${JSON.stringify(names)})`);
+    const put = (id, ...names) => page.evaluate(`(${show})(${JSON.stringify(id)}, ${JSON.stringify(documentOf(names))})`);
     await steps(page, put);
     await page.finish();
   });
@@ -53,6 +57,13 @@ onPage('two viewers on a page know nothing of each other', async (page, put) => 
   await page.keyboard.press('Space');
   assert.deepEqual(await page.evaluate(() => [left.current().playing, right.current().playing]), [false, true]);
   assert.deepEqual(await page.locator('[id]').evaluateAll((all) => all.map(({ id }) => id)), ['own', 'left', 'right']);
+});
+
+onPage('the lines of the README do what they say', async (page) => {
+  const [, imports, lines] = /```ts\n(import .*?;)\n(.*?)```/s.exec(readFileSync(join(import.meta.dirname, '../README.md'), 'utf8'));
+  const given = `const element = document.getElementById('left'), text = ${JSON.stringify(JSON.stringify(documentOf(['auto', 'slerp'])))};`;
+  await page.evaluate(`{ ${imports.replace(/import (.*) from .*;/, 'const $1 = orispline;')} ${given}\n${lines} }`);
+  assert.equal(await page.locator('#left').innerHTML(), '');
 });
 
 onPage('a viewer tells what is chosen until it is asked no more', async (page, put) => {
