@@ -150,7 +150,7 @@ def found_parts(root, version):
     for path in COPIED:
         if not (root / path).is_file():
             raise Refused(f"found no {path}, wanted it: see what `make release-parts` says")
-    return [*found, *(root / path for path in COPIED)]
+    return [path for path in found if "-dbgsym_" not in path.name] + [root / path for path in COPIED]
 
 
 def pack_npm(root, part):

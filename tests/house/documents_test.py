@@ -163,6 +163,65 @@ class Documents(unittest.TestCase):
             for result in task["results"] + task.get("results_of_gyros", []):
                 self.assertIn(f"`{result['name']}`", page, task["task"])
 
+    def test_the_index_lists_every_method_once_with_its_continuity(self):
+        table = [(named(cells[0]), cells[1]) for cells in rows("index.md", ["method"])]
+        self.assertEqual(sorted(name for names, _ in table for name in names), sorted(self.methods))
+        for names, cell in table:
+            self.assertTrue(self.assert_continuity(names, cell) or "order" in cell or "degree" in cell or "k" in cell, cell)
+
+    def test_which_method_when_names_every_method_with_its_continuity(self):
+        table = [(named(cells[0]), cells[1]) for cells in rows("choosing.md", ["method", "continuity"])]
+        self.assertLessEqual(set(self.methods), {name for names, _ in table for name in names})
+        checked = sum(self.assert_continuity([name for name in names if name in self.methods], cell) for names, cell in table)
+        self.assertGreater(checked, len(self.methods))
+
+    def test_which_method_when_states_the_keys_of_a_segment(self):
+        for names, keys in ((named(cells[0]), cells[2]) for cells in rows("choosing.md", ["method", "continuity", "keys"])):
+            self.assertEqual({self.methods[name]["support_keys"] for name in names}, {int(keys)}, names)
+
+    def test_closed_curves_names_exactly_the_methods_that_close(self):
+        paragraph = re.search(r"^The methods that can: .*?\. ", text_of("closed.md"), re.M | re.S)[0]
+        self.assertEqual(sorted(named(paragraph)), sorted(name for name, m in self.methods.items() if m["closes"]))
+
+    def test_the_table_of_rates_names_exactly_the_methods_that_read_them(self):
+        read = {name: cells[1].count(",") + 1 for cells in rows("files.md", ["method", "reads"]) for name in named(cells[0])}
+        self.assertEqual(read, {name: m["rate_orders"] for name, m in self.methods.items() if m["rate_orders"]})
+
+    def test_the_table_of_tensions_names_exactly_the_methods_that_are_tuned(self):
+        refused = [sys.argv[1], "tune", ROOT / "examples/data/flight_keys.csv", "--method", "slerp", "-o", os.devnull]
+        line = subprocess.run(refused, capture_output=True, text=True, check=False).stderr.splitlines()[0]
+        table = [name for cells in rows("tune.md", ["method", "tensions that are found"]) for name in named(cells[0])]
+        self.assertEqual(sorted(table), sorted(line.partition(" wanted one of ")[2].split(", ")))
+
+    def test_every_end_rule_is_explained(self):
+        rules = {rule for method in self.methods.values() for rule in method["ends"]}
+        pages = {name: text_of(f"families/{name}.md") + text_of("conventions.md") for name in self.methods}
+        self.assertGreater(len(rules), 6)
+        for name, method in self.methods.items():
+            for rule in method["ends"]:
+                self.assertIn(f"`{rule}`", pages[name], name)
+
+    def test_the_positions_of_every_method_are_in_the_conventions(self):
+        cells = [cell for cells in rows("conventions.md", ["methods", "path"]) for cell in named(cells[0])]
+        self.assertEqual(sorted(cells), sorted(self.methods))
+
+    def test_the_tables_of_options_and_results_are_those_of_the_library(self):
+        tasks = make_field_tables.tasks_of(sys.argv[1])
+        tables = {}
+        for page in DOCS.glob("*.md"):
+            text = page.read_text("utf-8")
+            tables |= {(task, part): page.stem for _, task, part, _ in make_field_tables.BLOCK.findall(text)}
+            self.assertEqual(make_field_tables.with_tables(text, tasks), text,
+                             f"{page.name} differs, wanted: tools/make_field_tables.py COMMAND")
+        wanted = {(name, part): name for name, task in tasks.items() for part in ("options", "results", "results_of_gyros") if task.get(part)}
+        self.assertEqual(tables, wanted)
+
+    def test_the_json_of_a_task_is_described_with_every_result(self):
+        page = text_of("inspect-json.md")
+        for task in make_field_tables.tasks_of(sys.argv[1]).values():
+            for result in task["results"] + task.get("results_of_gyros", []):
+                self.assertIn(f"`{result['name']}`", page, task["task"])
+
     def test_what_a_page_says_that_an_example_prints_is_what_it_prints(self):
         for page, example in (("c.md", "11_in_c"), ("files-in-cpp.md", "08_files"), ("optimise.md", "07_optimise"), ("performance.md", "06_batch")):
             shown = re.search(r"^```text\n(.*?)^```", text_of(page), re.M | re.S)[1]

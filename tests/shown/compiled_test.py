@@ -13,7 +13,7 @@ import subprocess
 import sys
 import unittest
 
-from pages import ROOT, all_blocks
+from pages import PAGES, ROOT, all_blocks, name_of, outputs_of
 
 OF_EXAMPLE = {  # a page, of which example its first blocks are, and how many
     "docs/c.md": ("11_in_c.c", 2),
@@ -74,6 +74,13 @@ class Compiled(unittest.TestCase):
             for block in pages[page][:count]:
                 self.assertIn(words(INCLUDE.sub("", block.text)), words(code), block.place)
                 self.assertLessEqual(set(INCLUDE.findall(block.text)), set(INCLUDE.findall(code)), block.place)
+
+    def test_examples_print_what_pages_say(self):
+        for page in map(name_of, PAGES):
+            for block in outputs_of(page, "example"):
+                self.assertIn(page, OF_EXAMPLE, block.place)
+                expected = ROOT / "examples/expected" / pathlib.Path(OF_EXAMPLE[page][0]).with_suffix(".txt")
+                self.assertIn(block.text, expected.read_text("utf-8"), block.place)
 
     def test_the_others_compile(self):
         commands = json.loads(pathlib.Path(sys.argv[1]).read_text("utf-8"))

@@ -10,7 +10,7 @@ from pages import PAGES, all_blocks, blocks, outputs_of
 TAKEN = {  # the use of a block, and what takes it
     "sh": "lines_test.py",
     "session": "lines_test.py",
-    "output": "lines_test.py; of Python tests/python/test_documents.py",
+    "output": "lines_test.py; of examples compiled_test.py; of Python tests/python/test_documents.py",
     "rows": "lines_test.py",
     "formula": "nothing: it is for people",
     "cpp": "compiled_test.py",
@@ -31,7 +31,7 @@ class EveryBlock(unittest.TestCase):
     def test_every_output_is_of_some_code(self):
         for page in PAGES:
             said = sum(block.use == "output" for block in blocks(page))
-            self.assertEqual(said, len(outputs_of(page, "sh")) + len(outputs_of(page, "python")), page)
+            self.assertEqual(said, sum(len(outputs_of(page, kind)) for kind in ("sh", "python", "example")), page)
 
     def test_every_fence_is_a_block(self):
         for page in PAGES:

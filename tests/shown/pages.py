@@ -49,11 +49,15 @@ def all_blocks():
 
 
 def outputs_of(page, kind):
-    """What a page shows as the output of `sh` or of `python`: of what stands nearest above it, where Python prints something."""
+    """What a page shows as the output of `sh`, of `python` or of an `example` in C++ or C: of what stands nearest above it and could print."""
     above, found = "", []
     for block in blocks(page):
-        if block.use in ("sh", "session") or block.use == "python" and "print(" in block.text:
-            above = "python" if block.use == "python" else "sh"
+        if block.use in ("sh", "session"):
+            above = "sh"
+        elif block.use in ("cpp", "c"):
+            above = "example"
+        elif block.use == "python" and "print(" in block.text:
+            above = "python"
         elif block.use == "output" and above == kind:
             found.append(block)
     return found
