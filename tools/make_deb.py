@@ -111,7 +111,7 @@ def check_tools():
 
 def build(tree, jobs):
     environment = dict(os.environ)
-    environment.setdefault("DEB_BUILD_OPTIONS", f"parallel={jobs}")
+    environment["DEB_BUILD_OPTIONS"] = f"parallel={jobs} {environment.get('DEB_BUILD_OPTIONS', '')}".strip()
     if shutil.which("ccache") and "CCACHE_DIR" not in environment:  # debhelper takes the home folder away
         environment["CCACHE_DIR"] = subprocess.run(["ccache", "--get-config", "cache_dir"], check=True, capture_output=True, text=True).stdout.strip()
     done = subprocess.run(["dpkg-buildpackage", "--no-sign", "--build=binary"], cwd=tree, env=environment, check=False)
