@@ -230,7 +230,7 @@ class Opener(CommandTest):
         for name in ("xdg-open", "open"):
             path = pathlib.Path(tools) / name
             path.write_text('#!/bin/sh\nprintf "%s|" "$#" "$1" > "$NOTES.part"\nmv "$NOTES.part" "$NOTES"\necho noise; echo noise >&2\n'
-                            'until [ -e "$NOTES.end" ]; do sleep 0.05; done\n', "utf-8")
+                            'until [ -e "$NOTES.end" ] || [ ! -e "$NOTES" ]; do sleep 0.05; done\n', "utf-8")
             path.chmod(0o755)
         self.notes = self.folder / "notes"
         self.environment = {**{name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")},
