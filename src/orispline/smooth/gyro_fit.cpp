@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/median.hpp>
 #include <orispline/math/so3.hpp>
@@ -71,6 +72,8 @@ Seen seen_gyro(const GyroPlan& plan, const SeenPoses& poses, double gyro_noise) 
     if (round > 0 && !any) break;
     seen.alignment = aligned(poses, plan.gyro, seen.counts, gyro_noise, seen.alignment, finds_offset);
   }
+  const double span = poses.times.back() - poses.times.front();
+  if (!(seen.alignment.offset_sigma < span)) seen.alignment.offset_sigma.reset();  // the motion does not tell it
   const auto sigma = seen.alignment.offset_sigma;
   if (finds_offset && (!sigma || std::abs(seen.alignment.offset) < sure_offset * *sigma)) {
     seen.alignment.offset = 0.0;
@@ -198,7 +201,7 @@ Expected<void> check_gyro(const GyroPlan& plan) {
   const auto& times = plan.gyro.times;
   if (times.size() < fewest_rates)
     return failure(ErrorCode::bad_data,
-                   formatted("found {} rates of the gyro, wanted at least {}", times.size(), fewest_rates));
+                   formatted("found {} of the gyro, wanted at least {}", counted(times.size(), "rate"), fewest_rates));
   if (times.size() != plan.gyro.rates.size())
     return failure(ErrorCode::bad_data,
                    formatted("found {} times and {} rates of the gyro, wanted one rate for each time", times.size(),
@@ -211,7 +214,8 @@ Expected<void> check_gyro(const GyroPlan& plan) {
                                k, times[k]));
   const auto poses = plan.recording.times();
   const double offset = plan.options.gyro_offset.value_or(0.0), span = poses.back() - poses.front();
-  if (std::abs(offset) >= span && span > 0.0)
+  const bool one_clock = plan.gyro.clock == GyroRates::Clock::of_the_recording;
+  if (one_clock && std::abs(offset) >= span && span > 0.0)
     return bad_option(
         "gyro_offset",
         formatted("found {:.6g} s, wanted less than the duration of the recording of {:.6g} s", offset, span));
@@ -219,8 +223,8 @@ Expected<void> check_gyro(const GyroPlan& plan) {
   if (first < poses.back() && last > poses.front()) return {};
   return failure(
       ErrorCode::bad_data,
-      formatted("the rates of the gyro are from {:.6g} s to {:.6g} s and do not overlap the recording, which is "
-                "from {:.6g} s to {:.6g} s, wanted `gyro_offset` for a clock that differs so much",
+      formatted("the rates of the gyro are from {:.12g} s to {:.12g} s and do not overlap the recording, which is "
+                "from {:.12g} s to {:.12g} s, wanted `gyro_offset` for a clock that differs so much, as align finds it",
                 first, last, poses.front(), poses.back()));
 }
 

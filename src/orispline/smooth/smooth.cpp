@@ -473,6 +473,7 @@ Expected<Smoothing> smoothed(const Request& request) {
         if (progress.stopped()) return cancellation();
         measure_positions(smoothing, keys);
         smoothing.warnings = warnings_of(smoothing, request.options);
+        if (auto jumps = jumps_followed(smoothing, keys)) smoothing.warnings.push_back(std::move(*jumps));
         progress.at(1.0);
         return std::move(smoothing);
       });
