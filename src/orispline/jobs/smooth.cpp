@@ -116,8 +116,10 @@ std::string gyro_lines(const SmoothOutcome& outcome) {
     text += formatted("  error         {:.4g}° expected with the gyro, {:.4g}° without\n", gyro.risk->with * degrees,
                       gyro.risk->without * degrees);
   if (const std::size_t beyond = samples_beyond_gyro(outcome); gyro.used && beyond > 0)
-    text += formatted("  beyond it     {}, which follow the motion better with the penalty jerk\n",
-                      counted(beyond, "sample"));
+    text +=
+        formatted("  beyond it     {}, {}\n", counted(beyond, "sample"),
+                  smoothing.penalty == Penalty::jerk ? "to which the penalty of the jerk carries the accelerations on"
+                                                     : "at whose end the acceleration is zero");
   if (!gyro.rejected.empty())
     text +=
         formatted("  rejected      {}{}\n", gyro.rejected.size(), places_text(gyro.rejected, places_of_gyro(outcome)));
@@ -200,7 +202,7 @@ Json document_of(const SmoothOutcome& outcome) {
   const Track& recording = recording_of(outcome);
   Json json{{"samples", recording.keys.size()},
             {"rows_written", outcome.samples.value_or(outcome.smoothing.track.keys.size())},
-            {"penalty", word_of(outcome.request.options.penalty)},
+            {"penalty", word_of(outcome.smoothing.penalty)},
             {"loss", word_of(outcome.request.options.loss)}};
   put(json, outcome.smoothing, places_of(recording));
   if (outcome.request.gyro) put(json, outcome.smoothing, {"rejected_gyro"}, places_of_gyro(outcome));

@@ -90,6 +90,21 @@ void stiffen(SmoothingProblem& problem, const std::vector<bool>& unled, double l
   for (const bool is_unled : unled) problem.relative_lambdas.push_back(is_unled ? alone / lambda : 1.0);
 }
 
+/// Whether the rates, whose clock is corrected, begin late or end early.
+bool leaves_out_an_end(const std::vector<bool>& unled) {
+  constexpr std::ptrdiff_t fewest = 3;  // intervals
+  const auto first = std::ranges::find(unled, false);
+  const auto last = std::find(unled.rbegin(), unled.rend(), false);
+  return first - unled.begin() >= fewest || last - unled.rbegin() >= fewest;
+}
+
+/// The λ of the jerk's penalty with the smoothing time of one of the acceleration's.
+double lambda_of_jerk(double of_acceleration, const SeenPoses& poses) {
+  const double interval = median_interval(poses.times);
+  return lambda_of(smoothing_time_of(of_acceleration, Penalty::acceleration, poses.noise, interval), Penalty::jerk,
+                   poses.noise, interval);
+}
+
 /// λ by the restricted likelihood; what the fit with it may begin with is returned.
 StretchFits choose_lambda(GyroFit& result, const StretchFits& start, SmoothingObjective& objective) {
   ChosenLambda chosen = chosen_lambda(result.problems, start, objective, SmoothingCriterion::reml, result.noise,
@@ -138,6 +153,11 @@ Expected<GyroFit> fitted(const GyroPlan& plan, const SeenPoses& poses, const See
   result.problems.push_back(std::move(rows.problem));
   StretchFits start{{{.nodes = std::move(rows.start)}}};
   objective.bias = SmoothingObjective::Bias::constant;
+  if (alone && !plan.options.penalty && !plan.options.smoothing_time && leaves_out_an_end(rows.unled)) {
+    // Else the acceleration would be zero at that end, though the rates have told it up to there.
+    objective.penalty = Penalty::jerk;
+    alone = lambda_of_jerk(*alone, poses);
+  }
   if (plan.options.smoothing_time)
     objective.lambda = lambda_of(*plan.options.smoothing_time, objective.penalty, poses.noise, result.interval);
   else start = choose_lambda(result, start, objective);
@@ -245,7 +265,8 @@ Expected<GyroFit> fit_with_counted_turns(const GyroPlan& plan) {
   poses.noise = plan.options.noise.value_or(count->noise);
   Seen seen = all;
   seen.alignment.correction = count->correction;
-  const SmoothingObjective objective{.penalty = plan.options.penalty, .work = &plan.work};
+  const SmoothingObjective objective{.penalty = plan.options.penalty.value_or(Penalty::acceleration),
+                                     .work = &plan.work};
   return fitted(plan, poses, seen, gyro_noise_of(plan), objective, {}).map([](GyroFit fit) {
     fit.finding.used = true;
     fit.residual_noise = fit.noise;
