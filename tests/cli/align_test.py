@@ -158,12 +158,28 @@ class Align(CommandTest):
             found = json.loads(self.output_of(["align", "b.csv", "a.csv", "--offset", offset, "--json"]))
             self.assertEqual(found["offset_s"], seconds)
 
+    def test_a_motion_that_lies_beside_another_at_several_offsets_is_told_of(self):
+        period = 2 * math.pi / 1.7
+        rows = [(i / 50, rotation((0.4 * math.sin(1.7 * i / 50), 0.3 * math.cos(1.7 * i / 50), 0.2 * math.sin(3.4 * i / 50))), (0, 0, 0))
+                for i in range(700)]
+        self.write("again_and_again.csv", table(rows, positions=False))
+        self.write("a_part.csv", table([row for row in rows if 4 <= row[0] < 9], positions=False))
+        done = self.run_command("align again_and_again.csv a_part.csv --json")
+        warning, = json.loads(done.stdout)["warnings"]
+        self.assertEqual(warning["code"], "ambiguous_offset")
+        self.assertAlmostEqual(warning["apart_s"] / period, round(warning["apart_s"] / period), delta=0.01)
+        self.assertIn("s away fits about as well: the motion is short or repeats itself, wanted a longer one, or --offset where it is known",
+                      done.stderr)
+        known = json.loads(self.output_of("align again_and_again.csv a_part.csv --offset 0 --json"))
+        self.assertEqual(known["warnings"], [])
+
     def test_turns_about_one_axis_are_said_not_to_tell_all(self):
         rows = [(i / 50, rotation((0, 0, 1.5 * math.sin(i / 50))), (0, 0, 0)) for i in range(500)]
         self.write("z.csv", table(rows, positions=False))
         done = self.run_command("align z.csv z.csv --json")
         found = json.loads(done.stdout)
-        self.assertEqual([warning["code"] for warning in found["warnings"]], ["open_alignment"])
+        self.assertEqual([warning["code"] for warning in found["warnings"]], ["open_alignment", "ambiguous_offset"])
+        self.assertAlmostEqual(found["warnings"][1]["apart_s"], math.pi, delta=0.01)  # half a period later all turns the other way round
         self.assertIn("do not tell apart: a turn of the world about (0, 0, ", done.stderr)
         one, = found["open"]
         self.assertAlmostEqual(abs(one["world"][2]), math.sqrt(0.5), delta=0.01)

@@ -63,6 +63,16 @@ class Sessions(Recordings):
             self.assert_fails(f"convert 02_sessions.tum --session {bad}", BAD_USAGE,
                               f"--session: found '{bad}', wanted the number of a recording, from 1, or all")
 
+    def test_files_beside_that_hold_one_recording_are_read_whole(self):
+        self.output_of("convert 02_sessions.tum --session 2 -o second.tum")
+        for command in ("sample 02_sessions.tum --session 2 --times second.tum --truth second.tum",
+                        "compare 02_sessions.tum --session 2 --reference second.tum --methods slerp"):
+            self.output_of(f"{command}{' -o out.csv' if 'sample' in command else ''}")
+        report = self.summary("sample 02_sessions.tum --session 2 --times second.tum --truth second.tum -o out.csv")
+        self.assertLess(report["truth"]["distance_max_deg"], 1e-6)
+        found = self.summary("mean 02_sessions.tum --session 2 -o mean.csv")
+        self.assertEqual(found["count"], 15)
+
     def test_all_of_them_go_into_a_folder_one_file_each(self):
         self.output_of("sample 02_sessions.tum --session all --drop-duplicates --rate 10 --output-folder out")
         self.assertEqual(sorted(path.name for path in (self.folder / "out").iterdir()),
@@ -106,6 +116,18 @@ class Stamps(Recordings):
                           "orders the rows)")
         rows = rows_of(self.output_of("convert 31_stamps.csv --drop-invalid --sort"))
         self.assertEqual((len(rows), rows[0][0], rows[-1][0]), (29, 1, 1.116))
+
+    def test_a_stray_zero_is_told_where_the_clock_began_at_0_too(self):
+        times = [k / 100 for k in range(60)]
+        times[30] = 0
+        self.write("from_zero.csv", "t,qw,qx,qy,qz\n" + "".join(f"{t:g},1,0,0,0\n" for t in times))
+        self.assert_fails("convert from_zero.csv", BAD_DATA,
+                          "from_zero.csv:32: key 30: time 0 comes after 0.29, wanted increasing times: no clock said 0 there "
+                          "(--drop-invalid drops such rows)")
+        for more in ("", " --sort", " --session 1"):
+            self.assertEqual(len(rows_of(self.output_of(f"convert from_zero.csv --drop-invalid{more}"))), 59)
+        self.write("two.csv", "t,qw,qx,qy,qz\n" + "".join(f"{t:g},1,0,0,0\n" for t in 2 * [k / 100 for k in range(20)]))
+        self.assertIn("a second recording begins", self.run_command("convert two.csv").stderr)
 
     def test_two_columns_of_times(self):
         self.use("24_ros.csv")

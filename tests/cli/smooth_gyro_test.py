@@ -18,6 +18,7 @@ from command import BAD_DATA, BAD_USAGE, CommandTest, main
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 from noisy_recordings import angle, rms_degrees
+from rotations import conjugate, times
 
 CASES = pathlib.Path(os.environ.get("ORISPLINE_SHARED_DATA", "shared/data")).parent / "cases/recordings"
 CLEAN_CORRECTION = (0.00134, -0.00347, -0.00707)  # of 40_clean.csv [deg/s]
@@ -30,6 +31,13 @@ def rows_of(path):
 
 def vectors(rows, names):
     return [tuple(float(row[name]) for name in names.split(",")) for row in rows]
+
+
+def rotation_vector(q):
+    """Of the short way round."""
+    sine = math.hypot(*q[1:])
+    scale = math.copysign(2 * math.asin(min(1.0, sine)) / sine, q[0]) if sine > 0 else 2.0
+    return [scale * x for x in q[1:]]
 
 
 def orientations(path):
@@ -62,20 +70,39 @@ class SmoothWithGyro(CommandTest):
         told, found = self.smoothed("04n_99ms.csv")
         self.assertLess(abs(told["gyro_offset_s"] - 0.099), 1e-3)
         self.assertLess(told["gyro_offset_sigma_s"], 0.2e-3)
-        self.assert_near_truth(found, "04n_true.csv", 0.079)
+        self.assert_near_truth(found, "04n_true.csv", 0.068)
         stated, there = self.smoothed("04n_99ms.csv", "--gyro-offset", "0.099")
         self.assertIsNone(stated["gyro_offset_sigma_s"])
-        self.assert_near_truth(there, "04n_true.csv", 0.079)
-        # The stamps end 0.1 s before the orientations: the last ten rows have no gyro, and α = 0 at the end.
-        silent = 10
-        truth = orientations(CASES / "04n_true.csv")
-        self.assertLessEqual(rms_degrees(found[:-silent], truth[:-silent]), 0.075)
-        self.assertLessEqual(rms_degrees(found[-silent:], truth[-silent:]), 0.37)
-        _, by_jerk = self.smoothed("04n_99ms.csv", "--penalty", "jerk")
-        self.assert_near_truth(by_jerk, "04n_true.csv", 0.067)
-        self.assertLessEqual(rms_degrees(by_jerk[-silent:], truth[-silent:]), 0.2)
+        self.assert_near_truth(there, "04n_true.csv", 0.068)
         said = self.run_command(["smooth", str(CASES / "04n_99ms.csv"), "--gyro", "-o", "out.csv"]).stderr
         self.assertRegex(said, r"clock +99\.\d* ms late, σ 0\.1\d* ms: corrected")
+        self.assertIn("beyond it     10 samples, to which the penalty of the jerk carries the accelerations on\n", said)
+
+    def test_accelerations_are_carried_on_to_an_end_without_a_gyro(self):
+        silent = 10  # rows behind the last rate, whose stamp is late
+        truth = orientations(CASES / "04n_true.csv")
+        told, found = self.smoothed("04n_99ms.csv")
+        self.assertEqual(told["penalty"], "jerk")
+        self.assertLessEqual(rms_degrees(found[-silent:], truth[-silent:]), 0.21)
+        told, as_asked = self.smoothed("04n_99ms.csv", "--penalty", "jerk")
+        self.assertLessEqual(rms_degrees(as_asked, truth), 0.067)
+        told, to_zero = self.smoothed("04n_99ms.csv", "--penalty", "acceleration")
+        self.assertEqual(told["penalty"], "acceleration")
+        self.assertLessEqual(rms_degrees(to_zero[:-silent], truth[:-silent]), 0.075)
+        self.assertLessEqual(rms_degrees(to_zero[-silent:], truth[-silent:]), 0.37)
+        said = self.run_command(["smooth", str(CASES / "04n_99ms.csv"), "--gyro", "--penalty", "acceleration", "-o", "out.csv"]).stderr
+        self.assertIn("beyond it     10 samples, at whose end the acceleration is zero\n", said)
+        for name, options in (("04n_0ms.csv", ()), ("04n_99ms.csv", ("--smoothing-time", "0.04"))):
+            self.assertEqual(self.smoothed(name, *options)[0]["penalty"], "acceleration")
+
+    def test_rates_come_out_right_beside_a_late_clock(self):
+        truth = orientations(CASES / "04n_true.csv")
+        wanted = [[w * 50 for w in rotation_vector(times(conjugate(a), b))] for a, b in zip(truth, truth[2:])]  # 0.02 s from row to row
+        def rms(count):
+            found = vectors(rows_of(self.folder / "out.csv"), "wx,wy,wz")[1:count + 1]
+            return math.degrees(math.sqrt(sum(math.dist(a, b) ** 2 for a, b in zip(found, wanted)) / count))
+        self.smoothed("04n_99ms.csv")
+        self.assertLessEqual(rms(len(wanted)), 0.53)
 
     def test_a_clock_in_step_is_left_alone(self):
         told, found = self.smoothed("04n_0ms.csv")
@@ -130,6 +157,14 @@ class SmoothWithGyro(CommandTest):
         there = [t for t in truth if t in written]
         self.assertEqual(len(there), 400)
         self.assertLess(rms_degrees([written[t] for t in there], [truth[t] for t in there]), 0.2)
+        self.write("since_boot.csv", "t,wx,wy,wz\n" + "".join(f"{float(r['t']) + 86400},{r['wx']},{r['wy']},{r['wz']}\n" for r in rows))
+        there = json.loads(self.output_of("smooth poses.csv --gyro-file since_boot.csv --gyro-offset 86400.099 --json -o out.csv"))
+        self.assertTrue(there["gyro_used"])
+        for is_now, before in zip(there["gyro_correction_rad_s"], told["gyro_correction_rad_s"], strict=True):
+            self.assertLess(abs(is_now - before), 1e-4)
+        self.assert_fails("smooth poses.csv --gyro-file since_boot.csv -o nothing.csv", BAD_DATA,
+                          "poses.csv: the rates of the gyro are from 86400 s to 86419.99 s and do not overlap the recording, which is from "
+                          "0 s to 19.95 s, wanted --gyro-offset for a clock that differs so much, as align finds it")
         self.write("later.csv", "t,wx,wy,wz\n100,0,0,1\n101,0,0,1\n102,0,0,1\n")
         done = self.run_command("smooth poses.csv --gyro-file later.csv -o nothing.csv")
         self.assertEqual(done.returncode, BAD_DATA)
@@ -137,6 +172,54 @@ class SmoothWithGyro(CommandTest):
         self.write("none.csv", "t,a,b\n0,1,2\n")
         self.assertIn("wanted the rates of the body wx, wy and wz", self.run_command("smooth poses.csv --gyro-file none.csv -o nothing.csv").stderr)
         self.assertFalse((self.folder / "nothing.csv").exists())
+
+    def test_a_file_of_rates_is_mended_as_rows_are(self):
+        rows = rows_of(CASES / "04n_0ms.csv")[:400]
+        self.write("poses.csv", "t,qw,qx,qy,qz\n" + "".join(f"{r['t']},{r['qw']},{r['qx']},{r['qy']},{r['qz']}\n" for r in rows))
+        rates = [f"{r['t']},{r['wx']},{r['wy']},{r['wz']}\n" for r in rows]
+        self.write("imu.csv", "t,wx,wy,wz\n" + "".join(rates))
+        self.output_of("smooth poses.csv --gyro-file imu.csv -o out.csv")
+        wanted = self.read("out.csv")
+        for name, text, remedy, message in (
+                ("twice.csv", rates[:9] + rates[8:], "--drop-duplicates", "twice.csv:11: duplicate time 0.08, as in line 10, wanted "
+                 "increasing times (--drop-duplicates keeps the first)"),
+                ("moved.csv", rates[:7] + rates[8:] + rates[7:8], "--sort", "moved.csv:401: time 0.07 comes after 3.99, wanted "
+                 "increasing times (--sort orders the rows)"),
+                ("again.csv", rates + rates[100:150], "--session 1", "again.csv:402: time 1 comes after 3.99, and the rows go on from "
+                 "there: a second recording begins, wanted one (--session N|all reads one of them)")):
+            with self.subTest(name):
+                self.write(name, "t,wx,wy,wz\n" + "".join(text))
+                self.assert_fails(f"smooth poses.csv --gyro-file {name} -o nothing.csv", BAD_DATA, message)
+                self.assertFalse((self.folder / "nothing.csv").exists())
+                self.output_of(f"smooth poses.csv --gyro-file {name} {remedy} -o out.csv")
+                self.assertEqual(self.read("out.csv"), wanted)
+        self.assert_fails("smooth poses.csv --gyro-file again.csv --sort -o nothing.csv", BAD_DATA,
+                          "again.csv:402: found 2 recordings one behind the other, the second from here on, which sorting would mix; wanted "
+                          "one of them (--session N|all reads one of them)")
+
+    def test_rows_without_an_orientation_may_come_twice(self):
+        header, *rows = (CASES / "12_cam10_gyro100.csv").read_text("utf-8").splitlines()
+        self.smoothed("12_cam10_gyro100.csv")
+        wanted = self.read("out.csv")
+        at = next(k for k, row in enumerate(rows) if row.split(",")[1] in ("", "nan"))
+        self.write("twice.csv", "\n".join([header, *rows[:at + 1], *rows[at:]]) + "\n")
+        done = self.run_command("smooth twice.csv --gyro -o nothing.csv")
+        self.assertEqual(done.returncode, BAD_DATA)
+        self.assertRegex(done.stderr, r"twice\.csv:\d+: duplicate time \S+, as in line \d+, wanted increasing times \(--drop-duplicates keeps the first\)\n")
+        self.output_of("smooth twice.csv --gyro --drop-duplicates -o out.csv")
+        self.assertEqual(self.read("out.csv"), wanted)
+
+    def test_what_a_gyro_that_is_left_out_says_of_its_clock_is_no_correction(self):
+        rows = rows_of(CASES / "04n_0ms.csv")[:600]
+        def with_rates(name, rate):
+            self.write(name, "t,qw,qx,qy,qz,wx,wy,wz\n" + "".join(
+                ",".join([r["t"], r["qw"], r["qx"], r["qy"], r["qz"], *rate(r)]) + "\n" for r in rows))
+        with_rates("still.csv", lambda r: ("0.5", "0.5", "0.5"))
+        done = self.run_command("smooth still.csv --gyro -o out.csv")
+        self.assertIn("warning: the gyro was left out", done.stderr)
+        self.assertIn("clock         its offset cannot be told from this motion\n", done.stderr)
+        with_rates("few.csv", lambda r: (r["wx"], r["wy"], r["wz"]) if r["t"] == rows[300]["t"] else ("", "", ""))
+        self.assert_fails("smooth few.csv --gyro -o nothing.csv", BAD_DATA, "few.csv: found 1 rate of the gyro, wanted at least 3")
 
     def test_rows_without_an_orientation_are_sorted_too(self):
         header, *rows = (CASES / "12_gyro_through.csv").read_text("utf-8").splitlines()

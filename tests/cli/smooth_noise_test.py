@@ -81,6 +81,14 @@ class SmoothNoise(CommandTest):
         self.assert_halves_as_if_alone(rows, ["t", "qw", "qx", "qy", "qz"], found)
         self.assertIsNone(self.smoothed(rows[:HALF], ["t", "qw", "qx", "qy", "qz"])[0]["least_noise_rad"])
 
+    def test_swapped_markers_are_told_of_with_the_option_that_leaves_them_out(self):
+        path, truth = str(CASES / "11_swap.csv"), orientations(CASES / "11_true.csv")
+        done = self.run_command(["smooth", path, "-o", "out.csv"])
+        self.assertRegex(done.stderr, r"11_swap\.csv:302: key 300: 6 samples turn by more than 90° from the one before and are followed as motion; "
+                                      r"if they are faults, as where markers were swapped, set --loss to huber\n")
+        self.output_of(["smooth", path, "--loss", "huber", "-o", "out.csv"])
+        self.assertLessEqual(rms_degrees(orientations(self.folder / "out.csv"), truth), 0.1)
+
     def test_one_row_far_off_is_one_that_tukey_rejects(self):
         rows, truth = rows_of(CASES / "41_tukey.csv"), orientations(CASES / "11_true.csv")
         names = ["t", "qw", "qx", "qy", "qz"]

@@ -31,7 +31,7 @@ class Tasks(CommandTest):
         noise = smooth["noise"]
         self.assertEqual((noise["type"], noise["unit"], noise["lowest"], noise["highest"], noise["default"]),
                          ("number", "rad", 1e-7, 0.5, None))
-        self.assertEqual((smooth["penalty"]["default"], smooth["gyro"]["default"]), ("acceleration", False))
+        self.assertEqual((smooth["penalty"]["default"], smooth["loss"]["default"], smooth["gyro"]["default"]), (None, "robust", False))
         self.assertEqual({o["name"] for o in self.tasks["reduce"]["options"] if o["required"]}, {"tolerance"})
 
     def test_results_are_members_of_the_json(self):

@@ -53,7 +53,8 @@ void try_smooth(TaskInput& input) {
   const SmoothOptions options = fuzzed_smoothing(input);
   const Situation situation([&] {
     return fmt::format("smooth: penalty {}, loss {}, noise {}, smoothing time {}, adapt {}, sigma {}, gyro {}, gap {}",
-                       static_cast<int>(options.penalty), static_cast<int>(options.loss), options.noise.value_or(0.0),
+                       static_cast<int>(options.penalty.value_or(Penalty::acceleration)),
+                       static_cast<int>(options.loss), options.noise.value_or(0.0),
                        options.smoothing_time.value_or(0.0), options.adapt, options.sigma, options.gyro,
                        options.gap.value_or(0.0));
   });

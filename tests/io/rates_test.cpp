@@ -2,6 +2,7 @@
 // Angular rates of keys: which columns are read, in which frame and unit, and what they become.
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -171,6 +172,28 @@ TEST(RatesOfAGyro, AreAloneWhereTheHeaderNamesNoOrientation) {
   EXPECT_FALSE(are_alone("t,roll_deg,pitch_deg,yaw_deg,wx,wy,wz\n0,1,0,0,1,2,3\n"));
   EXPECT_FALSE(are_alone("t,px,py,pz\n0,1,2,3\n"));
   EXPECT_FALSE(are_alone("0 1 2 3\n"));
+}
+
+TEST(RatesOfAGyro, AreMendedAsRowsAre) {
+  const auto first_rates = [](const std::string& rows, const ReadOptions& options) {
+    std::vector<double> rates;
+    const auto read = read_rates(test::TextFile("t,wx,wy,wz\n" + rows).path(), options);
+    EXPECT_TRUE(read) << describe(read.error());
+    if (read)
+      for (const Eigen::Vector3d& rate : read->rates) rates.push_back(rate.x());
+    return rates;
+  };
+  using Found = std::vector<double>;
+  EXPECT_EQ(first_rates("0,1,0,0\n0,9,0,0\n1,2,0,0\n", {.drop_duplicates = true}), (Found{1, 2}));
+  EXPECT_EQ(first_rates("1,2,0,0\n0,1,0,0\n", {.sort = true}), (Found{1, 2}));
+  const std::string twice = "0,1,0,0\n1,2,0,0\n2,3,0,0\n0.5,4,0,0\n1,5,0,0\n1.5,6,0,0\n";
+  EXPECT_EQ(first_rates(twice, {.session = 2}), (Found{4, 5, 6}));
+  EXPECT_EQ(first_rates("0,1,0,0\n1,2,0,0\n", {.session = 2}), (Found{1, 2}));  // it lies beside a file with several
+  for (const ReadOptions& options : {ReadOptions{}, ReadOptions{.sort = true}, ReadOptions{.session = 3}}) {
+    const auto refused = read_rates(test::TextFile("t,wx,wy,wz\n" + twice).path(), options);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(options.session ? refused.error().option : refused.error().remedy, "session");
+  }
 }
 
 TEST(RatesOfAGyro, AreReadAsTheyAreWritten) {

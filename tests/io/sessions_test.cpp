@@ -50,6 +50,8 @@ TEST(ZeroStamps, AreThoseThatBeginNoRecording) {
   EXPECT_EQ(zeros({100, 101, 0, 102}), (std::vector<bool>{false, false, true, false}));
   EXPECT_EQ(zeros({1, 2, 0, 3}), (std::vector<bool>{false, false, false, false}));
   EXPECT_EQ(zeros({0, 1, 2}), (std::vector<bool>{false, false, false}));
+  EXPECT_EQ(zeros({0, 1, 2, 0, 3}), (std::vector<bool>{false, false, false, true, false}));
+  EXPECT_EQ(zeros({0, 1, 2, 3, 0, 1, 2, 3}), std::vector<bool>(8, false));
   EXPECT_EQ(zeros({-2, -1, 0, 1}), (std::vector<bool>{false, false, false, false}));
   EXPECT_EQ(zeros({5, 6, 0, 1, 2, 3}), (std::vector<bool>{false, false, false, false, false, false}));
 }

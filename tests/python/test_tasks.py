@@ -311,11 +311,28 @@ def test_rates_are_read_from_a_file_of_their_own(tmp_path):
     assert ori.smooth(recording, gyro=ori.Rates(since, read.rates)).gyro_offset == pytest.approx(smoothing.gyro_offset, abs=1e-9)
 
 
+TWO_GYROS = "t,wx,wy,wz\n0,1,0,0\n1,2,0,0\n2,3,0,0\n0.5,4,0,0\n1,5,0,0\n1.5,6,0,0\n"
+
+
+def test_rates_in_a_file_are_mended_as_rows_are(tmp_path):
+    path = tmp_path / "gyro.csv"
+    path.write_text("t,wx,wy,wz\n0,1,0,0\n2,3,0,0\n1,2,0,0\n1,9,0,0\n")
+    assert ori.read_rates(path, sort=True, drop_duplicates=True).rates[:, 0].tolist() == [1, 2, 3]
+    path.write_text(TWO_GYROS)
+    assert [ori.read_rates(path, session=number).rates[:, 0].tolist() for number in (1, 2)] == [[1, 2, 3], [4, 5, 6]]
+    path.write_text("t,wx,wy,wz\n0,1,0,0\n1,2,0,0\n")
+    assert len(ori.read_rates(path, session=2)) == 2
+
+
 def test_files_that_hold_no_rates_are_refused(tmp_path):
     path = tmp_path / "gyro.csv"
     for text, kind, message, options in (
             ("t,a\n0,1\n", ori.DataError, "gyro.csv:1: found 't,a', wanted the rates of the body wx, wy and wz", {}),
-            ("t,wx,wy,wz\n0,1,2,3\n0,1,2,3\n", ori.DataError, "gyro.csv:3:1: time 0 does not come after 0, wanted increasing times", {}),
+            ("t,wx,wy,wz\n0,1,2,3\n0,1,2,3\n", ori.DataError,
+             "gyro.csv:3: duplicate time 0, as in line 2, wanted increasing times (drop_duplicates keeps the first)", {}),
+            ("t,wx,wy,wz\n1,1,2,3\n0,1,2,3\n", ori.DataError, "gyro.csv:3: time 0 comes after 1, wanted increasing times (sort orders the rows)", {}),
+            (TWO_GYROS, ori.DataError, "gyro.csv:5: time 0.5 comes after 2, and the rows go on from there: a second recording begins, wanted one", {}),
+            (TWO_GYROS, ori.ArgumentError, "session: found 3, wanted 1 to 2, which the file has", {"session": 3}),
             ("t,wx,wy,wz\n", ori.DataError, "gyro.csv: empty: no rates", {}),
             ("t,wx,wy,wz\n0,1,2,3\n", ori.ArgumentError, "time_scale: found '0', wanted a number greater than 0", {"time_scale": 0}),
             ("t,wx,wy,wz\n0,1,2,3\n", ori.ArgumentError, "body_axes: found axes of the body of which one system is right-handed", {"body_axes": "RUB:RUF"})):

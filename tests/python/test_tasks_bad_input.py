@@ -23,6 +23,7 @@ ARGUMENTS = [
     (lambda: ori.smooth(KEYS, penalty=2), "penalty: found 2, wanted acceleration or jerk"),
     (lambda: ori.smooth(KEYS, gyro="yes"), "gyro: found 'yes', wanted true or false"),
     (lambda: ori.smooth(KEYS, gyro=1), "gyro: found 1, wanted true or false"),
+    (lambda: ori.smooth(KEYS, gyro=ori.Rates([0, 1, 2], np.zeros((3, 3))), gyro_offset=np.nan), "gyro_offset: found nan s, wanted a finite number"),
     (lambda: ori.smooth(KEYS, noise=0.1, smoothing_time=1), "smoothing_time"),
     (lambda: ori.smooth(KEYS, cutoff="8"), "cutoff: found '8', wanted a number greater than 0, or a text with its unit such as '8Hz'"),
     (lambda: ori.smooth(KEYS, cutoff=-1), "cutoff: found -1, wanted a number greater than 0"),

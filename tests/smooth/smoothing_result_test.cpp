@@ -53,6 +53,23 @@ TEST(SmoothingResult, WarnsOfMoreThanOneRejectedSampleInAHundred) {
   EXPECT_TRUE(warnings_of(smoothing).empty());
 }
 
+TEST(SmoothingResult, TellsOfSamplesThatJumpAndAreFollowed) {
+  auto recording = recorded(40, degree);
+  const auto jumps = [&](std::vector<std::size_t> retained) {
+    return jumps_followed(Smoothing{.retained_outlier_runs = std::move(retained)},
+                          Keyframes::make(recording.noisy).value());
+  };
+  EXPECT_FALSE(jumps({0, 9, 10, 11}));
+  for (const std::size_t i : {10u, 11u})
+    recording.noisy.orientations[i] = recording.noisy.orientations[i] * exp<double>(Eigen::Vector3d(0.0, 3.0, 0.0));
+  const auto warning = jumps({9, 10, 11, 12});
+  ASSERT_TRUE(warning);
+  EXPECT_EQ(warning->code, "jumps_followed");
+  EXPECT_EQ(warning->where.key, 10u);
+  EXPECT_EQ(warning->number("samples"), 2.0);  // there and back
+  EXPECT_FALSE(jumps({}));
+}
+
 TEST(SmoothingResult, SaysHowFarTheSamplesAre) {
   auto recording = recorded(400, degree);
   recording.noisy.orientations[200] = recording.noisy.orientations[200] * exp<double>(Eigen::Vector3d(0.0, 0.5, 0.0));

@@ -8,7 +8,7 @@ from . import _core
 from ._arrays import Array, array_of, numbers
 from ._clock import SecondsSince
 from ._errors import DataError, tell
-from ._files import Source, source_of, stated
+from ._files import Source, flags, source_of, stated
 from ._forms import rotation_text
 from ._reading import names_by_meaning
 
@@ -68,7 +68,8 @@ class Rates:
 
 def read_rates(path: Source, *, columns: Mapping[str, str] | None = None, time_scale: Number | None = None, fps: Number | None = None,
                epoch: str | datetime.date | np.datetime64 | None = None, world_axes: str | None = None, body_axes: str | None = None,
-               world_rotation: Any = None, body_rotation: Any = None) -> Rates:
+               world_rotation: Any = None, body_rotation: Any = None, drop_duplicates: bool = False, sort: bool = False,
+               session: int | None = None) -> Rates:
     """The rates of a gyro in a file of their own, as the command's `--gyro-file` reads them: a table with a header, the columns `t` and
     `wx`, `wy`, `wz` of the body, in any of their units.
 
@@ -78,8 +79,10 @@ def read_rates(path: Source, *, columns: Mapping[str, str] | None = None, time_s
     ----------
     path : str, path or file object
         `-` is standard input.
-    columns, time_scale, fps, epoch, world_axes, body_axes, world_rotation, body_rotation
+    columns, time_scale, fps, epoch, world_axes, body_axes, world_rotation, body_rotation, drop_duplicates, sort
         As of `read`.
+    session : int
+        Which of several recordings in the file; one that is alone is read whole.
 
     Raises
     ------
@@ -105,7 +108,8 @@ def read_rates(path: Source, *, columns: Mapping[str, str] | None = None, time_s
     (Decimal('1700000000.25'), [0.0, 0.25], [[0.0, 0.0, 1.5708], [0.0, 0.0, 3.1416]])
     """
     rotations = {"world_rotation": rotation_text("world_rotation", world_rotation), "body_rotation": rotation_text("body_rotation", body_rotation)}
-    options = stated({"time_scale": time_scale, "fps": fps, "epoch": epoch, "world_axes": world_axes, "body_axes": body_axes, **rotations})
+    options = stated({"time_scale": time_scale, "fps": fps, "epoch": epoch, "world_axes": world_axes, "body_axes": body_axes, "session": session,
+                      **rotations}) + flags({"drop_duplicates": drop_duplicates, "sort": sort})
     name, content = source_of(path)
     seconds, rates, first, warnings = _core.read_rates(name, options, names_by_meaning(columns), content)
     tell(warnings)

@@ -38,7 +38,7 @@ Expected<Request> request_in(const MeanArguments& options, const std::vector<std
                   .columns = checked(columns_of_made(options.output, options.summary, {"mean", "the mean"}, others)),
                   .mean = checked(options_in<orispline::MeanOptions>(options.mean))};
   request.input.read.rate_orders = 0;
-  request.input.read.count_rows = !request.mean.every;
+  request.input.read.count_rows = !request.mean.every && !request.input.read.session;
   request.input.read.parameters = {std::string(jobs::weight_name)};
   return std::move(checked).or_else(std::move(request));
 }

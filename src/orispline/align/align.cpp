@@ -57,18 +57,19 @@ std::vector<std::size_t> no_denser_than(double interval, std::span<const double>
   return some;
 }
 
-/// Fits from every likely offset; the best. None where the recordings do not overlap.
-std::optional<AlignmentFit> best_fit(const AlignmentData& data, const AnyCurve& fixed, double interval,
-                                     std::span<const double> offsets) {
-  std::optional<AlignmentFit> best;
+BestOfOffsets<AlignmentFit> fits_from(std::span<const double> offsets, const AlignmentData& data, const AnyCurve& fixed,
+                                      double interval) {
+  BestOfOffsets<AlignmentFit> fits;
   for (const double offset : offsets)
-    if (const auto guess = guess_alignment(data, fixed, interval, offset))
-      if (auto fit = fit_alignment(data, *guess); fit && (!best || fit->cost() < best->cost())) best = std::move(fit);
-  return best;
+    if (const auto guess = guess_alignment(data, fixed, interval, offset)) fits.add(fit_alignment(data, *guess));
+  return fits;
 }
 
+constexpr double told_from = 0.05;  // of a direction of length 1
+
+bool leaves_offset(const OpenDirection& open) { return std::abs(open.offset) > told_from; }
+
 std::string parts_text(const OpenDirection& open) {
-  constexpr double told_from = 0.05;
   std::vector<std::string> parts;
   const auto turn = [&](const Eigen::Vector3d& v, std::string_view whose) {
     if (v.norm() <= told_from) return;
@@ -77,7 +78,7 @@ std::string parts_text(const OpenDirection& open) {
   };
   turn(open.world, "world");
   turn(open.body, "body");
-  if (std::abs(open.offset) > told_from) parts.emplace_back("the offset of the clocks");
+  if (leaves_offset(open)) parts.emplace_back("the offset of the clocks");
   if (std::abs(open.scale) > told_from) parts.emplace_back("the scale");
   if (open.translation.norm() > told_from) parts.emplace_back("the translation");
   return joined(parts, ", ");
@@ -165,11 +166,12 @@ Expected<Alignment> align(const Track& moved, const Track& fixed, const AlignOpt
                            .has_positions = moved_motion->curve.position && !fixed.keys.positions().empty(),
                            .options = options};
   const Decimal between_epochs = moved.epoch - fixed.epoch;
-  auto fit = best_fit(data, fixed_motion->curve.orientation, interval,
-                      offsets_to_try(*moved_motion, *fixed_motion, options, interval, between_epochs.to_double()));
-  if (!fit) return too_little_overlap(moved, fixed, options);
-  const double found = fit->transform.offset;
-  Alignment alignment = alignment_of(std::move(*fit), samples, data.has_positions);
+  const auto fits =
+      fits_from(offsets_to_try(*moved_motion, *fixed_motion, options, interval, between_epochs.to_double()), data,
+                fixed_motion->curve.orientation, interval);
+  if (!fits.best()) return too_little_overlap(moved, fixed, options);
+  const double found = fits.best()->transform.offset;
+  Alignment alignment = alignment_of(*fits.best(), samples, data.has_positions);
   alignment.offset = options.offset ? Decimal::from_double(*options.offset)
                                     : (Decimal::from_double(found) + between_epochs).rounded(decimals_of_offset);
   if (alignment.distance.median > farthest_median)
@@ -178,6 +180,9 @@ Expected<Alignment> align(const Track& moved, const Track& fixed, const AlignOpt
                              "delayed, wanted two recordings of one motion",
                              alignment.distance.median * degrees));
   alignment.warnings = warnings_of(alignment, *moved_motion, *fixed_motion);
+  const bool is_open = std::ranges::any_of(alignment.open, leaves_offset);
+  if (const auto rival = fits.rival(interval); rival && !is_open)
+    alignment.warnings.push_back(ambiguous_offset(*rival - found));
   return alignment;
 }
 

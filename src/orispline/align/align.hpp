@@ -58,7 +58,7 @@ struct Alignment {
   std::optional<DistanceStatistics> position_distance{};  ///< [m]
   double noise = 0.0;                      ///< robust σ of these distances per axis [rad], 1e-6 at least
   std::optional<double> position_noise{};  ///< likewise [m], at least 1e-6 of how far the positions spread
-  std::vector<Warning> warnings{};         ///< `poor_alignment`, `open_alignment`
+  std::vector<Warning> warnings{};         ///< `poor_alignment`, `open_alignment`, `ambiguous_offset`
 };
 
 /// The fewest samples of each recording.

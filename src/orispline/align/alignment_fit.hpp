@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <orispline/align/align.hpp>
+#include <orispline/align/best_of_offsets.hpp>
 #include <orispline/curve/path.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -37,6 +38,7 @@ struct AlignmentFit {
   /// Minus twice a logarithm of the likelihood, but for a constant: less is better, also of fits that compare other
   /// numbers of samples.
   [[nodiscard]] double cost() const;
+  [[nodiscard]] TriedOffset tried() const { return {transform.offset, sigmas.offset, noise, angles.size()}; }
 };
 
 /// The least robust squares near to the guess. None where fewer than `least_aligned` samples overlap.

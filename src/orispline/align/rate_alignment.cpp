@@ -73,19 +73,19 @@ struct Sides {
   Decimal between_epochs;  // that of the gyro less that of the body
 };
 
-/// Fits from every likely offset; the best. None where the recordings do not overlap.
-std::optional<RateFit> best_rate_fit(const Sides& sides, const RateFitData& data,
-                                     const std::optional<double>& stated_offset) {
+/// From every likely offset.
+BestOfOffsets<RateFit> rate_fits(const Sides& sides, const RateFitData& data,
+                                 const std::optional<double>& stated_offset) {
   std::vector<double> offsets{stated_offset.value_or(0.0) - sides.between_epochs.to_double()};
   if (!stated_offset) {
     const auto likely = offsets_in_question(sides.gyro.curve, sides.body, sides.interval);
     offsets.insert(offsets.end(), likely.begin(), likely.end());
   }
-  std::optional<RateFit> best;
+  BestOfOffsets<RateFit> fits;
   for (const double offset : offsets)
     if (const auto guess = guess_rates(sides.gyro.curve, sides.body, sides.interval, offset, data.finds_body))
-      if (auto fit = fit_rates(data, *guess); fit && (!best || fit->cost() < best->cost())) best = std::move(fit);
-  return best;
+      fits.add(fit_rates(data, *guess));
+  return fits;
 }
 
 /// The rates that the orientations contradict do not count, and what is left is fitted anew.
@@ -130,16 +130,25 @@ Expected<void> check_fit(const RateFit& fit, const Sides& sides, const RateFitDa
   return {};
 }
 
+constexpr double rates_told_from = 0.05;  // of a direction of length 1
+
+bool leaves_rate_offset(const OpenRateDirection& open) { return std::abs(open.offset) > rates_told_from; }
+
+void warn_of_rival(RateAlignment& found, const BestOfOffsets<RateFit>& fits, const Sides& sides) {
+  const auto rival = fits.rival(sides.interval);
+  if (!rival || std::ranges::any_of(found.open, leaves_rate_offset)) return;
+  found.warnings.push_back(ambiguous_offset(*rival - fits.best()->transform.offset));
+}
+
 std::string parts_text(const OpenRateDirection& open) {
-  constexpr double told_from = 0.05;
   const auto rounded = [](const Eigen::Vector3d& v) { return Eigen::Vector3d((1e3 * v).array().round() / 1e3 + 0.0); };
   std::vector<std::string> parts;
-  if (open.body.norm() > told_from) {
+  if (open.body.norm() > rates_told_from) {
     const Eigen::Vector3d axis = rounded(open.body.normalized());
     parts.push_back(formatted("a turn of the body about ({}, {}, {})", axis.x(), axis.y(), axis.z()));
   }
-  if (std::abs(open.offset) > told_from) parts.emplace_back("the offset of the clocks");
-  if (open.bias.norm() > told_from) parts.emplace_back("the bias");
+  if (leaves_rate_offset(open)) parts.emplace_back("the offset of the clocks");
+  if (open.bias.norm() > rates_told_from) parts.emplace_back("the bias");
   return joined(parts, ", ");
 }
 
@@ -236,11 +245,13 @@ Expected<BesidePoses> beside_poses(const GyroTrack& gyro, const Track& body, con
   RateFitData data = data_beside(gyro.rates, *motion, *poses);
   data.finds_body = options.body_turn;
   data.finds_offset = !offset;
-  auto fit = best_rate_fit(sides, data, offset);
+  const auto fits = rate_fits(sides, data, offset);
+  std::optional<RateFit> fit = fits.best();
   if (!fit) return too_few_turns(options, sides.interval);
   fit_without_faults(*fit, data, *poses);
   if (auto checked = check_fit(*fit, sides, data); !checked) return tl::unexpected(std::move(checked.error()));
   RateAlignment found = alignment_of(*fit, data, sides, true);
+  warn_of_rival(found, fits, sides);
   std::vector<bool> is_steady(body.keys.size(), false);
   for (const std::size_t sample : poses->samples) is_steady[sample] = true;
   for (const std::size_t i : fit->rejected) is_steady[poses->samples[i]] = false;
@@ -290,10 +301,12 @@ Expected<RateAlignment> align(const GyroTrack& moved, const GyroTrack& fixed, co
   RateFitData data = data_beside(moved.rates, *moved_motion, fixed.rates, *fixed_motion);
   data.finds_body = options.body_turn;
   data.finds_offset = !options.offset;
-  const auto fit = best_rate_fit(sides, data, options.offset);
+  const auto fits = rate_fits(sides, data, options.offset);
+  const std::optional<RateFit>& fit = fits.best();
   if (!fit) return too_few_turns(options, sides.interval);
   if (auto checked = check_fit(*fit, sides, data); !checked) return tl::unexpected(std::move(checked.error()));
   RateAlignment found = alignment_of(*fit, data, sides, false);
+  warn_of_rival(found, fits, sides);
   found.rejected_fixed = rejected_rates(fixed.rates, *fixed_motion, *fit, data);
   return with_signs(std::move(found), options);
 }

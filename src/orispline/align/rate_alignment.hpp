@@ -45,7 +45,7 @@ struct RateAlignment {
   /// Between the mean rates of two gyros over about 50 ms [rad/s].
   std::optional<DistanceStatistics> rate_distance{};
   double excess = 0.0;  ///< robust σ of what is left, in units of what the noise of both recordings explains
-  std::vector<Warning> warnings{};  ///< `poor_alignment`, `open_alignment`
+  std::vector<Warning> warnings{};  ///< `poor_alignment`, `open_alignment`, `ambiguous_offset`
 };
 
 /// The alignment of two gyros on one body, with the least robust squares between the turns to which both lead; of the

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include <orispline/align/best_of_offsets.hpp>
 #include <orispline/smooth/gyro_path.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -55,6 +56,7 @@ struct RateFit {
   /// Minus twice a logarithm of the likelihood, but for a constant: less is better, also of fits that compare other
   /// numbers of orientations.
   [[nodiscard]] double cost() const;
+  [[nodiscard]] TriedOffset tried() const { return {transform.offset, offset_sigma, excess * usual, distances.size()}; }
 };
 
 /// The least robust squares near to the guess; the rates, integrated from one orientation to the next, are compared

@@ -7,6 +7,7 @@
 #include <orispline/align/alignment_guess.hpp>
 #include <orispline/align/clock_search.hpp>
 #include <orispline/align/steady_samples.hpp>
+#include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/key_check.hpp>
 #include <orispline/families/registry.hpp>
@@ -26,7 +27,7 @@ Expected<void> check_rates(const GyroRates& gyro) {
                                                   gyro.times.size(), gyro.rates.size()));
   if (gyro.times.size() < least_aligned)
     return failure(ErrorCode::bad_data,
-                   formatted("found {} rates, wanted {} at least", gyro.times.size(), least_aligned));
+                   formatted("found {}, wanted {} at least", counted(gyro.times.size(), "rate"), least_aligned));
   for (std::size_t k = 0; k < gyro.times.size(); ++k) {
     if (!gyro.rates[k].allFinite() || !std::isfinite(gyro.times[k]) || (k > 0 && gyro.times[k] <= gyro.times[k - 1]))
       return failure(ErrorCode::bad_data,

@@ -71,14 +71,24 @@ std::string text_of(Interval range, const Quantity* quantity) {
   return formatted("{:.6g} to {:.6g}{}", range.lowest, range.highest, unit);
 }
 
+namespace {
+
+/// `more than 0 s and finite`
+std::string wanted_text(const FieldInfo& field, double found) {
+  const std::string range = text_of(field.range, field.quantity);
+  if (range.empty()) return "a finite number";
+  return range + (std::isinf(found) ? " and finite" : "");
+}
+
+}  // namespace
+
 Expected<void> check_ranges(std::span<const FieldInfo> fields, const void* options) {
   for (const FieldInfo& field : fields) {
     const FieldValue value = field.get(options);
     for (const double x : numbers_of(value))
       if (!field.range.contains(x))
         return bad_option(field.name,
-                          formatted("found {:.6g}{}, wanted {}{}", x, unit_after(field.quantity),
-                                    text_of(field.range, field.quantity), std::isinf(x) ? " and finite" : ""));
+                          formatted("found {:.6g}{}, wanted {}", x, unit_after(field.quantity), wanted_text(field, x)));
   }
   return {};
 }

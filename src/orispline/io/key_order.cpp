@@ -11,6 +11,7 @@
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/key_parts.hpp>
+#include <orispline/io/rates_order.hpp>
 #include <orispline/io/time_order.hpp>
 #include <orispline/math/degrees.hpp>
 
@@ -39,12 +40,6 @@ std::vector<Decimal> times_from(const std::vector<Decimal>& times, std::span<con
   std::vector<Decimal> some;
   for (const std::uint32_t row : rows.first(std::min(rows.size(), most_ahead))) some.push_back(times[row]);
   return some;
-}
-
-void take_entries(RateRows& rows, const std::vector<std::uint32_t>& places) {
-  rows.exact_times = entries_at(rows.exact_times, places);
-  rows.rates = entries_at(rows.rates, places);
-  rows.lines = entries_at(rows.lines, places);
 }
 
 }  // namespace
@@ -122,7 +117,7 @@ Error KeyRows::out_of_order() const {
   const bool begins = session_starts(times).size() > 1;
   const std::string later = formatted("time {} comes after {}", text, latest_.to_string());
   const bool is_zero = time == Decimal() && is_far_from_zero(first_, latest_, taken_ + file_.data.times.size()) &&
-                       (after.empty() || after.front() == time || after.front() >= latest_);
+                       (after.empty() || after.front() >= latest_ || (after.front() == time && first_ != time));
   if (is_zero) return error("drop_invalid", later + ", wanted increasing times: no clock said 0 there");
   if (!begins) return error("sort", later + ", wanted increasing times");
   return error("session", later + ", and the rows go on from there: a second recording begins, wanted one");
@@ -162,17 +157,9 @@ std::size_t KeyRows::sessions() const { return session_starts(times_).size(); }
 Expected<std::vector<std::uint32_t>> KeyRows::chosen_rows() {
   std::vector<std::size_t> starts = session_starts(times_);
   const std::size_t session = options_.session.value_or(1);
-  if (session > starts.size() || session == all_sessions)
-    return bad_option("session",
-                      formatted("found {}, wanted {}{}", session == all_sessions ? "all" : std::to_string(session),
-                                starts.size() == 1 ? "1" : formatted("1 to {}", starts.size()),
-                                starts.size() == 1 ? ": the file has one recording" : ", which the file has"));
+  if (session > starts.size() || session == all_sessions) return no_such_session(session, starts.size());
   if (!options_.session && would_interleave(times_, starts))
-    return mended_by("session",
-                     formatted("found {} recordings one behind the other, the second from here on, which sorting would "
-                               "mix; wanted one of them",
-                               starts.size()),
-                     {.file = file_.path, .line = file_.lines[starts[1]]});
+    return mixed_sessions(starts.size(), {.file = file_.path, .line = file_.lines[starts[1]]});
   starts.push_back(times_.size());
   const std::size_t first = options_.session ? starts[session - 1] : 0;
   const std::size_t end = options_.session ? starts[session] : times_.size();
@@ -229,7 +216,7 @@ Expected<void> KeyRows::arrange() {
   file_.data.orientations = entries_at(file_.data.orientations, kept);
   for_each_part([&](const auto& part) { file_.data.*part.list = entries_at(file_.data.*part.list, kept); });
   for (auto& [name, values] : file_.parameters) values = entries_at(values, kept);
-  return arrange_unposed();
+  return {};
 }
 
 /// Of the rows that are set aside leaves those that stand among the rows from `first` to `end`.
@@ -240,30 +227,7 @@ void KeyRows::choose_unposed(std::size_t first, std::size_t end) {
     if ((first == 0 || rows.lines[place] > file_.lines[first]) &&
         (end == file_.lines.size() || rows.lines[place] < file_.lines[end]))
       chosen.push_back(place);
-  take_entries(rows, chosen);
-}
-
-/// Brings the rows that are set aside into their order.
-Expected<void> KeyRows::arrange_unposed() {
-  RateRows& rows = file_.unposed;
-  std::vector<std::uint32_t> places(rows.lines.size());
-  std::iota(places.begin(), places.end(), std::uint32_t{0});
-  if (options_.sort)
-    std::stable_sort(places.begin(), places.end(),
-                     [&rows](auto a, auto b) { return rows.exact_times[a] < rows.exact_times[b]; });
-  take_entries(rows, places);
-  const auto unrising = std::ranges::adjacent_find(rows.exact_times, std::ranges::greater_equal());
-  if (unrising == rows.exact_times.end()) return {};
-  const auto& time = *std::next(unrising);
-  const Where where{.file = file_.path,
-                    .line = rows.lines[static_cast<std::size_t>(unrising - rows.exact_times.begin()) + 1]};
-  if (time == *unrising)
-    return failure(ErrorCode::bad_data, formatted("duplicate time {}, wanted increasing times", time.to_string()),
-                   where);
-  return mended_by(
-      "sort",
-      formatted("time {} does not come after {}, wanted increasing times", time.to_string(), unrising->to_string()),
-      where);
+  rows = rows_at(rows, chosen);
 }
 
 }}}  // namespace orispline::io

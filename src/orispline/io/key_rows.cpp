@@ -15,6 +15,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/io/clock.hpp>
+#include <orispline/io/rates_order.hpp>
 #include <orispline/io/time_column.hpp>
 #include <orispline/math/euler.hpp>
 #include <orispline/math/median.hpp>
@@ -215,13 +216,7 @@ Expected<void> KeyRows::add_unposed(const KeyRow& key, const TextTable& table) {
         table.here(columns_.rates[0]->columns[0].index));
   settle_time_unit(key.time);
   RateRows& rows = file_.unposed;
-  const Decimal time = columns_.time_unit.time_of(key.time);
-  if (!rows.exact_times.empty() && time <= rows.exact_times.back() && !needs_all())
-    return mended_by("sort",
-                     formatted("time {} does not come after {}, wanted increasing times", time.to_string(),
-                               rows.exact_times.back().to_string()),
-                     table.here(columns_.time));
-  rows.exact_times.push_back(time);
+  rows.exact_times.push_back(columns_.time_unit.time_of(key.time));
   rows.rates.push_back(
       turned_for_keys(key.rates[0], [this](const Eigen::Vector3d& rate) { return frames_.body_rate(rate); }));
   rows.lines.push_back(static_cast<std::uint32_t>(table.line()));
@@ -383,6 +378,7 @@ Expected<void> KeyRows::complete() {
   turns_.finish();
   if (needs_all())
     if (auto arranged = arrange(); !arranged) return arranged;
+  if (auto ordered = put_in_order(file_.unposed, options_, file_.path); !ordered) return ordered;
   warn_of_duplicates();
   return {};
 }

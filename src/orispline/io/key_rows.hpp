@@ -97,7 +97,6 @@ class KeyRows {
   [[nodiscard]] Expected<std::vector<std::uint32_t>> chosen_rows();
   [[nodiscard]] Expected<void> arrange();
   void choose_unposed(std::size_t first, std::size_t end);
-  [[nodiscard]] Expected<void> arrange_unposed();
 
   KeyColumns columns_;
   ReadOptions options_;

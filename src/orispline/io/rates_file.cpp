@@ -7,6 +7,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/io/key_columns.hpp>
+#include <orispline/io/rates_order.hpp>
 #include <orispline/io/text_row.hpp>
 #include <orispline/io/text_table.hpp>
 #include <orispline/io/time_cells.hpp>
@@ -78,18 +79,15 @@ Expected<RateRows> read_rates(KeyInput input, const ReadOptions& options) {
     if (!rate->allFinite()) continue;
     const auto t = time_of(table, *time, options.clock, rows.warnings);
     if (!t) return tl::unexpected(t.error());
-    if (!rows.exact_times.empty() && *t <= rows.exact_times.back())
-      return failure(ErrorCode::bad_data,
-                     formatted("time {} does not come after {}, wanted increasing times", t->to_string(),
-                               rows.exact_times.back().to_string()),
-                     table.here(time->index));
     rows.exact_times.push_back(*t);
     rows.rates.push_back(frames.body_rate(*rate));
     rows.lines.push_back(static_cast<std::uint32_t>(table.line()));
   }
   if (!more) return tl::unexpected(std::move(more.error()));
   if (rows.rates.empty()) return failure(ErrorCode::bad_data, "empty: no rates", {.file = path});
-  return rows;
+  return choose_session(rows, options, path).and_then([&] { return put_in_order(rows, options, path); }).map([&] {
+    return std::move(rows);
+  });
 }
 
 bool holds_rates_alone(KeyInput& input, const ReadOptions& options) {

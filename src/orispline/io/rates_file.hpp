@@ -13,8 +13,9 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 /// Reads the rates of a gyro from a table with a header: the time, and `wx,wy,wz` of the body in any of their units.
 /// Rows without a number in one of these three are none.
 ///
-/// Of the options those count that concern times, frames and the names of these columns. Errors: those of
-/// check_frames(); bad_access; bad_data for columns that are missing, times that do not increase, and no rates at all.
+/// Of the options those count that concern times and their order, frames and the names of these columns; `session` only
+/// where the file has several recordings. Errors: those of check_frames(); bad_access; bad_data for columns that are
+/// missing, times that do not increase, and no rates at all; bad_argument for a recording that there is not.
 [[nodiscard]] ORISPLINE_EXPORT Expected<RateRows> read_rates(Input file, const ReadOptions& options = {});
 /// Those of a file that was opened before.
 [[nodiscard]] ORISPLINE_EXPORT Expected<RateRows> read_rates(KeyInput input, const ReadOptions& options = {});

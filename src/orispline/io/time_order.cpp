@@ -2,6 +2,10 @@
 #include <orispline/io/time_order.hpp>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+
+#include <orispline/base/formatted.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
@@ -53,11 +57,25 @@ bool would_interleave(std::span<const Decimal> times, std::span<const std::size_
          spans.end();
 }
 
+tl::unexpected<Error> no_such_session(std::size_t session, std::size_t count) {
+  return bad_option("session", formatted("found {}, wanted {}{}", session == 0 ? "all" : std::to_string(session),
+                                         count == 1 ? "1" : formatted("1 to {}", count),
+                                         count == 1 ? ": the file has one recording" : ", which the file has"));
+}
+
+tl::unexpected<Error> mixed_sessions(std::size_t count, Where second) {
+  return mended_by("session",
+                   formatted("found {} recordings one behind the other, the second from here on, which sorting would "
+                             "mix; wanted one of them",
+                             count),
+                   std::move(second));
+}
+
 bool is_far_from_zero(const Decimal& first, const Decimal& last, std::size_t count) {
   constexpr double many_steps = 10.0;
-  if (count < fewest_of_session || first <= Decimal()) return false;
-  return first * Decimal::from_double(static_cast<double>(count - 1)) >
-         (last - first) * Decimal::from_double(many_steps);
+  if (count < fewest_of_session || first < Decimal()) return false;
+  return first == Decimal() || first * Decimal::from_double(static_cast<double>(count - 1)) >
+                                   (last - first) * Decimal::from_double(many_steps);
 }
 
 std::vector<bool> zero_stamps(std::span<const Decimal> times) {
@@ -66,7 +84,8 @@ std::vector<bool> zero_stamps(std::span<const Decimal> times) {
   std::erase(others, Decimal());
   if (others.empty()) return are_zero;
   const auto [least, most] = std::ranges::minmax_element(others);
-  if (!is_far_from_zero(*least, *most, others.size())) return are_zero;
+  const Decimal& first = times.front() == Decimal() ? times.front() : *least;
+  if (!is_far_from_zero(first, *most, others.size())) return are_zero;
   TimeOrder order;
   Decimal latest;
   for (std::size_t i = 0; i < times.size(); ++i) {

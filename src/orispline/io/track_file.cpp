@@ -106,6 +106,8 @@ Expected<TrackFile> read_track_beside(const TrackFile& other, const Input& input
   options.recipe = RecipeUse::ignored;
   options.parameters.clear();
   options.keep_table = options.keep_as_read = options.keep_exact_times = false;
+  if (options.session && !input.is_standard_input())
+    if (const auto count = sessions_in(input, options); count && *count == 1) options.session.reset();
   auto reader = input.is_standard_input() ? KeyReader::open(input, options) : open_beside(other, input, options);
   return std::move(reader).and_then([](KeyReader keys) { return keys.next(); }).and_then([&](KeyFile file) {
     return checked(std::move(file), options, Signs::shortest);

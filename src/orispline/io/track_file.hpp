@@ -42,7 +42,7 @@ struct TrackFile {
 /// The track of a file that stands beside another, such as the truth that keys are compared with, and is read by the
 /// options that were stated for that one, as far as they fit: `--euler` does where it has such angles. An `order` and a
 /// `format` count where both names have the same extension, a `time_scale` where both files are of the same format and
-/// this one states no unit. Its recipe, settings and signs do not count.
+/// this one states no unit, a `session` where it has several. Its recipe, settings and signs do not count.
 ///
 /// Standard input can be read once only: the options hold for it as they are. Errors: those of read_track().
 [[nodiscard]] ORISPLINE_EXPORT Expected<TrackFile> read_track_beside(const TrackFile& other, const Input& input,

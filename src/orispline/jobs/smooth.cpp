@@ -80,14 +80,26 @@ Places places_of_gyro(const SmoothOutcome& outcome) {
           }};
 }
 
-/// `99.1 ms late (σ 0.13 ms), corrected`
+/// `99.1 ms late, σ 0.13 ms: corrected`
 std::string clock_text(const GyroFinding& gyro, bool is_stated) {
   const double ms = gyro.offset * 1e3;
-  if (is_stated) return formatted("{:.4g} ms late, as stated", ms);
+  const char* const side = ms >= 0.0 ? "late" : "early";
+  if (is_stated) return formatted("{:.10g} ms {}, as stated", std::abs(ms), side);
   const std::string sure = gyro.offset_sigma ? formatted("σ {:.2g} ms", *gyro.offset_sigma * 1e3) : "";
   if (gyro.offset == 0.0)
     return sure.empty() ? "its offset cannot be told from this motion" : "no offset found, " + sure;
-  return formatted("{:.5g} ms {}, {}: corrected", std::abs(ms), ms > 0.0 ? "late" : "early", sure);
+  return formatted("{:.5g} ms {}, {}{}", std::abs(ms), side, sure, gyro.used ? ": corrected" : "");
+}
+
+/// Samples before the first rate or behind the last one, on the corrected clock; single ones are left to the curve.
+std::size_t samples_beyond_gyro(const SmoothOutcome& outcome) {
+  constexpr std::ptrdiff_t fewest_to_tell = 3;
+  const std::vector<double>& rates = outcome.request.gyro->times;
+  const double offset = outcome.smoothing.gyro->offset;
+  const auto count = std::ranges::count_if(recording_of(outcome).keys.times(), [&](double t) {
+    return t + offset < rates.front() || t + offset > rates.back();
+  });
+  return count < fewest_to_tell ? 0 : static_cast<std::size_t>(count);
 }
 
 std::string gyro_lines(const SmoothOutcome& outcome) {
@@ -103,6 +115,11 @@ std::string gyro_lines(const SmoothOutcome& outcome) {
   if (gyro.risk)
     text += formatted("  error         {:.4g}° expected with the gyro, {:.4g}° without\n", gyro.risk->with * degrees,
                       gyro.risk->without * degrees);
+  if (const std::size_t beyond = samples_beyond_gyro(outcome); gyro.used && beyond > 0)
+    text +=
+        formatted("  beyond it     {}, {}\n", counted(beyond, "sample"),
+                  smoothing.penalty == Penalty::jerk ? "to which the penalty of the jerk carries the accelerations on"
+                                                     : "at whose end the acceleration is zero");
   if (!gyro.rejected.empty())
     text +=
         formatted("  rejected      {}{}\n", gyro.rejected.size(), places_text(gyro.rejected, places_of_gyro(outcome)));
@@ -185,7 +202,7 @@ Json document_of(const SmoothOutcome& outcome) {
   const Track& recording = recording_of(outcome);
   Json json{{"samples", recording.keys.size()},
             {"rows_written", outcome.samples.value_or(outcome.smoothing.track.keys.size())},
-            {"penalty", word_of(outcome.request.options.penalty)},
+            {"penalty", word_of(outcome.smoothing.penalty)},
             {"loss", word_of(outcome.request.options.loss)}};
   put(json, outcome.smoothing, places_of(recording));
   if (outcome.request.gyro) put(json, outcome.smoothing, {"rejected_gyro"}, places_of_gyro(outcome));

@@ -274,7 +274,8 @@ Expected<void> check_meaning(const SeenPoses& poses, const GyroRates& gyro, cons
     return failure(
         ErrorCode::bad_data,
         formatted("the gyro turns against the orientations: their rates vary by {:.3g} and {:.3g} rad/s, the "
-                  "difference by {:.3g} rad/s, wanted rates of the body in its own frame",
+                  "difference by {:.3g} rad/s, wanted rates of the body in its own frame, and `gyro_offset` where the "
+                  "clocks differ by a quarter of the recording or by 5 s",
                   measured, fitted, difference));
   return {};
 }

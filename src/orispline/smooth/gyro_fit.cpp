@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/median.hpp>
 #include <orispline/math/so3.hpp>
@@ -71,6 +72,8 @@ Seen seen_gyro(const GyroPlan& plan, const SeenPoses& poses, double gyro_noise) 
     if (round > 0 && !any) break;
     seen.alignment = aligned(poses, plan.gyro, seen.counts, gyro_noise, seen.alignment, finds_offset);
   }
+  const double span = poses.times.back() - poses.times.front();
+  if (!(seen.alignment.offset_sigma < span)) seen.alignment.offset_sigma.reset();  // the motion does not tell it
   const auto sigma = seen.alignment.offset_sigma;
   if (finds_offset && (!sigma || std::abs(seen.alignment.offset) < sure_offset * *sigma)) {
     seen.alignment.offset = 0.0;
@@ -85,6 +88,21 @@ Seen seen_gyro(const GyroPlan& plan, const SeenPoses& poses, double gyro_noise) 
 void stiffen(SmoothingProblem& problem, const std::vector<bool>& unled, double lambda, double alone) {
   if (std::ranges::count(unled, true) == 0) return;
   for (const bool is_unled : unled) problem.relative_lambdas.push_back(is_unled ? alone / lambda : 1.0);
+}
+
+/// Whether the rates, whose clock is corrected, begin late or end early.
+bool leaves_out_an_end(const std::vector<bool>& unled) {
+  constexpr std::ptrdiff_t fewest = 3;  // intervals
+  const auto first = std::ranges::find(unled, false);
+  const auto last = std::find(unled.rbegin(), unled.rend(), false);
+  return first - unled.begin() >= fewest || last - unled.rbegin() >= fewest;
+}
+
+/// The λ of the jerk's penalty with the smoothing time of one of the acceleration's.
+double lambda_of_jerk(double of_acceleration, const SeenPoses& poses) {
+  const double interval = median_interval(poses.times);
+  return lambda_of(smoothing_time_of(of_acceleration, Penalty::acceleration, poses.noise, interval), Penalty::jerk,
+                   poses.noise, interval);
 }
 
 /// λ by the restricted likelihood; what the fit with it may begin with is returned.
@@ -135,6 +153,11 @@ Expected<GyroFit> fitted(const GyroPlan& plan, const SeenPoses& poses, const See
   result.problems.push_back(std::move(rows.problem));
   StretchFits start{{{.nodes = std::move(rows.start)}}};
   objective.bias = SmoothingObjective::Bias::constant;
+  if (alone && !plan.options.penalty && !plan.options.smoothing_time && leaves_out_an_end(rows.unled)) {
+    // Else the acceleration would be zero at that end, though the rates have told it up to there.
+    objective.penalty = Penalty::jerk;
+    alone = lambda_of_jerk(*alone, poses);
+  }
   if (plan.options.smoothing_time)
     objective.lambda = lambda_of(*plan.options.smoothing_time, objective.penalty, poses.noise, result.interval);
   else start = choose_lambda(result, start, objective);
@@ -198,7 +221,7 @@ Expected<void> check_gyro(const GyroPlan& plan) {
   const auto& times = plan.gyro.times;
   if (times.size() < fewest_rates)
     return failure(ErrorCode::bad_data,
-                   formatted("found {} rates of the gyro, wanted at least {}", times.size(), fewest_rates));
+                   formatted("found {} of the gyro, wanted at least {}", counted(times.size(), "rate"), fewest_rates));
   if (times.size() != plan.gyro.rates.size())
     return failure(ErrorCode::bad_data,
                    formatted("found {} times and {} rates of the gyro, wanted one rate for each time", times.size(),
@@ -211,7 +234,8 @@ Expected<void> check_gyro(const GyroPlan& plan) {
                                k, times[k]));
   const auto poses = plan.recording.times();
   const double offset = plan.options.gyro_offset.value_or(0.0), span = poses.back() - poses.front();
-  if (std::abs(offset) >= span && span > 0.0)
+  const bool one_clock = plan.gyro.clock == GyroRates::Clock::of_the_recording;
+  if (one_clock && std::abs(offset) >= span && span > 0.0)
     return bad_option(
         "gyro_offset",
         formatted("found {:.6g} s, wanted less than the duration of the recording of {:.6g} s", offset, span));
@@ -219,8 +243,8 @@ Expected<void> check_gyro(const GyroPlan& plan) {
   if (first < poses.back() && last > poses.front()) return {};
   return failure(
       ErrorCode::bad_data,
-      formatted("the rates of the gyro are from {:.6g} s to {:.6g} s and do not overlap the recording, which is "
-                "from {:.6g} s to {:.6g} s, wanted `gyro_offset` for a clock that differs so much",
+      formatted("the rates of the gyro are from {:.12g} s to {:.12g} s and do not overlap the recording, which is "
+                "from {:.12g} s to {:.12g} s, wanted `gyro_offset` for a clock that differs so much, as align finds it",
                 first, last, poses.front(), poses.back()));
 }
 
@@ -241,7 +265,8 @@ Expected<GyroFit> fit_with_counted_turns(const GyroPlan& plan) {
   poses.noise = plan.options.noise.value_or(count->noise);
   Seen seen = all;
   seen.alignment.correction = count->correction;
-  const SmoothingObjective objective{.penalty = plan.options.penalty, .work = &plan.work};
+  const SmoothingObjective objective{.penalty = plan.options.penalty.value_or(Penalty::acceleration),
+                                     .work = &plan.work};
   return fitted(plan, poses, seen, gyro_noise_of(plan), objective, {}).map([](GyroFit fit) {
     fit.finding.used = true;
     fit.residual_noise = fit.noise;

@@ -23,6 +23,9 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
+/// Without a gyro.
+Penalty penalty_of(const SmoothOptions& options) { return options.penalty.value_or(Penalty::acceleration); }
+
 /// Below them the samples are joined as they are; above, a steady rotation is left or rounding decides.
 Interval smoothing_times(const Keyframes& recording, Penalty penalty) {
   const double interval = median_interval(recording.times()),
@@ -36,7 +39,7 @@ Interval smoothing_times(const Keyframes& recording, Penalty penalty) {
 Expected<void> check_recording(const Keyframes& recording, const SmoothOptions& options) {
   if (auto checked = check(options); !checked) return checked;
   if (options.smoothing_time && recording.size() > 1) {
-    const Interval range = smoothing_times(recording, options.penalty);
+    const Interval range = smoothing_times(recording, penalty_of(options));
     if (!range.contains(*options.smoothing_time))
       return bad_option("smoothing_time", formatted("found {:.6g} s, wanted {}", *options.smoothing_time,
                                                     text_of(range, &quantities::time)));
@@ -117,7 +120,7 @@ Expected<SmoothedPositions> smooth_positions(const Keyframes& recording, const S
   scale.resolution = rounding_of_fits * extent_of(recording.positions(), scale.origin);
   scale.unit = options.position_noise.value_or(std::max(scale.resolution, local));
   const bool chosen = options.position_noise || !options.smoothing_time;
-  const SearchPlan plan{.penalty = options.penalty,
+  const SearchPlan plan{.penalty = penalty_of(options),
                         .loss = options.loss,
                         .criterion = options.position_noise ? SmoothingCriterion::ubre : SmoothingCriterion::gcv,
                         .smoothing_time = chosen ? std::nullopt : options.smoothing_time,
@@ -204,7 +207,7 @@ class Smoother {
 
  private:
   [[nodiscard]] SearchPlan plan() const {
-    return {.penalty = options_.penalty,
+    return {.penalty = penalty_of(options_),
             .loss = options_.loss,
             .criterion = options_.noise ? SmoothingCriterion::ubre : SmoothingCriterion::gcv,
             .smoothing_time = options_.smoothing_time,
@@ -285,6 +288,7 @@ class Smoother {
     result_.criterion = found.criterion;
     result_.edge = found.edge;
     result_.chosen_on = found.chosen_on;
+    result_.penalty = penalty_of(options_);
     result_.lambda = search_->lambda();
     result_.smoothing_time = search_->smoothing_time();
     result_.smoothing_times = search_->smoothing_times();
@@ -301,7 +305,8 @@ class Smoother {
       result_.chosen_on = fit.chosen->times;
     }
     result_.lambda = fit.objective.lambda;
-    result_.smoothing_time = smoothing_time_of(fit.objective.lambda, options_.penalty, fit.noise, fit.interval);
+    result_.smoothing_time = smoothing_time_of(fit.objective.lambda, fit.objective.penalty, fit.noise, fit.interval);
+    result_.penalty = fit.objective.penalty;
     if (options_.sigma) result_.sigmas = node_sigmas(fit.problems.front(), fit.objective, fit.fits.fits.front().nodes);
     take_fits(fit.fits);
     result_.noise = fit.residual_noise;
@@ -456,7 +461,7 @@ Expected<Smoothing> smoothed(const Request& request) {
   if (!noises->empty() && request.options.noise)
     return bad_option("noise", "found the noise of every sample in the recording as well, wanted one of them");
   return check_recording(keys, request.options)
-      .and_then([&] { return stretches_of(keys, request.options.penalty, request.options.gap); })
+      .and_then([&] { return stretches_of(keys, penalty_of(request.options), request.options.gap); })
       .and_then([&](std::vector<Stretch> stretches) { return smoothed(request, *noises, std::move(stretches)); })
       .and_then([&](Smoothed found) -> Expected<Smoothing> {
         auto track = track_of(request, found);
@@ -473,6 +478,7 @@ Expected<Smoothing> smoothed(const Request& request) {
         if (progress.stopped()) return cancellation();
         measure_positions(smoothing, keys);
         smoothing.warnings = warnings_of(smoothing, request.options);
+        if (auto jumps = jumps_followed(smoothing, keys)) smoothing.warnings.push_back(std::move(*jumps));
         progress.at(1.0);
         return std::move(smoothing);
       });

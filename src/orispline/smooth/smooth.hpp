@@ -55,8 +55,9 @@ struct GyroRates {
 
 /// How a recording is to be smoothed. What is absent is estimated from it.
 struct SmoothOptions {
-  Penalty penalty = Penalty::acceleration;
-  std::optional<double> noise{};           ///< σ of the orientations per axis [rad], 1e-7 to 0.5
+  std::optional<Penalty> penalty{};  ///< absent: the acceleration, or the jerk with a gyro that leaves out an end of
+                                     ///< the recording, to which its accelerations are carried on
+  std::optional<double> noise{};     ///< σ of the orientations per axis [rad], 1e-7 to 0.5
   std::optional<double> smoothing_time{};  ///< τ [s]; not together with `noise`. A thousandth of the median interval to
                                            ///< ten durations, for the jerk 5000 intervals
   Loss loss = Loss::robust;
@@ -156,9 +157,10 @@ struct ORISPLINE_EXPORT Smoothing {
   std::optional<NodeSigmas> sigmas{};  ///< of these nodes, where they were asked for
   std::vector<Stretch> stretches{};    ///< one, without gaps
   std::vector<std::size_t> samples_in_short_stretches{};  ///< keys of stretches too short to tell noise from motion
-  double smoothing_time = 0.0;            ///< τ [s]; where it varies, its geometric mean over intervals
-  std::vector<double> smoothing_times{};  ///< τ at every key [s], where it varies in time; else empty
-  double lambda = 0.0;                    ///< weight of the penalty against |r|²/σ²
+  double smoothing_time = 0.0;              ///< τ [s]; where it varies, its geometric mean over intervals
+  std::vector<double> smoothing_times{};    ///< τ at every key [s], where it varies in time; else empty
+  Penalty penalty = Penalty::acceleration;  ///< of the orientations
+  double lambda = 0.0;                      ///< weight of the penalty against |r|²/σ²
   double noise = 0.0;        ///< σ of the orientations per axis [rad], estimated from the residuals, or as stated
   double local_noise = 0.0;  ///< estimated from neighbouring samples [rad]
   /// σ of every sample of the recording per axis [rad], by which they are weighed: as stated, or where it was found to

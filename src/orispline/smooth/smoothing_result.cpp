@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/fields/field_info.hpp>
 #include <orispline/math/degrees.hpp>
@@ -14,10 +15,11 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-constexpr std::size_t motion_run = 3;  // of rejected samples; the loss tukey may have it
-constexpr double many = 0.01;          // as a share of the samples
-constexpr double contradiction = 1.2;  // of a stated noise
-constexpr double wanted_step = 1e-6;   // [rad] of the last step of the iteration
+constexpr std::size_t motion_run = 3;            // of rejected samples; the loss tukey may have it
+constexpr double many = 0.01;                    // as a share of the samples
+constexpr double contradiction = 1.2;            // of a stated noise
+constexpr double jump = 0.5 * std::numbers::pi;  // [rad] from sample to sample
+constexpr double wanted_step = 1e-6;             // [rad] of the last step of the iteration
 
 double cutoff_of(double smoothing_time) { return 1.0 / (2.0 * std::numbers::pi * smoothing_time); }
 
@@ -73,6 +75,15 @@ Warning many_rejected(std::string_view code, std::string_view what, std::size_t 
           .numbers = {{"samples", static_cast<double>(rejected)}}};
 }
 
+Warning jumps_followed_at(std::size_t first, std::size_t count) {
+  return {.code = "jumps_followed",
+          .message = formatted("{} turn{} by more than 90° from the one before and {} followed as motion; if they are "
+                               "faults, as where markers were swapped, set `loss` to huber",
+                               counted(count, "sample"), count == 1 ? "s" : "", count == 1 ? "is" : "are"),
+          .where = {.key = first},
+          .numbers = {{"samples", static_cast<double>(count)}}};
+}
+
 /// Over all axes.
 double root_mean_square(const std::vector<Eigen::Vector3d>& vectors) {
   double sum = 0.0;
@@ -110,6 +121,18 @@ bool are_many(std::size_t rejected, std::size_t all) {
 }
 
 }  // namespace
+
+std::optional<Warning> jumps_followed(const Smoothing& smoothing, const Keyframes& recording) {
+  const auto q = recording.orientations();
+  std::optional<std::size_t> first;
+  std::size_t count = 0;
+  for (const std::size_t i : smoothing.retained_outlier_runs) {
+    if (i == 0 || angular_distance(q[i - 1], q[i]) <= jump) continue;
+    if (!first) first = i;
+    ++count;
+  }
+  return first ? std::optional(jumps_followed_at(*first, count)) : std::nullopt;
+}
 
 std::optional<double> PositionSmoothing::cutoff() const noexcept {
   return smoothing_time ? std::optional(cutoff_of(*smoothing_time)) : std::nullopt;

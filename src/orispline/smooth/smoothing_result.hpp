@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <orispline/smooth/smooth.hpp>
@@ -15,6 +16,9 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// the last step of the iteration still moved by `step_rad`; `gyro_left_out`: the orientations come out better without
 /// the gyro; `noise_contradicted`: beside a gyro the residuals of the orientations are not those of the stated noise.
 [[nodiscard]] std::vector<Warning> warnings_of(const Smoothing& smoothing, const SmoothOptions& options = {});
+
+/// `jumps_followed`: so many `samples` that are far, but were kept, turn by more than 90° from the one before.
+[[nodiscard]] std::optional<Warning> jumps_followed(const Smoothing& smoothing, const Keyframes& recording);
 
 /// From the nodes to the recording that they smooth: to all samples, or to those that are not rejected.
 enum class CountedSamples { all, accepted };
