@@ -78,9 +78,10 @@ for (const options of [{}, phone])
 
 const keys = { t: [0], q: [1, 0, 0, 0], p: [] };
 const still = { t: [0], q: [1, 0, 0, 0], w: [0, 0, 0], a: [0, 0, 0], j: [0, 0, 0], torque: [], p: [], error_t: [], error_deg: [] };
-reportWith('of one key has measures only', { keys, methods: [method('constant', { samples: still })] }, async (page) => {
+reportWith('of one key has measures only, and says why', { keys, methods: [method('constant', { samples: still })] }, async (page) => {
   assert.equal(await page.locator('tbody tr').count(), 1);
   assert.equal(await page.locator('canvas').count(), 0);
+  assert.match(await page.locator('.scenes').textContent(), /one key is where it is at all times/);
 });
 
 const scattered = [method('gap', { measures: {} }), method('large', { measures: { cost: 9 } }), method('null', { measures: { cost: null } }), method('small', {})];
