@@ -71,7 +71,7 @@ function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, dra
   return {
     width,
     height,
-    padding: [10, 12, 0, 0],
+    padding: [10, 24, 0, 0], // at the right half of the name of a moment
     legend: { show: false },
     scales: { x: { time: false }, y: { range } },
     axes: [
