@@ -188,7 +188,7 @@ onPage('has table and motion on the first screen of a laptop', { viewport: { wid
 /** The page of one motion, of the data of the first ones. */
 function alone() {
   const one = structuredClone(data);
-  one.skeleton.after = '';
+  Object.assign(one.skeleton, { after: '', unit: '' });
   for (const clip of one.skeleton.clips) {
     Object.assign(clip.poses, { after: [], offset_step: 1 });
     for (const counts of [clip.rotation_keys, clip.translation_keys, ...clip.joints.map(({ keys }) => keys)]) counts[1] = 0;
@@ -213,7 +213,7 @@ for (const [name, options] of [['', {}], [' on a phone', phone]])
     assert.ok(Math.abs((await clock(page)) - farthest) < 0.01); // where something happens
     assert.doesNotMatch(await sceneCaption(page), /small\.glb|farthest/);
     assert.match(await sceneCaption(page), /arm\.glb/);
-    assert.match(await caption(page, 'distance'), /Shell distance from where the clip begins in the world/);
+    assert.match(await caption(page, 'distance'), /Shell distance from where the clip begins in the world \[units\]/);
     assert.equal(await page.locator('label.choice:has-text("Differences")').count(), 0);
     await page.locator('.measures tbody tr').nth(2).click();
     await drawn(page);
