@@ -84,6 +84,16 @@ reportWith('of one key has measures only, and says why', { keys, methods: [metho
   assert.match(await page.locator('.scenes').textContent(), /one key is where it is at all times/);
 });
 
+const whenSampled = [0, 0.9].flatMap((from) => Array.from({ length: 20 }, (_, i) => from + i / 1000));
+const withHole = { ...samples, error_t: whenSampled, error_deg: whenSampled.map(() => 1) };
+reportWith('draws no errors where nothing was measured', { methods: [method('a', { samples: withHole })] }, async (page) => {
+  const [line] = await page.evaluate(() => viewer.plotted('error').map(({ t, values }) => ({ t: [...t], values: [...values] })));
+  assert.deepEqual(line.t.filter((_, i) => Number.isNaN(line.values[i])).map((time) => time.toFixed(4)), ['0.4595']);
+  assert.equal(line.t.length, whenSampled.length + 1);
+  await page.evaluate(() => viewer.choose({ time: 0.5 }));
+  assert.match(await page.locator('[data-quantity=error] figcaption').textContent(), /a –/);
+});
+
 const scattered = [method('gap', { measures: {} }), method('large', { measures: { cost: 9 } }), method('null', { measures: { cost: null } }), method('small', {})];
 reportWith('sorts missing values to the end both ways', { methods: scattered, sorted_by: 'cost' }, async (page) => {
   const names = () => page.locator('tbody th').allTextContents();
