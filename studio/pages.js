@@ -23,5 +23,23 @@ export const sealed = ({ notices = [], scripts = '', workers = '' } = {}) => ({
   },
 });
 
+const shaderText = /^((?:var|const) \S+ = )"(.*)";$/gm; // as three's modules are built
+
+/** Without comments, and without spaces but those that part words and directives. */
+const short = (shader) =>
+  shader
+    .replaceAll('\\t', ' ')
+    .split('\\n')
+    .map((line) => line.replace(/\/\/.*/, '').trim().replace(/ +/g, ' '))
+    .filter(Boolean)
+    .map((line) => (line.startsWith('#') ? line : line.replace(/ ?([-+*/=<>!&|,;:?(){}[\]]) ?/g, '$1')))
+    .join('\\n');
+
+/** The shaders of three as short as they can be: what makes scripts short leaves texts as they are. */
+export const shortShaders = {
+  name: 'short-shaders',
+  transform: (code, id) => (id.endsWith('/three.module.js') ? { code: code.replace(shaderText, (_, start, shader) => `${start}"${short(shader)}";`), map: null } : null),
+};
+
 /** The sources of the npm package, of which the studio takes what it needs. */
 export const library = { find: /^orispline\//, replacement: placeOf('../bindings/npm/src/') };

@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 import { defineConfig } from 'vite';
 import { viteSingleFile } from 'vite-plugin-singlefile';
-import { library, placeOf, sealed } from '../pages.js';
+import { library, placeOf, sealed, shortShaders } from '../pages.js';
 
 const notices = [`The compiled library, and of what that contains:\n\n${readFileSync(placeOf('../THIRD_PARTY'), 'utf8').trim()}`];
 
@@ -26,7 +26,7 @@ const { wanted } = JSON.parse(readFileSync(new URL('src/document/browsers.json',
 const withBrowsers = { name: 'with-browsers', transformIndexHtml: (html) => html.replace('__ORISPLINE_BROWSERS__', wanted) };
 
 export default defineConfig({
-  plugins: [viteSingleFile(), sealed({ notices, scripts: " 'wasm-unsafe-eval'", workers: '; worker-src blob:' }), withModule, withBrowsers],
+  plugins: [shortShaders, viteSingleFile(), sealed({ notices, scripts: " 'wasm-unsafe-eval'", workers: '; worker-src blob:' }), withModule, withBrowsers],
   resolve: { alias: [library] },
   server: { fs: { allow: ['../..'] } },
   build: { target: 'es2022', modulePreload: false, reportCompressedSize: false },

@@ -78,9 +78,20 @@ for (const options of [{}, phone])
 
 const keys = { t: [0], q: [1, 0, 0, 0], p: [] };
 const still = { t: [0], q: [1, 0, 0, 0], w: [0, 0, 0], a: [0, 0, 0], j: [0, 0, 0], torque: [], p: [], error_t: [], error_deg: [] };
-reportWith('of one key has measures only', { keys, methods: [method('constant', { samples: still })] }, async (page) => {
+reportWith('of one key has measures only, and says why', { keys, methods: [method('constant', { samples: still })] }, async (page) => {
   assert.equal(await page.locator('tbody tr').count(), 1);
   assert.equal(await page.locator('canvas').count(), 0);
+  assert.match(await page.locator('.scenes').textContent(), /one key is where it is at all times/);
+});
+
+const whenSampled = [0, 0.9].flatMap((from) => Array.from({ length: 20 }, (_, i) => from + i / 1000));
+const withHole = { ...samples, error_t: whenSampled, error_deg: whenSampled.map(() => 1) };
+reportWith('draws no errors where nothing was measured', { methods: [method('a', { samples: withHole })] }, async (page) => {
+  const [line] = await page.evaluate(() => viewer.plotted('error').map(({ t, values }) => ({ t: [...t], values: [...values] })));
+  assert.deepEqual(line.t.filter((_, i) => Number.isNaN(line.values[i])).map((time) => time.toFixed(4)), ['0.4595']);
+  assert.equal(line.t.length, whenSampled.length + 1);
+  await page.evaluate(() => viewer.choose({ time: 0.5 }));
+  assert.match(await page.locator('[data-quantity=error] figcaption').textContent(), /a –/);
 });
 
 const scattered = [method('gap', { measures: {} }), method('large', { measures: { cost: 9 } }), method('null', { measures: { cost: null } }), method('small', {})];

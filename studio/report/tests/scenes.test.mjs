@@ -167,6 +167,17 @@ scenesWith('are a sentence where there is no WebGL', many, async (page) => {
   assert.ok((await page.locator('.plots figure:visible').count()) > 3);
 }, { first: withoutGraphics });
 
+const few = times(9, 1);
+const along = (places) => places.flatMap((x) => [x, 0, 0]);
+const moved = (places) => ({ ...many, keys: { t: few, q: turned(few, 0.5), p: along(places) }, methods: [method('a', few, 0.5, { p: along(places) })] });
+for (const [what, places] of [['rests at most of its keys', [0, 0, 0, 0, 0, 1, 1, 1, 1]], ['never leaves its place', few.map(() => 7)]])
+  scenesWith(`have a ground of the size of the steps of a body that ${what}`, moved(places), async (page) => {
+    for (const place of ['follow', 'path']) {
+      await page.evaluate((chosen) => viewer.choose({ place: chosen }), place);
+      assert.match(await page.locator('.first .scale').textContent(), /^squares of (5|10|20|50) cm$/, place);
+    }
+  });
+
 scenesWith('are printed as they are shown', many, async (page) => {
   await page.emulateMedia({ media: 'print' });
   for (const which of ['first', 'second', 'sphere']) {

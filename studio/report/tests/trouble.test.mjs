@@ -50,6 +50,13 @@ reportWith('on paper there is no bar, and tables and plots are whole', large, as
   assert.deepEqual(measures, [0, 0]);
   const cut = await page.locator('.plots canvas').evaluateAll((all) => all.filter((one) => one.getBoundingClientRect().right > one.closest('figure').getBoundingClientRect().right || one.offsetHeight === 0).length);
   assert.equal(cut, 0);
+  const shifted = await page.locator('.stages .frame:visible').evaluateAll((all) =>
+    all.filter((frame) => {
+      const [picture, names] = ['canvas', 'svg'].map((part) => frame.querySelector(part).getBoundingClientRect());
+      return ['x', 'y', 'width', 'height'].some((side) => Math.abs(picture[side] - names[side]) > 1);
+    }).length,
+  );
+  assert.equal(shifted, 0); // names stand where they are in the picture
   assert.equal(await page.getByText('Three.').isVisible(), true);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 1032);
   const [, width, height] = /MediaBox ?\[0 0 ([\d.]+) ([\d.]+)\]/.exec((await page.pdf({ preferCSSPageSize: true })).toString('latin1')).map(Number);

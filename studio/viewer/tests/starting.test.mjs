@@ -23,7 +23,15 @@ test('without errors it is where both methods differ most', () => {
   assert.equal(startingTime(method({ error_deg: list(0, 1e-6, 0) }), turnedAt1, 0), 1);
 });
 
-test('else it is the start: where both are the same, or one is alone, or has a clock of its own', () => {
+test('else it is where the first one turns fastest: where both are the same, or one is alone, or has a clock of its own', () => {
+  const turning = method({ w: list(0, 0, 1, 0, 3, 0, 2, 0, 0) });
+  const clock = { t: list(0, 2), own: list(0, 1) };
+  assert.equal(startingTime(turning, undefined, 0), 1);
+  assert.equal(startingTime(turning, turning, 0), 1);
+  assert.equal(startingTime(turning, method({ q: turnedAt1.samples.q }, clock), 0), 1);
+});
+
+test('else it is the start: where nothing turns, or the first one has a clock of its own', () => {
   assert.equal(startingTime(method(), method(), 0), 0);
   assert.equal(startingTime(turnedAt1, undefined, 0.25), 0.25);
   assert.equal(startingTime(undefined, undefined, 0), 0);

@@ -37,6 +37,7 @@ export function methodMenus(store: Store): HTMLElement[] {
       firstSelect.replaceChildren(...names.map((name) => new Option(name)));
       secondSelect.replaceChildren(new Option('none', ''), ...names.map((name) => new Option(name)));
     }
+    second.hidden = names.length < 2;
     firstSelect.value = state.first ?? '';
     secondSelect.value = state.second ?? '';
   });

@@ -73,7 +73,7 @@ const clipOf = ({ poses, errors, joints, ...clip }: Written<Clip>): Clip => ({
   joints: joints.map((joint) => ({ ...joint, key_t: numbersOf(joint.key_t) })),
 });
 
-const skeletonOf = ({ clips, ...skeleton }: Written<Skeleton>): Skeleton => ({ ...skeleton, clips: clips.map(clipOf) });
+const skeletonOf = ({ clips, unit, ...skeleton }: Written<Skeleton>): Skeleton => ({ ...skeleton, unit: unit || 'units', clips: clips.map(clipOf) });
 
 /** Throws a sentence where it cannot be read. */
 export function readDocument({ data = 1, keys, reference, marks, methods, skeleton, ...rest }: ReportDocument): Report {

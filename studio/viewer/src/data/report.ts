@@ -121,7 +121,7 @@ export interface Clip {
 export interface Skeleton {
   before: string; // what the motions are called
   after: string; // empty: there is only the one before, and errors are from where a clip begins
-  unit: string; // of lengths; empty: not known
+  unit: string; // of lengths
   shell: number;
   up: 'y' | 'z';
   angle_limit: number | null; // [deg]

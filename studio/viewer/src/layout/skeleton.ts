@@ -55,7 +55,7 @@ function controls({ choose, subscribe }: Store, skeleton: Skeleton, scene: Skele
 export function showSkeleton(store: Store, skeleton: Skeleton, { main, measures, scenes, plots, playback, keys }: Places): PlottedOf {
   const { clips } = skeleton;
   if (clips.length === 0 || skeleton.joints.length === 0) return () => [];
-  const time = isAlone(skeleton) ? clips[0].start : clips[0].joints[worstJoint(clips[0], 'distance')].distance[1];
+  const [, time] = clips[0].joints[worstJoint(clips[0], 'distance')].distance;
   const isOne = skeleton.joints.length === 1; // a body, of which the path is all that can be seen
   store.choose({ ...withClip(clips, 0, time), joint: firstJoint(skeleton, clips[0]), place: isOne ? 'path' : 'follow' });
   main.classList.add('of-skeleton');

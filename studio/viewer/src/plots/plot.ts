@@ -71,7 +71,7 @@ function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, dra
   return {
     width,
     height,
-    padding: [10, 12, 0, 0],
+    padding: [10, 24, 0, 0], // at the right half of the name of a moment
     legend: { show: false },
     scales: { x: { time: false }, y: { range } },
     axes: [
@@ -253,7 +253,7 @@ export class Plot {
       return element('span', {}, swatch, `${label} `, this.values[k]);
     });
     const ordered = [...names.filter((_, k) => !lines[k].yields), ...names.filter((_, k) => lines[k].yields)]; // what is drawn on top is named first
-    this.caption.replaceChildren(element('strong', {}, title), ...(unit ? [element('small', {}, ` [${unit}] `)] : []), ...ordered, ...this.legend(), this.cut);
+    this.caption.replaceChildren(element('strong', {}, title, ...(unit ? [element('small', {}, ` [${unit}] `)] : [])), ...ordered, ...this.legend(), this.cut);
     this.writeCuts();
     this.showTime(this.store.current());
   }

@@ -7,7 +7,9 @@ import { typeset } from '../look/number';
 import { widths, wordsOf, type Colours } from '../look/theme';
 import { angleApartAt, angleFromStartAt, anglesApart, anglesFromStart, chordTolerance } from '../motion/lines';
 import type { State, Store } from '../store/store';
-import { straight, type Course, type Line, type Quantity } from './quantity';
+import { brokenAfter, straight, type Course, type Line, type Quantity } from './quantity';
+
+const unmeasured = 100; // intervals between samples: a recording has a hole there
 
 type Rate = 'w' | 'a' | 'j' | 'torque';
 type Drawn = Pick<Line, 'course' | 'valueAt'>;
@@ -90,7 +92,7 @@ class Quantities {
 
   error(): Quantity {
     const { marks } = this.store.report;
-    const errors = once(({ t, error_t, error_deg }: Samples): Course => ({ t: error_t.length > 0 ? error_t : t, values: this.inUnitOf('error', error_deg) }));
+    const errors = once(({ t, error_t, error_deg }: Samples) => brokenAfter(unmeasured, { t: error_t.length > 0 ? error_t : t, values: this.inUnitOf('error', error_deg) }));
     return {
       id: 'error',
       title: wordsOf('error').title,

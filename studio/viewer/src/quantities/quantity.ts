@@ -56,3 +56,15 @@ export function onCourse({ t, values }: Course, time: number): number {
 
 /** What a line has that is drawn straight between its values. */
 export const straight = (course: () => Course): Pick<Line, 'course' | 'valueAt'> => ({ course, valueAt: (time) => onCourse(course(), time) });
+
+/** Broken where an interval is so many times as long as half of them are: nothing was measured there. */
+export function brokenAfter(many: number, { t, values }: Course): Course {
+  const steps = Float64Array.from({ length: Math.max(t.length - 1, 0) }, (_, i) => t[i + 1] - t[i]);
+  const longest = many * steps.slice().sort()[steps.length >> 1];
+  const shown: [number, number][] = [];
+  for (let i = 0; i < values.length; ++i) {
+    shown.push([t[i], values[i]]);
+    if (longest > 0 && steps[i] > longest) shown.push([t[i] + steps[i] / 2, NaN]);
+  }
+  return { t: Float64Array.from(shown, ([time]) => time), values: Float64Array.from(shown, ([, value]) => value) };
+}

@@ -9,10 +9,13 @@ import { thinned } from './thinned';
 const mostOutline = 400; // points of an outline
 const unseen = 1e-3; // length of the scene, a tenth of a pixel
 
-/** Half of the keys are farther from the next one than this [m]. */
-function medianStep({ p }: Keys): number {
+const resting = 1e-6; // of the size of a path, or of a metre: what moves less stands still
+
+/** Of the steps from key to key that are longer than this half are longer [m]; a metre where there are none. */
+function medianStep({ p }: Keys, least: number): number {
   const steps = Float64Array.from({ length: Math.max(p.length / 3 - 1, 0) }, (_, i) => Math.hypot(p[3 * i + 3] - p[3 * i], p[3 * i + 4] - p[3 * i + 1], p[3 * i + 5] - p[3 * i + 2]));
-  return Math.max(steps.sort()[steps.length >> 1] ?? 0, 1e-9);
+  const moving = steps.filter((step) => step > least).sort();
+  return moving[moving.length >> 1] ?? 1;
 }
 
 /** The least and the largest of each coordinate. */
@@ -32,7 +35,6 @@ export class FlightPath {
   private readonly samples: Samples;
   private readonly keys: Keys;
   private readonly centre = new Vector3();
-  private readonly extent: number; // [m]
 
   /** Scaled to a size as a whole, or so that neighbouring keys are as far from each other. */
   constructor({ samples, keys }: Method, scale: { whole: number } | { step: number }) {
@@ -40,8 +42,9 @@ export class FlightPath {
     this.keys = keys;
     const [low, high] = boxOf(samples.p);
     this.centre.addVectors(low, high).multiplyScalar(0.5);
-    this.extent = Math.max(high.distanceTo(low), 1e-9);
-    this.unit = 'whole' in scale ? scale.whole / this.extent : scale.step / medianStep(keys);
+    const size = high.distanceTo(low);
+    const extent = size > resting ? size : 1;
+    this.unit = 'whole' in scale ? scale.whole / extent : scale.step / medianStep(keys, resting * extent);
     this.low = this.unit * (low.z - this.centre.z);
     this.line = thinned(this.points(), unseen);
   }

@@ -5,6 +5,7 @@ import { WebGLRenderer, type PerspectiveCamera, type Scene } from 'three';
 import type { Store } from '../store/store';
 
 const sharpest = 2; // pixels of the canvas in one of the page
+const slow = 40; // [ms] from a frame with scenes to the next one: less than 25 a second
 
 export interface Size {
   width: number; // pixels of the page
@@ -15,7 +16,12 @@ export class Painter {
   private readonly renderer: WebGLRenderer;
   private readonly size: Size = { width: 0, height: 0 }; // of the last scene
   private readonly watchers: ((isLost: boolean) => void)[] = [];
+  private readonly waiting = new Set<() => void>();
+  private isRunning = false;
+  private painted = 0; // when the last frame was that had scenes [ms]; 0: none
+  private isSlow = false;
   private isLost = false;
+  private ended = false;
 
   constructor(store: Store, context: WebGL2RenderingContext) {
     this.renderer = new WebGLRenderer({ canvas: context.canvas, context, alpha: true });
@@ -27,6 +33,7 @@ export class Painter {
     store.listen(domElement, 'webglcontextlost', tell(true));
     store.listen(domElement, 'webglcontextrestored', tell(false));
     store.atEnd(() => {
+      this.ended = true;
       this.renderer.dispose();
       this.renderer.forceContextLoss();
     });
@@ -36,6 +43,29 @@ export class Painter {
   watch(watcher: (isLost: boolean) => void): void {
     this.watchers.push(watcher);
   }
+
+  /**
+   * In the next frame, once, however often it is asked for. Where graphics are slow, such as those without an accelerator, it is one scene a
+   * frame, so that the first one and all else follow the user soon.
+   */
+  ask(paint: () => void): void {
+    this.waiting.add(paint); // behind those that wait
+    if (!this.isRunning) requestAnimationFrame(this.frame);
+    this.isRunning = true;
+  }
+
+  private frame = (now: number): void => {
+    if (this.ended) return;
+    if (this.painted > 0) this.isSlow = now - this.painted > slow;
+    this.isRunning = this.waiting.size > 0;
+    this.painted = this.isRunning ? now : 0;
+    for (const paint of this.waiting) {
+      this.waiting.delete(paint);
+      paint();
+      if (this.isSlow) break;
+    }
+    if (this.isRunning) requestAnimationFrame(this.frame); // if but to see how long it took
+  };
 
   /** Hands the picture over as it is: to copy it would wait for the graphics. */
   paint(scene: Scene, camera: PerspectiveCamera, canvas: HTMLCanvasElement, size: Size): void {

@@ -27,8 +27,6 @@ export class Stage {
   readonly canvas = element('canvas', { attributes: { role: 'img' } });
   private readonly sky = new HemisphereLight(0xffffff, 0x8c8c94, 1.75);
   private readonly size: Size = { width: 0, height: 0 };
-  private awaited = false;
-  private ended = false;
   private view?: View; // until the user turns the camera
 
   constructor(
@@ -104,18 +102,18 @@ export class Stage {
 
   placeOf = (point: Vector3): Place => this.placesOf([point])[0];
 
-  /** In the next frame, once, however often it is asked for. */
+  /** Soon, once, however often it is asked for. */
   draw(): void {
-    if (this.awaited) return;
-    this.awaited = true;
-    requestAnimationFrame(() => {
-      if (this.ended) return;
-      this.awaited = false;
-      if (this.size.width === 0) return;
-      this.painter.paint(this.scene, this.camera, this.canvas, this.size);
-      this.overlay.update(this.camera, this.size);
-    });
+    this.canvas.setAttribute('aria-busy', 'true');
+    this.painter.ask(this.paint);
   }
+
+  private paint = (): void => {
+    this.canvas.removeAttribute('aria-busy');
+    if (this.size.width === 0) return;
+    this.painter.paint(this.scene, this.camera, this.canvas, this.size);
+    this.overlay.update(this.camera, this.size);
+  };
 
   /** Turns the camera to where the view is seen best, until the user turns it. */
   lookAt(view: View): void {
@@ -139,7 +137,6 @@ export class Stage {
   }
 
   private end(): void {
-    this.ended = true;
     release(this.scene);
     this.controls.dispose();
   }

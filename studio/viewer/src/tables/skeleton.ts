@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The clips, and the joints of the one that is shown: a click on a row shows it, a click on a time leads there.
 import { isAlone, type Clip, type KeyCounts, type Largest, type Skeleton } from '../data/report';
-import { element } from '../look/element';
+import { breakable, element } from '../look/element';
 import { stepped } from '../look/number';
 import { sortable, type Head } from '../look/sortable';
 import { firstJoint, roundingsOf, stepOf, worstJoint, type Kind } from '../motion/poses';
@@ -59,7 +59,7 @@ export function clipTable({ choose, subscribe, moments }: Store, skeleton: Skele
     const line = element(
       'tr',
       { onclick: () => show(clips.indexOf(clip)), attributes: { 'data-clip': clip.name } },
-      element('th', { scope: 'row', title: clip.name }, clip.name),
+      element('th', { scope: 'row', title: clip.name }, ...breakable(clip.name)),
       ...keyCells(skeleton, clip.rotation_keys),
     );
     for (const kind of ['distance', 'angle_deg'] as const) line.append(cell(stepped(largest(clip, kind)[0], stepOf(clip.errors, kind), roundings[kind])), place(clip, kind));
@@ -113,7 +113,7 @@ function jointLines({ choose, moveTo, moments }: Store, skeleton: Skeleton, clip
     return element(
       'tr',
       { onclick: () => choose({ joint: row.joint }), attributes: { 'data-joint': row.name } },
-      element('th', { scope: 'row', title: row.name }, row.name),
+      element('th', { scope: 'row', title: row.name }, ...breakable(row.name)),
       ...keyCells(skeleton, keys),
       ...cellsOf(distance, 'distance', row),
       ...cellsOf(angle_deg, 'angle_deg', row),

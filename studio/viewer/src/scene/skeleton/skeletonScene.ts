@@ -181,12 +181,11 @@ export class SkeletonScene {
       swatch.style.background = colour;
       return element('span', {}, swatch, text, ...more);
     };
-    const length = (text: string) => (unit ? `${text} ${unit}` : text);
     this.caption.replaceChildren(
       element('strong', {}, this.clip.name),
       ...this.motions().map((name, i, all) => sign(name, i < all.length - 1 ? colours.reference : colours.first)),
       sign(joints[joint].name, colours.second),
-      ...(worst ? [sign(`farthest: ${joints[worst.joint].name} `, colours.mark, element('b', {}, length(stepped(worst.distance, this.clip.errors.distance_step))))] : []),
+      ...(worst ? [sign(`farthest: ${joints[worst.joint].name} `, colours.mark, element('b', {}, `${stepped(worst.distance, this.clip.errors.distance_step)} ${unit}`))] : []),
       element('span', {}, `squares of ${this.square()}`),
     );
   }
