@@ -165,6 +165,9 @@ class SmoothWithGyro(CommandTest):
         self.assert_fails("smooth poses.csv --gyro-file since_boot.csv -o nothing.csv", BAD_DATA,
                           "poses.csv: the rates of the gyro are from 86400 s to 86419.99 s and do not overlap the recording, which is from "
                           "0 s to 19.95 s, wanted --gyro-offset for a clock that differs so much, as align finds it")
+        self.assert_fails("smooth poses.csv --gyro-file imu.csv --gyro-offset 30 -o nothing.csv", BAD_USAGE,
+                          "--gyro-offset: found 30 s, which brings the rates to -30 s to -10.01 s, wanted them to overlap the recording, which is "
+                          "from 0 s to 19.95 s")
         self.write("later.csv", "t,wx,wy,wz\n100,0,0,1\n101,0,0,1\n102,0,0,1\n")
         done = self.run_command("smooth poses.csv --gyro-file later.csv -o nothing.csv")
         self.assertEqual(done.returncode, BAD_DATA)

@@ -329,8 +329,8 @@ def test_files_that_hold_no_rates_are_refused(tmp_path):
     for text, kind, message, options in (
             ("t,a\n0,1\n", ori.DataError, "gyro.csv:1: found 't,a', wanted the rates of the body wx, wy and wz", {}),
             ("t,wx,wy,wz\n0,1,2,3\n0,1,2,3\n", ori.DataError,
-             "gyro.csv:3: duplicate time 0, as in line 2, wanted increasing times (drop_duplicates keeps the first)", {}),
-            ("t,wx,wy,wz\n1,1,2,3\n0,1,2,3\n", ori.DataError, "gyro.csv:3: time 0 comes after 1, wanted increasing times (sort orders the rows)", {}),
+             "gyro.csv:3: duplicate time 0, as in line 2, wanted increasing times (drop_duplicates=True keeps the first)", {}),
+            ("t,wx,wy,wz\n1,1,2,3\n0,1,2,3\n", ori.DataError, "gyro.csv:3: time 0 comes after 1, wanted increasing times (sort=True orders the rows)", {}),
             (TWO_GYROS, ori.DataError, "gyro.csv:5: time 0.5 comes after 2, and the rows go on from there: a second recording begins, wanted one", {}),
             (TWO_GYROS, ori.ArgumentError, "session: found 3, wanted 1 to 2, which the file has", {"session": 3}),
             ("t,wx,wy,wz\n", ori.DataError, "gyro.csv: empty: no rates", {}),

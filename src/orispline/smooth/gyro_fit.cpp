@@ -241,6 +241,11 @@ Expected<void> check_gyro(const GyroPlan& plan) {
         formatted("found {:.6g} s, wanted less than the duration of the recording of {:.6g} s", offset, span));
   const double first = times.front() - offset, last = times.back() - offset;
   if (first < poses.back() && last > poses.front()) return {};
+  if (plan.options.gyro_offset)
+    return bad_option("gyro_offset",
+                      formatted("found {:.12g} s, which brings the rates to {:.12g} s to {:.12g} s, wanted them to "
+                                "overlap the recording, which is from {:.12g} s to {:.12g} s",
+                                offset, first, last, poses.front(), poses.back()));
   return failure(
       ErrorCode::bad_data,
       formatted("the rates of the gyro are from {:.12g} s to {:.12g} s and do not overlap the recording, which is "
