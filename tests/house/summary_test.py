@@ -19,7 +19,7 @@ root may write everywhere
   <testcase name="cli.npy" time="3" status="run"><system-out>skipped: Arrays.test_numpy_reads_it: no numpy</system-out></testcase>
   <testcase name="scenes.three" time="4" status="notrun"><skipped message="SKIP_RETURN_CODE=77"/>
     <system-out>skipped: the registry of npm cannot be reached</system-out></testcase>
-  <testcase name="page.browser" time="5" status="notrun"><skipped message="SKIP_RETURN_CODE=77"/>
+  <testcase name="page.report.page" time="5" status="notrun"><skipped message="SKIP_RETURN_CODE=77"/>
     <system-out>page: skipped, Chromium is not here</system-out></testcase>
   <testcase name="package.headers" time="6" status="notrun"><skipped message="Unable to find executable"/></testcase>
 </testsuite>
@@ -33,7 +33,7 @@ Skipped: 5
   io_test: root may write everywhere
   cli.npy: Arrays.test_numpy_reads_it: no numpy
   scenes.three: the registry of npm cannot be reached
-  page.browser: page: skipped, Chromium is not here
+  page.report.page: page: skipped, Chromium is not here
   package.headers: Unable to find executable
 """
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# run.sh FOLDER TEST: one test of the studio in a folder that tests/page/prepare.sh has filled. Where it lacks what the test asks for, it is skipped
-# (exit 77).
+# in_browser.sh FOLDER TEST: one test of the pages or the studio, in Node and, where it wants one, a browser, in a folder that prepare.sh has filled.
+# Where it lacks what the test asks for, it is skipped (exit 77).
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$1"
