@@ -15,7 +15,8 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-KEPT = ROOT / "packaging/abi"
+FOLDER = "packaging/abi"  # of what releases have written
+KEPT = ROOT / FOLDER
 FORM = ("--no-corpus-path", "--no-comp-dir-path", "--no-show-locs", "--no-architecture", "--drop-private-types", "--drop-undefined-syms",
         "--exported-interfaces-only", "--type-id-style", "hash")
 # What others define is theirs to keep; with it the file would be fifty times as long.

@@ -79,8 +79,7 @@ def changes(root):
     """Paths that are not as in the commit, but for folders of releases and what a release has written beside them."""
     lines = git(root, "status", "--porcelain", "-z").split("\0")
     paths = [line.split(maxsplit=1)[1] for line in lines if len(line.split(maxsplit=1)) > 1]
-    written = abi.KEPT.relative_to(ROOT).as_posix()
-    return [path for path in paths if not (root / path / "SHA256SUMS").is_file() and not path.startswith(written)]
+    return [path for path in paths if not (root / path / "SHA256SUMS").is_file() and not path.startswith(f"{abi.FOLDER}/")]
 
 
 def check_tree(root):
@@ -229,7 +228,7 @@ def release(root, version, out):
     finally:
         shutil.rmtree(part, ignore_errors=True)
     print(f"{out}/SHA256SUMS")
-    for path in abi.write(root / "build/deb", root / abi.KEPT.relative_to(ROOT)):
+    for path in abi.write(root / "build/deb", root / abi.FOLDER):
         print(f"{path}: commit it")
 
 

@@ -65,10 +65,6 @@ BestOfOffsets<AlignmentFit> fits_from(std::span<const double> offsets, const Ali
   return fits;
 }
 
-constexpr double told_from = 0.05;  // of a direction of length 1
-
-bool leaves_offset(const OpenDirection& open) { return std::abs(open.offset) > told_from; }
-
 std::string parts_text(const OpenDirection& open) {
   std::vector<std::string> parts;
   const auto turn = [&](const Eigen::Vector3d& v, std::string_view whose) {
@@ -180,9 +176,7 @@ Expected<Alignment> align(const Track& moved, const Track& fixed, const AlignOpt
                              "delayed, wanted two recordings of one motion",
                              alignment.distance.median * degrees));
   alignment.warnings = warnings_of(alignment, *moved_motion, *fixed_motion);
-  const bool is_open = std::ranges::any_of(alignment.open, leaves_offset);
-  if (const auto rival = fits.rival(interval); rival && !is_open)
-    alignment.warnings.push_back(ambiguous_offset(*rival - found));
+  warn_of_rival(alignment, fits, interval);
   return alignment;
 }
 

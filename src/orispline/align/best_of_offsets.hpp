@@ -55,6 +55,14 @@ class BestOfOffsets {
   std::vector<TriedOffset> all_;
 };
 
+/// The least part of an open direction, which has length 1, that is no rounding.
+inline constexpr double told_from = 0.05;
+
+template <class Open>
+[[nodiscard]] bool leaves_offset(const Open& open) {
+  return std::abs(open.offset) > told_from;
+}
+
 /// Of a rival that is so far from the offset that was found [s].
 [[nodiscard]] inline Warning ambiguous_offset(double apart) {
   return {
@@ -63,6 +71,14 @@ class BestOfOffsets {
                            "itself, wanted a longer one, or `offset` where it is known",
                            std::abs(apart)),
       .numbers = {{"apart_s", std::abs(apart)}}};
+}
+
+/// Warns of another offset that is about as good, unless the motion leaves the offset open anyhow.
+template <class Found, class Fit>
+void warn_of_rival(Found& found, const BestOfOffsets<Fit>& fits, double interval) {
+  const auto rival = fits.rival(interval);
+  if (!rival || std::ranges::any_of(found.open, [](const auto& open) { return leaves_offset(open); })) return;
+  found.warnings.push_back(ambiguous_offset(*rival - fits.best()->tried().offset));
 }
 
 }}  // namespace orispline

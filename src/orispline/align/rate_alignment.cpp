@@ -130,25 +130,15 @@ Expected<void> check_fit(const RateFit& fit, const Sides& sides, const RateFitDa
   return {};
 }
 
-constexpr double rates_told_from = 0.05;  // of a direction of length 1
-
-bool leaves_rate_offset(const OpenRateDirection& open) { return std::abs(open.offset) > rates_told_from; }
-
-void warn_of_rival(RateAlignment& found, const BestOfOffsets<RateFit>& fits, const Sides& sides) {
-  const auto rival = fits.rival(sides.interval);
-  if (!rival || std::ranges::any_of(found.open, leaves_rate_offset)) return;
-  found.warnings.push_back(ambiguous_offset(*rival - fits.best()->transform.offset));
-}
-
 std::string parts_text(const OpenRateDirection& open) {
   const auto rounded = [](const Eigen::Vector3d& v) { return Eigen::Vector3d((1e3 * v).array().round() / 1e3 + 0.0); };
   std::vector<std::string> parts;
-  if (open.body.norm() > rates_told_from) {
+  if (open.body.norm() > told_from) {
     const Eigen::Vector3d axis = rounded(open.body.normalized());
     parts.push_back(formatted("a turn of the body about ({}, {}, {})", axis.x(), axis.y(), axis.z()));
   }
-  if (leaves_rate_offset(open)) parts.emplace_back("the offset of the clocks");
-  if (open.bias.norm() > rates_told_from) parts.emplace_back("the bias");
+  if (leaves_offset(open)) parts.emplace_back("the offset of the clocks");
+  if (open.bias.norm() > told_from) parts.emplace_back("the bias");
   return joined(parts, ", ");
 }
 
@@ -251,7 +241,7 @@ Expected<BesidePoses> beside_poses(const GyroTrack& gyro, const Track& body, con
   fit_without_faults(*fit, data, *poses);
   if (auto checked = check_fit(*fit, sides, data); !checked) return tl::unexpected(std::move(checked.error()));
   RateAlignment found = alignment_of(*fit, data, sides, true);
-  warn_of_rival(found, fits, sides);
+  warn_of_rival(found, fits, sides.interval);
   std::vector<bool> is_steady(body.keys.size(), false);
   for (const std::size_t sample : poses->samples) is_steady[sample] = true;
   for (const std::size_t i : fit->rejected) is_steady[poses->samples[i]] = false;
@@ -306,7 +296,7 @@ Expected<RateAlignment> align(const GyroTrack& moved, const GyroTrack& fixed, co
   if (!fit) return too_few_turns(options, sides.interval);
   if (auto checked = check_fit(*fit, sides, data); !checked) return tl::unexpected(std::move(checked.error()));
   RateAlignment found = alignment_of(*fit, data, sides, false);
-  warn_of_rival(found, fits, sides);
+  warn_of_rival(found, fits, sides.interval);
   found.rejected_fixed = rejected_rates(fixed.rates, *fixed_motion, *fit, data);
   return with_signs(std::move(found), options);
 }

@@ -3,14 +3,12 @@
 #include <orispline/io/key_rows.hpp>
 
 #include <algorithm>
-#include <functional>
-#include <iterator>
-#include <numeric>
 #include <utility>
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/key_parts.hpp>
+#include <orispline/io/order_errors.hpp>
 #include <orispline/io/rates_order.hpp>
 #include <orispline/io/time_order.hpp>
 #include <orispline/math/degrees.hpp>
@@ -101,12 +99,12 @@ bool KeyRows::is_zero_stamp() const {
 /// What is wrong with the row whose time does not rise.
 Error KeyRows::out_of_order() const {
   const auto& [time, text, line, after] = *unrising_;
-  const auto error = [&, row = line](std::string_view remedy, std::string message) {
-    return mended_by(remedy, std::move(message), {file_.path, row, std::nullopt, taken_ + file_.data.times.size()})
-        .value();
+  const Where where{file_.path, line, std::nullopt, taken_ + file_.data.times.size()};
+  const auto error = [&where](std::string_view remedy, std::string message) {
+    return mended_by(remedy, std::move(message), where).value();
   };
   if (time == latest_) {
-    const std::string same = formatted("duplicate time {}, as in line {}, wanted increasing times", text, latest_line_);
+    const std::string same = duplicate_time(text, latest_line_);
     if (!repeat_in_runs(time, after)) return error("drop_duplicates", same);
     return error("columns", same +
                                 ": the stamps repeat in runs, since they are coarser than the rows; if another column "
@@ -115,12 +113,12 @@ Error KeyRows::out_of_order() const {
   std::vector<Decimal> times{latest_, time};
   times.insert(times.end(), after.begin(), after.end());
   const bool begins = session_starts(times).size() > 1;
-  const std::string later = formatted("time {} comes after {}", text, latest_.to_string());
   const bool is_zero = time == Decimal() && is_far_from_zero(first_, latest_, taken_ + file_.data.times.size()) &&
                        (after.empty() || after.front() >= latest_ || (after.front() == time && first_ != time));
-  if (is_zero) return error("drop_invalid", later + ", wanted increasing times: no clock said 0 there");
-  if (!begins) return error("sort", later + ", wanted increasing times");
-  return error("session", later + ", and the rows go on from there: a second recording begins, wanted one");
+  if (is_zero)
+    return error("drop_invalid", formatted("time {} comes after {}, wanted increasing times: no clock said 0 there",
+                                           text, latest_.to_string()));
+  return falling_time(text, latest_, begins, where).value();
 }
 
 void KeyRows::note_duplicate(const Pose& dropped) {

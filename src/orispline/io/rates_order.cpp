@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include <orispline/base/formatted.hpp>
 #include <orispline/curve/key_parts.hpp>
+#include <orispline/io/order_errors.hpp>
 #include <orispline/io/time_order.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
@@ -29,18 +29,9 @@ tl::unexpected<Error> out_of_order(const RateRows& rows, std::size_t later, cons
   const Decimal &before = rows.exact_times[later - 1], &time = rows.exact_times[later];
   const Where where{.file = path, .line = rows.lines[later]};
   const std::string text = time.to_string();
-  if (time == before)
-    return mended_by(
-        "drop_duplicates",
-        formatted("duplicate time {}, as in line {}, wanted increasing times", text, rows.lines[later - 1]), where);
-  if (session_starts(std::span(rows.exact_times).subspan(later - 1)).size() > 1)
-    return mended_by("session",
-                     formatted("time {} comes after {}, and the rows go on from there: a second recording begins, "
-                               "wanted one",
-                               text, before.to_string()),
-                     where);
-  return mended_by("sort", formatted("time {} comes after {}, wanted increasing times", text, before.to_string()),
-                   where);
+  if (time == before) return mended_by("drop_duplicates", duplicate_time(text, rows.lines[later - 1]), where);
+  const bool begins = session_starts(std::span(rows.exact_times).subspan(later - 1)).size() > 1;
+  return falling_time(text, before, begins, where);
 }
 
 }  // namespace
@@ -71,8 +62,8 @@ Expected<void> put_in_order(RateRows& rows, const ReadOptions& options, const st
   Places places = places_from(0, times.size());
   if (options.sort) std::ranges::stable_sort(places, {}, [&](std::uint32_t place) { return times[place]; });
   if (options.drop_duplicates) {
-    const auto again = std::ranges::unique(places, {}, [&](std::uint32_t place) { return times[place]; });
-    places.erase(again.begin(), again.end());
+    const auto same = [&](std::uint32_t one, std::uint32_t other) { return times[one] == times[other]; };
+    places.erase(std::unique(places.begin(), places.end(), same), places.end());  // Clang 14 cannot take ranges::unique
   }
   if (options.sort || options.drop_duplicates) rows = rows_at(rows, places);
   const auto unrising = std::ranges::adjacent_find(times, std::ranges::greater_equal());

@@ -2,10 +2,6 @@
 #include <orispline/io/time_order.hpp>
 
 #include <algorithm>
-#include <string>
-#include <utility>
-
-#include <orispline/base/formatted.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
@@ -55,20 +51,6 @@ bool would_interleave(std::span<const Decimal> times, std::span<const std::size_
   std::ranges::sort(spans, {}, &Span::first);
   return std::ranges::adjacent_find(spans, [](const Span& one, const Span& next) { return next.first < one.last; }) !=
          spans.end();
-}
-
-tl::unexpected<Error> no_such_session(std::size_t session, std::size_t count) {
-  return bad_option("session", formatted("found {}, wanted {}{}", session == 0 ? "all" : std::to_string(session),
-                                         count == 1 ? "1" : formatted("1 to {}", count),
-                                         count == 1 ? ": the file has one recording" : ", which the file has"));
-}
-
-tl::unexpected<Error> mixed_sessions(std::size_t count, Where second) {
-  return mended_by("session",
-                   formatted("found {} recordings one behind the other, the second from here on, which sorting would "
-                             "mix; wanted one of them",
-                             count),
-                   std::move(second));
 }
 
 bool is_far_from_zero(const Decimal& first, const Decimal& last, std::size_t count) {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <orispline/base/decimal.hpp>
-#include <orispline/base/expected.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
@@ -40,11 +39,6 @@ class ORISPLINE_EXPORT TimeOrder {
 /// rise in succession are none.
 [[nodiscard]] ORISPLINE_EXPORT bool would_interleave(std::span<const Decimal> times,
                                                      std::span<const std::size_t> starts);
-
-/// Of a recording that is asked for in a file which has so many others; 0 is all of them.
-[[nodiscard]] tl::unexpected<Error> no_such_session(std::size_t session, std::size_t count);
-/// Of so many recordings that sorting would mix; where the second one begins.
-[[nodiscard]] tl::unexpected<Error> mixed_sessions(std::size_t count, Where second);
 
 /// Whether a single time of 0 behind so many others, which go from the first to the last, is none of theirs: 0 was
 /// there before, or is many of their steps away.
