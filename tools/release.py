@@ -4,7 +4,8 @@
 
 The folder is there complete or not at all. It has the sources, the packages of Python, Debian and npm, the studio's page, notices,
 an SPDX document, the recipes with the sum of the sources, and SHA256SUMS. Everything is counted from the commit, its time too.
-release.py stamp: notes that `make check` has passed for this commit, if the tree is clean.
+release.py unchecked: prints the parts of `make check` that have not passed for this commit, all of them where the tree has changes.
+release.py stamp PART: notes that a part has passed for this commit, if the tree is clean.
 release.py twice FOLDER: makes the files of a release in two clones in FOLDER, and tells which of them differ.
 """
 import argparse
@@ -27,7 +28,8 @@ import recipes
 import spdx
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-STAMP = "build/checked"  # the commit that `make check` passed for
+CHECKS = ("test", "clang", "sanitizers", "tsan", "coverage")  # the parts of `make check`
+STAMPS = "build/checked"  # the folder of the commits that they passed for
 NOT_NEEDED = {"ccache"}
 GROUPS = ("build", "python", "wasm", "deb")  # of tools/setup.sh: without one of their packages a part of the release would be missing
 COMMANDS = {"git": "git", "npm": "npm"}  # and their packages
@@ -193,16 +195,17 @@ def make(root, *words):
         raise Refused(f"found that `make {' '.join(words)}` failed, wanted it to pass; nothing was written")
 
 
-def is_checked(root):
-    stamp = root / STAMP
-    return stamp.is_file() and stamp.read_text("utf-8").strip() == git(root, "rev-parse", "HEAD")
+def unchecked(root):
+    commit = None if changes(root) else git(root, "rev-parse", "HEAD")
+    stamps = {part: root / STAMPS / part for part in CHECKS}
+    return [part for part, stamp in stamps.items() if not stamp.is_file() or stamp.read_text("utf-8").strip() != commit]
 
 
-def stamp(root):
+def stamp(root, part):
     if changes(root):
-        return print("release.py: no stamp, for there are changes that are not committed")
-    (root / "build").mkdir(exist_ok=True)
-    return (root / STAMP).write_text(git(root, "rev-parse", "HEAD") + "\n", "utf-8")
+        return print(f"release.py: no stamp for {part}, for there are changes that are not committed")
+    (root / STAMPS).mkdir(parents=True, exist_ok=True)
+    return (root / STAMPS / part).write_text(git(root, "rev-parse", "HEAD") + "\n", "utf-8")
 
 
 def check_all(root, version, out):
@@ -215,7 +218,7 @@ def check_all(root, version, out):
 
 def release(root, version, out):
     check_all(root, version, out)
-    if not is_checked(root):
+    if unchecked(root):
         make(root, "check")
     (root / PAGE).unlink(missing_ok=True)  # where the studio cannot be built its rule keeps the earlier page
     make(root, "release-parts")
@@ -259,15 +262,18 @@ def twice(root, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     orders = parser.add_subparsers(dest="order", required=True)
-    orders.add_parser("stamp")
+    orders.add_parser("unchecked")
+    orders.add_parser("stamp").add_argument("part", choices=CHECKS)
     making = orders.add_parser("make")
     making.add_argument("version")
     making.add_argument("out", type=pathlib.Path, nargs="?")
     doubling = orders.add_parser("twice")
     doubling.add_argument("folder", type=pathlib.Path)
     options = parser.parse_args()
+    if options.order == "unchecked":
+        return print(*unchecked(ROOT))
     if options.order == "stamp":
-        return stamp(ROOT)
+        return stamp(ROOT, options.part)
     try:
         if options.order == "twice":
             return twice(ROOT, options.folder.absolute())

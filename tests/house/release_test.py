@@ -124,15 +124,30 @@ class Release(unittest.TestCase):
         release.COMMANDS = {"no-such-command-here": "npm"}
         self.assertIn("found no debhelper, npm, wanted these packages of Debian", self.refusal())
 
-    def test_the_stamp_is_of_the_commit_and_of_a_clean_tree(self):
+    def stamp_all(self):
+        for part in release.CHECKS:
+            release.stamp(self.root, part)
+
+    def test_a_stamp_is_of_a_part_of_the_commit_and_of_a_clean_tree(self):
         self.repository.write(".gitignore", "/build/\n")
         self.repository.commit()
-        self.assertFalse(release.is_checked(self.root))
-        release.stamp(self.root)
-        self.assertTrue(release.is_checked(self.root))
+        self.assertEqual(release.unchecked(self.root), list(release.CHECKS))
+        release.stamp(self.root, "clang")
+        self.assertEqual(release.unchecked(self.root), [part for part in release.CHECKS if part != "clang"])
+        self.stamp_all()
+        self.assertEqual(release.unchecked(self.root), [])
         self.repository.write("more.txt", "")
+        self.assertEqual(release.unchecked(self.root), list(release.CHECKS))
+        with contextlib.redirect_stdout(io.StringIO()) as said:
+            self.stamp_all()
+        self.assertIn("no stamp for test, for there are changes", said.getvalue())
         self.repository.commit()
-        self.assertFalse(release.is_checked(self.root))
+        self.assertEqual(release.unchecked(self.root), list(release.CHECKS))
+
+    def test_every_part_of_the_check_is_a_target(self):
+        makefile = (ROOT / "Makefile").read_text("utf-8")
+        targets = {name for line in re.findall(r"(?m)^([\w -]+):(?!=)", makefile) for name in line.split()}
+        self.assertLessEqual(set(release.CHECKS), targets)
 
     def test_parts_that_were_not_built_are_refused_by_name(self):
         with self.assertRaisesRegex(release.Refused, r"found 0 files build/python/dist/orispline-3.4.5-\*.whl, wanted 1"):
@@ -160,7 +175,7 @@ class Release(unittest.TestCase):
         for path in (f"python/dist/orispline-{VERSION}-cp310-abi3-any.whl", f"python/dist/orispline-{VERSION}.tar.gz", "studio/studio.html", "npm/lite.wasm",
                      *(f"deb/{name}_{VERSION}-1_amd64.deb" for name in ("orispline", "liborispline-dev", "liborispline3.4"))):
             self.repository.write(f"build/{path}", path)
-        release.stamp(self.root)
+        self.stamp_all()
 
     def test_a_folder_is_complete_and_has_the_same_sums_twice(self):
         self.build_parts()
