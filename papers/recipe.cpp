@@ -61,6 +61,7 @@ std::string measured_shape(const AnyCurve& curve) {
 
 std::vector<pages::NamedCurve> motions_of(const std::vector<Served>& curves, const Keyframes& keys) {
   std::vector<pages::NamedCurve> motions;
+  motions.reserve(curves.size());
   for (const auto& [recipe, curve] : curves) motions.push_back({recipe.label, keys, {curve}});
   return motions;
 }

@@ -59,9 +59,9 @@ template <class Options>
   if (each_session && !options.inputs.folder)
     return usage_failure("--session: found all without --output-folder, wanted that too, or the number of a recording");
   if (!options.inputs.folder)
-    return only_input(options.inputs, command.written).and_then([&](std::string path) {
+    return only_input(options.inputs, command.written).and_then([&](const std::string& path) {
       Options one = options;
-      one.input.path = std::move(path);
+      one.input.path = path;
       return command.work(one);
     });
   const Expected<std::string_view> extension =

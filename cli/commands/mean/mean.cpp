@@ -30,6 +30,7 @@ struct Request {
 
 Expected<Request> request_in(const MeanArguments& options, const std::vector<std::string>& paths) {
   std::vector<OtherFile> others;
+  others.reserve(paths.size());
   for (const std::string& path : paths) others.push_back({"INPUT", path});
   InputOptions first = options.input;
   first.path = paths.front();

@@ -131,6 +131,7 @@ std::vector<Innovation> innovations_of(const RateFitData& data, const std::vecto
 
 double excess_of(const std::vector<Innovation>& innovations) {
   std::vector<double> lengths;
+  lengths.reserve(innovations.size());
   for (const Innovation& one : innovations) lengths.push_back(one.linear.value.norm() / one.sigma);
   return std::max(least_excess, median(std::move(lengths)) / median_length);
 }

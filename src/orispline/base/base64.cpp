@@ -11,11 +11,13 @@ namespace {
 
 constexpr std::string_view base64_letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-constexpr std::array<signed char, 256> base64_values() {
-  std::array<signed char, 256> values{};
-  values.fill(-1);
+constexpr std::uint8_t no_value = 0xFF;
+
+constexpr std::array<std::uint8_t, 256> base64_values() {
+  std::array<std::uint8_t, 256> values{};
+  values.fill(no_value);
   for (std::size_t i = 0; i < base64_letters.size(); ++i)
-    values[static_cast<unsigned char>(base64_letters[i])] = static_cast<signed char>(i);
+    values[static_cast<unsigned char>(base64_letters[i])] = static_cast<std::uint8_t>(i);
   return values;
 }
 
@@ -46,9 +48,9 @@ std::optional<std::string> bytes_from_base64(std::string_view text) {
   std::uint32_t held = 0;
   int bits = 0;
   for (const char letter : text) {
-    const int value = values[static_cast<unsigned char>(letter)];
-    if (value < 0) return std::nullopt;
-    held = held << 6 | static_cast<std::uint32_t>(value);
+    const std::uint8_t value = values[static_cast<unsigned char>(letter)];
+    if (value == no_value) return std::nullopt;
+    held = held << 6 | value;
     bits += 6;
     if (bits < 8) continue;
     bits -= 8;

@@ -84,7 +84,7 @@ Quotient quotient_of(std::string_view digits, std::int64_t exponent) {
   return quotient;
 }
 
-double rounded(Quotient quotient) {
+double rounded(Quotient&& quotient) {
   using Limits = std::numeric_limits<double>;
   auto& [numerator, denominator] = quotient;
   int power = numerator.bits() - denominator.bits();

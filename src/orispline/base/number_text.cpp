@@ -71,7 +71,7 @@ class LeadingDigits {
 
 /// `0.0012`; `point`: the digits before the point, none or fewer.
 char* write_below_one(char* to, const LeadingDigits& digits, int point) {
-  std::memcpy(to, "0.000", 5);
+  std::copy_n("0.000", 5, to);
   to += 2 - point;
   digits.write(to);
   return to + digits.count();
@@ -89,7 +89,7 @@ char* write_units(char* to, const LeadingDigits& digits) {
 char* write_above_one(char* to, const LeadingDigits& digits, int point) {
   digits.write(to);
   if (digits.count() <= point) return to + point;
-  std::array<char, 2 * most_digits> text;
+  std::array<char, std::size_t{2} * most_digits> text;
   digits.write(text.data());
   to[point] = '.';
   std::memcpy(to + point + 1, text.data() + point, most_digits - 1);

@@ -17,7 +17,7 @@ class ORISPLINE_EXPORT Input {
  public:
   /// The file at a path; `-` is standard input.
   template <std::convertible_to<std::string> Path>
-  Input(Path&& path) : name_(std::forward<Path>(path)) {}  // not explicit: a path is an input
+  Input(Path path) : name_(std::move(path)) {}  // not explicit: a path is an input
   /// Bytes as those of a file of that name, whose extension says what they are. Copies share them.
   ///
   /// `beside`: files in memory that these bytes may refer to by their names, such as the buffers of a glTF file.

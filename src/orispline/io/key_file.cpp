@@ -73,7 +73,8 @@ Expected<std::vector<KeyFile>> read_all_keys(KeyInput input, const ReadOptions& 
   if (options.session == all_sessions) return each_session(Input(input.input()), options);
   const Recipe recipe = recipe_of(input, options);
   auto files = open_keys(std::move(input), options).and_then([&](auto source) {
-    return std::visit([&](auto&& open) { return keys_in(std::move(open), options); }, std::move(source));
+    return std::visit([&](auto&& open) { return keys_in(std::forward<decltype(open)>(open), options); },
+                      std::move(source));
   });
   if (files)
     for (KeyFile& file : *files) file.recipe = recipe;

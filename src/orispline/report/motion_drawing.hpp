@@ -25,7 +25,7 @@ inline constexpr std::size_t most_ghosts = 60;
 [[nodiscard]] inline View view_of_ghosts() { return View({1.0, -0.9, 0.8}); }
 
 /// To sample curves for a drawing: with one column for each unit of the charts' width.
-inline constexpr std::size_t samples_to_draw = 9 * 660;
+inline constexpr std::size_t samples_to_draw = std::size_t{9} * 660;
 
 /// What a chart of motions shows over time.
 struct DrawnQuantity {

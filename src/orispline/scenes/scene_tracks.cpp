@@ -28,12 +28,14 @@ std::string some_of(const std::vector<std::string>& names) {
 
 std::vector<std::string> names_of(const std::vector<Clip>& clips) {
   std::vector<std::string> names;
+  names.reserve(clips.size());
   for (const Clip& clip : clips) names.push_back(clip.name);
   return names;
 }
 
 std::vector<std::string> names_of_joints(const Scene& scene, const Clip& clip) {
   std::vector<std::string> names;
+  names.reserve(clip.rotations.size());
   for (const RotationChannel& channel : clip.rotations) names.push_back(scene.skeleton[channel.joint].name);
   return names;
 }
@@ -124,6 +126,7 @@ void join_formats() {
     return all;
   }();
   std::vector<const io::FormatInfo*> list;
+  list.reserve(entries.size());
   for (const io::FormatInfo& format : entries) list.push_back(&format);
   io::add_formats(list);
 }

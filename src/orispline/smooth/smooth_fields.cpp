@@ -60,6 +60,7 @@ struct FieldCodec<std::vector<Stretch>> {
   static constexpr FieldType type = FieldType::runs;
   static FieldValue value(const std::vector<Stretch>& stretches) {
     std::vector<SampleRun> runs;
+    runs.reserve(stretches.size());
     for (const auto& [first, count] : stretches) runs.emplace_back(first, count);
     return runs;
   }

@@ -293,11 +293,11 @@ class Minimisation {
       // The shortest step is made even uphill: it may cross where the shorter way between two nodes changes sides, and
       // the cost goes down again beyond.
       const bool rises = !(there.cost <= now.cost * (1.0 + cost_rounding));
-      if (rises && length < smallest_share && now.cost < lowest_cost_) {
-        lowest_ = std::move(from);
-        lowest_cost_ = now.cost;
-      }
       if (!rises || length < smallest_share) {
+        if (rises && now.cost < lowest_cost_) {
+          lowest_ = std::move(from);
+          lowest_cost_ = now.cost;
+        }
         now = std::move(there);
         return length;
       }

@@ -122,6 +122,7 @@ Expected<Probe> slerp_probe(const FamilyInfo& family, const Keyframes& keys, Cur
   const std::vector<double> tension = std::exchange(options.parameters["tension"], {0.0});
   return settle(family, options, keys.size()).map([&](const FamilySettings& settings) {
     std::vector<double> scales;
+    scales.reserve(tension.size());
     for (const double value : tension) scales.push_back(1.0 - value);
     return handle_probe(TensionSegment::Product::slerps, keys, families::Tcb::handle_rates(keys, settings), scales);
   });
@@ -186,6 +187,7 @@ std::vector<bool> influential(const Probe& segments, std::size_t candidates) {
       sums[segment.variables[v]].parts += here.parts;
     }
   std::vector<bool> counts;
+  counts.reserve(sums.size());
   for (const Influence& sum : sums) counts.push_back(sum.counts());
   return counts;
 }

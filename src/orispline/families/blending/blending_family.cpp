@@ -253,7 +253,7 @@ struct ProbeField {
 
   [[nodiscard]] blending::Modular constant(const blending::Literal& literal) const { return literal.exact; }
   [[nodiscard]] blending::Modular quantity(const blending::Quantity& q) const {
-    const auto fixed = static_cast<std::uint64_t>(q.offset * 31 + q.parameter * 7 + 1000);
+    const auto fixed = static_cast<std::uint64_t>(std::int64_t{q.offset} * 31 + std::int64_t{q.parameter} * 7 + 1000);
     if (q.kind == blending::Quantity::Kind::length || q.parameter != static_cast<int>(parameter))
       return blending::Modular(fixed).power(5);
     return q.offset == 0 ? at_start : at_end;

@@ -181,9 +181,9 @@ bool all_zero(const std::vector<Modular>& values) {
 
 template <class Residuals>
 int order_of_continuity(const Residuals& jumps_of_order, std::size_t highest) {
-  int order = -1;
-  while (order < static_cast<int>(highest) && all_zero(jumps_of_order(static_cast<std::size_t>(order + 1)))) ++order;
-  return order;
+  std::size_t next = 0;
+  while (next <= highest && all_zero(jumps_of_order(next))) ++next;
+  return static_cast<int>(next) - 1;
 }
 
 /// The largest k for which the derivatives by u on the right are those on the left after a change of the parameter:
@@ -382,7 +382,7 @@ class Examination {
     const int order = order_of_continuity([&](std::size_t k) { return jumps(rows_, around, k); }, rows_.degree());
     BlendingFinding found{times == Times::even ? Promise::continuity_even : Promise::continuity_uneven, order};
     if (order == static_cast<int>(rows_.degree())) return found;
-    const auto next = static_cast<std::size_t>(order + 1);
+    const std::size_t next = static_cast<std::size_t>(order) + 1;  // 0 behind order -1
     found.why = why_jumping(data_, rows_, next, times);
     found.where = condition(data_, [&](const std::vector<Modular>& values) {
       return jumps(rows_, same_everywhere(values, times, data_), next);
