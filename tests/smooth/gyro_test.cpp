@@ -62,7 +62,7 @@ Fault runs(std::string name, std::size_t length, std::size_t count,
 
 std::vector<Fault> faults() {
   std::vector<Fault> all;
-  for (const std::size_t length : {1, 2, 3, 5, 10, 20, 50}) {
+  for (const std::size_t length : {1u, 2u, 3u, 5u, 10u, 20u, 50u}) {
     if (!known_truth::sweeps() && length != 3 && length != 50) continue;
     const std::size_t count = std::max<std::size_t>(1, 100 / length);
     all.push_back(runs("spikes", length, count, [](const Eigen::Vector3d& rate, Dice& dice) {
