@@ -107,7 +107,7 @@ define from_source
 endef
 
 # What is too long for every change; docs/testing.md tells what each part finds. Ten minutes a target are an hour of fuzzing.
-nightly: check test-more random sweep
+nightly: check test-more coverage random sweep
 	$(MAKE) fuzz SECONDS=600
 	$(MAKE) mutants
 	$(MAKE) tidy

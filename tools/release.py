@@ -28,7 +28,7 @@ import recipes
 import spdx
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-CHECKS = ("test", "clang", "sanitizers", "tsan", "coverage")  # the parts of `make check`
+CHECKS = ("test", "clang", "sanitizers", "tsan")  # the parts of `make check`
 STAMPS = "build/checked"  # the folder of the commits that they passed for
 NOT_NEEDED = {"ccache"}
 GROUPS = ("build", "python", "wasm", "deb")  # of tools/setup.sh: without one of their packages a part of the release would be missing

@@ -162,8 +162,7 @@ TEST(TrackSampler, LivesWithStatesThatAreForged) {
   Dice dice(835);
   for (const auto& state : states())
     for (int k = 0; k < 3000; ++k) {
-      auto forged = state;
-      forged.resize(forged.size() - 8);
+      std::vector<std::byte> forged(state.begin(), state.end() - 8);
       for (int changes = 1 + static_cast<int>(dice() * 3.0); changes > 0; --changes)
         forged[static_cast<std::size_t>(dice() * static_cast<double>(forged.size()))] =
             static_cast<std::byte>(dice() * 256.0);
