@@ -74,7 +74,8 @@ class Surroundings {
       close(before_[fd]);
     }
     if (__sanitizer_set_report_fd) __sanitizer_set_report_fd(reinterpret_cast<void*>(std::intptr_t{2}));
-    fs::current_path(folder_before_);
+    std::error_code ignored;  // nothing may leave a destructor
+    fs::current_path(folder_before_, ignored);
     if (temporary_before_) setenv("TMPDIR", temporary_before_->c_str(), 1);
     else unsetenv("TMPDIR");
   }

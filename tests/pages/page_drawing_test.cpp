@@ -31,6 +31,7 @@ std::vector<double> unpacked(std::string_view text, double start, double unit) {
   std::vector<Number> numbers(bytes.size() / sizeof(Number));
   std::memcpy(numbers.data(), bytes.data(), bytes.size());
   std::vector<double> values;
+  values.reserve(numbers.size());
   for (const Number number : numbers) values.push_back(start + unit * static_cast<double>(number));
   return values;
 }

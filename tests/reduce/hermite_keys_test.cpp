@@ -63,6 +63,7 @@ TEST(HermiteKeys, TheRatesOfACurveAreFoundFromItsPoints) {
     std::vector<HermiteSpan<Eigen::Quaterniond>> spans;
     for (std::size_t i = 0; i + 1 < keys.size(); ++i) spans.emplace_back(samples.targets, 10 * i, 10 * (i + 1), true);
     std::vector<HermiteSpan<Eigen::Quaterniond>*> row;
+    row.reserve(spans.size());
     for (auto& span : spans) row.push_back(&span);
     std::vector<Eigen::Vector3d> rates(keys.size(), Eigen::Vector3d::Zero());
     fit_rates<Eigen::Quaterniond>(row, rates, {.first = true, .last = true});

@@ -196,9 +196,10 @@ TEST(GltfWriter, AlignsSignsButLeavesSplinesTheCurvesThatTheyAre) {
   const WrittenFile spline = written(scene);
   const Json& sampler = spline.json["animations"][0]["samplers"][0];
   EXPECT_EQ(sampler["interpolation"], "CUBICSPLINE");
-  EXPECT_EQ(spline.accessor_bytes(sampler["output"], 16).substr(4 * 16, 16),
+  EXPECT_EQ(spline.accessor_bytes(sampler["output"], 16).substr(std::size_t{4} * 16, 16),
             bytes_of<float>({-0.0F, -0.0F, -0.70710677F, -0.70710677F}));
-  EXPECT_EQ(spline.accessor_bytes(sampler["output"], 16).substr(3 * 16, 16), bytes_of<float>({0, 0, 0, 2}));
+  EXPECT_EQ(spline.accessor_bytes(sampler["output"], 16).substr(std::size_t{3} * 16, 16),
+            bytes_of<float>({0, 0, 0, 2}));
   EXPECT_TRUE(spline.warnings.empty());
 }
 
