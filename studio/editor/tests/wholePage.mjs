@@ -37,9 +37,16 @@ function pageWith({ text, bytes = text === undefined ? undefined : Buffer.from(t
   return file;
 }
 
-/** In the page, before all else: the document whose curves came last is `drawnOf`. */
+/** In the page, before all else: the document whose curves came last is `drawnOf`; `did` counts presses that it hears and files that it gives to the browser. */
 function watched() {
   let app;
+  const did = (globalThis.did = { hear: 0, give: 0 });
+  for (const press of ['keydown', 'click']) addEventListener(press, ({ isTrusted }) => (did.hear += isTrusted), true);
+  const { click } = HTMLAnchorElement.prototype;
+  HTMLAnchorElement.prototype.click = function () {
+    did.give += this.download !== '';
+    click.call(this);
+  };
   const put = (given) => {
     app = given;
     app.engine.onCurves((_, of) => (globalThis.drawnOf = of));
@@ -126,9 +133,19 @@ export class Studio {
   method = (letter) => this.page.getByRole('combobox', { name: letter, exact: true });
   scene = (name) => this.group(name).getByRole('application');
   notice = (text) => this.page.locator('.notices').getByText(text);
+
+  /** The file that an act saves. A browser may lose the press or the file; then it is done again, as a user does. What the page itself does not do is a fault. */
   download = async (act) => {
-    const [download] = await Promise.all([this.page.waitForEvent('download'), act()]);
-    return { name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8') };
+    const did = () => this.page.evaluate(() => ({ ...globalThis.did }));
+    for (let tries = 3; tries > 0; --tries) {
+      const before = await did();
+      const [download] = await Promise.all([this.page.waitForEvent('download', { timeout: 60_000 }).catch(() => null), act()]);
+      if (download) return { name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8') };
+      const { hear, give } = await did();
+      const told = await this.page.locator('.notices').textContent();
+      assert.ok(hear === before.hear || give > before.give, `the page heard a press and saved nothing; it says: ${told}`);
+    }
+    assert.fail('three times the browser lost a press or a file');
   };
 
   async type(field, text) {
