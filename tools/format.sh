@@ -14,4 +14,4 @@ case ${1:-} in
   '') mode=-i ;;
   *) echo "usage: tools/format.sh [--check]" >&2; exit 2 ;;
 esac
-find src cli papers bindings/c tests examples benchmarks \( -name '*.hpp' -o -name '*.cpp' \) -print0 | xargs -0 "$formatter" $mode
+find src cli papers bindings tests examples benchmarks \( -name '*.hpp' -o -name '*.cpp' \) -print0 | xargs -0 "$formatter" $mode

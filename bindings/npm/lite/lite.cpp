@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of bindings/c/orispline.h that the small package holds, for a script that passes neither null nor what was freed.
+// The part of bindings/c/orispline.h that the small package holds, for a script that passes neither null nor what was
+// freed.
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -65,7 +66,9 @@ void put(const Eigen::Quaterniond& q, orispline_order order, double* to) {
 
 void put(const Eigen::Vector3d& v, double* to) { std::copy_n(v.data(), 3, to); }
 
-std::int64_t number_or_none(std::optional<std::size_t> number) { return number ? static_cast<std::int64_t>(*number) : -1; }
+std::int64_t number_or_none(std::optional<std::size_t> number) {
+  return number ? static_cast<std::int64_t>(*number) : -1;
+}
 
 }  // namespace
 

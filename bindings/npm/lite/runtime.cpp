@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the program cannot go on it ends in a trap. The standard libraries would print before that, and their printing is
-// a tenth of the small package.
+// Where the program cannot go on it ends in a trap. The standard libraries would print before that, and their printing
+// is a tenth of the small package.
 #include <cstddef>
 #include <cstdlib>
 #include <new>

@@ -8,8 +8,8 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/vector.h>
 
-#include <orispline/curve/motion.hpp>
 #include <orispline/analysis.hpp>
+#include <orispline/curve/motion.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/jobs.hpp>
 

@@ -185,7 +185,8 @@ void add_key_origins(nb::module_& module) {
   module.def("keys_in_axes", &in_axes, "keys"_a, "stated"_a);
   module.def("keys_as_read", &as_read, "keys"_a, "stated"_a);
   module.def("sessions_of", &sessions_of, "times"_a);
-  module.def("gap_of_keys", [](const Keys& keys) { return keys.track->recipe.gap; }, "keys"_a);
+  module.def(
+      "gap_of_keys", [](const Keys& keys) { return keys.track->recipe.gap; }, "keys"_a);
   module.def("keys_since", &since, "keys"_a, "epoch"_a, "is_dated"_a);
   module.def("method_for_keys", &method_for, "keys"_a, "names"_a, "otherwise"_a, "ends"_a.none());
   module.def("recipe_set_aside", &set_aside, "keys"_a, "method"_a);

@@ -91,8 +91,8 @@ void add_fills(nb::class_<PythonCurve>& curve_class) {
       "times"_a);
   add(
       "fill_even",
-      [without_gil](const PythonCurve& curve, const SampleGrid& grid, const WritableNumbers& times, const Memory<T>& q, Rows w,
-                    Rows a, Rows j, Rows p, Rows v, Rows l, bool world, int beyond, unsigned threads) {
+      [without_gil](const PythonCurve& curve, const SampleGrid& grid, const WritableNumbers& times, const Memory<T>& q,
+                    Rows w, Rows a, Rows j, Rows p, Rows v, Rows l, bool world, int beyond, unsigned threads) {
         const Asked asked(world, beyond, threads);
         const Samples<T> out = samples_in<T>(q, w, a, j, p, v, l);
         value_of(without_gil([&] { return fill_even<T>(curve, grid, {times.data(), times.size()}, out, asked); }));

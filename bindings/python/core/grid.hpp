@@ -9,7 +9,8 @@
 
 namespace orispline::python {
 
-/// The even times that the face asks for, as text: a rate (a number or a fraction) or a count, and where they begin and end.
+/// The even times that the face asks for, as text: a rate (a number or a fraction) or a count, and where they begin and
+/// end.
 struct GridText {
   std::optional<std::string> rate;
   std::optional<std::size_t> count;

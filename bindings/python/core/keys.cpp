@@ -83,7 +83,7 @@ void add_keys(nb::module_& module) {
                      const auto times = keys.track->keys.times();
                      return array_of(times.data(), times.size(), 0);
                    })
-      .def_prop_ro("orientations", 
+      .def_prop_ro("orientations",
                    [](const Keys& keys) {
                      const auto rows = keys.track->keys.orientations();  // at least one
                      return array_of(rows.front().coeffs().data(), rows.size(), 4);

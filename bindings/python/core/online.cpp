@@ -12,9 +12,9 @@
 
 #include "arrays.hpp"
 #include "errors.hpp"
-#include "sample_memory.hpp"
 #include "keys.hpp"
 #include "method_text.hpp"
+#include "sample_memory.hpp"
 #include "text.hpp"
 
 using namespace nanobind::literals;
@@ -64,11 +64,12 @@ std::optional<std::pair<double, double>> available(const OnlineCurve& curve) {
 
 /// Orientations, and where there is room for them rates and positions, into memory of NumPy.
 void fill(const OnlineCurve& curve, const Numbers& times, const Memory<double>& orientations,
-          const std::optional<Memory<double>>& angular_velocities, const std::optional<Memory<double>>& angular_accelerations,
+          const std::optional<Memory<double>>& angular_velocities,
+          const std::optional<Memory<double>>& angular_accelerations,
           const std::optional<Memory<double>>& angular_jerks, const std::optional<Memory<double>>& positions,
           const std::optional<Memory<double>>& velocities, const std::optional<Memory<double>>& accelerations) {
-  const Samples<double> out = samples_in<double>(orientations, angular_velocities, angular_accelerations, angular_jerks, positions,
-                                        velocities, accelerations);
+  const Samples<double> out = samples_in<double>(orientations, angular_velocities, angular_accelerations, angular_jerks,
+                                                 positions, velocities, accelerations);
   const auto done = [&] {
     const nb::gil_scoped_release release;
     return curve.sample(span_of(times), out);

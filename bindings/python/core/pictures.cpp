@@ -124,9 +124,8 @@ void write_bytes(const std::string& path, const nb::bytes& bytes) {
   value_of([&] {
     const std::string_view text(bytes.c_str(), bytes.size());
     const nb::gil_scoped_release release;
-    return io::OutputFile::open(path).and_then([&](io::OutputFile file) {
-      return file.write(text).and_then([&] { return file.finish(); });
-    });
+    return io::OutputFile::open(path).and_then(
+        [&](io::OutputFile file) { return file.write(text).and_then([&] { return file.finish(); }); });
   }());
 }
 

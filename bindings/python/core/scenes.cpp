@@ -129,7 +129,7 @@ nb::list clips_of(const SharedScene& shared) {
 
 /// Value, clip, joint and time of what is largest; without names where all is 0.
 nb::tuple worst_of(const jobs::ReduceSceneOutcome& outcome, const ClipReduction* reduction,
-                   ClipReduction::Worst ClipReduction::* which, double unit = 1.0) {
+                   ClipReduction::Worst ClipReduction::*which, double unit = 1.0) {
   if (!reduction || (reduction->*which).largest.value == 0.0) return nb::make_tuple(0.0, "", "", 0.0);
   const ClipReduction::Worst& worst = reduction->*which;
   return nb::make_tuple(worst.largest.value * unit, text(reduction->clip.name),
@@ -154,7 +154,8 @@ nb::dict attributes_of_reduction(const jobs::ReduceSceneOutcome& outcome) {
 }
 
 nb::bytes page_of_reduction(const jobs::ReduceSceneOutcome& outcome, const std::string& date) {
-  return bytes_of([&] { return report::skeleton_document(page_of(outcome, "reduced", pages::PageHead{.date = date})); });
+  return bytes_of(
+      [&] { return report::skeleton_document(page_of(outcome, "reduced", pages::PageHead{.date = date})); });
 }
 
 jobs::ClipFile file_of(const scenes::Scene& scene) {
@@ -222,10 +223,7 @@ nb::bytes page_of_smoothing(const jobs::SmoothClipsOutcome& outcome, const std::
 
 jobs::MotionFile motion_of(const SharedScene& shared) {
   const scenes::Scene& scene = *shared.scene;
-  return {.name = scene.name,
-          .skeleton = scene.skeleton,
-          .clips = scene.clips,
-          .has_no_unit = has_no_unit(scene)};
+  return {.name = scene.name, .skeleton = scene.skeleton, .clips = scene.clips, .has_no_unit = has_no_unit(scene)};
 }
 
 /// Of all clips, or of one.
@@ -248,7 +246,9 @@ nb::tuple shell_distances(const SharedScene& first, const SharedScene& second, d
   }));
   if (!outcome.only_in_first.empty())
     raise({ErrorCode::bad_data,
-           "found no clip '" + outcome.only_in_first.front() + "', wanted every clip of a", {}, "b"});
+           "found no clip '" + outcome.only_in_first.front() + "', wanted every clip of a",
+           {},
+           "b"});
   for (const jobs::ClipDifference& clip : outcome.clips) {
     const nb::str name = text(outcome.name_of(clip));
     if (!distances.contains(name)) distances[name] = nb::dict();

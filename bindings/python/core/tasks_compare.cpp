@@ -91,8 +91,8 @@ void add_compare(nb::module_& module) {
       });
   add_words<nb::list>(outcome_class);
   add_page(outcome_class);
-  module.def("compare", &compared, "keys"_a, "reference"_a.none(), "align"_a, "decimations"_a,
-             "methods"_a.none(), "tune"_a, "sort"_a, "measured"_a, "threads"_a);
+  module.def("compare", &compared, "keys"_a, "reference"_a.none(), "align"_a, "decimations"_a, "methods"_a.none(),
+             "tune"_a, "sort"_a, "measured"_a, "threads"_a);
 }
 
 }  // namespace orispline::python

@@ -21,8 +21,7 @@ RetimeOutcome retimed(const Keys& keys, const std::optional<MethodText>& method,
   jobs::RetimeRequest request{.keys = keys.track,
                               .method = method_chosen(method, *keys.track, jobs::usual_retimed),
                               .options = options_in<RetimeOptions>(stated)};
-  return value_of(interruptible(
-      [&](const Progress& progress) { return jobs::retime(std::move(request), progress); }));
+  return value_of(interruptible([&](const Progress& progress) { return jobs::retime(std::move(request), progress); }));
 }
 
 nb::dict attributes_of_retiming(const RetimeOutcome& outcome) {

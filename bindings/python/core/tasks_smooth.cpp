@@ -40,7 +40,7 @@ SmoothOutcome smoothed(const Keys& keys, const nb::dict& stated, const std::opti
 }
 
 /// Three columns; nothing where they were not asked for.
-std::optional<FloatArray> sigmas_of(const SmoothOutcome& outcome, std::vector<Eigen::Vector3d> NodeSigmas::* which) {
+std::optional<FloatArray> sigmas_of(const SmoothOutcome& outcome, std::vector<Eigen::Vector3d> NodeSigmas::*which) {
   if (!outcome.smoothing.sigmas) return std::nullopt;
   const std::vector<Eigen::Vector3d>& rows = (*outcome.smoothing.sigmas).*which;
   return array_of(rows.front().data(), rows.size(), 3);
@@ -56,7 +56,8 @@ void add_smooth(nb::module_& module) {
       .def_prop_ro("sigma", [](const SmoothOutcome& outcome) { return sigmas_of(outcome, &NodeSigmas::orientations); })
       .def_prop_ro("sigma_of_rates",
                    [](const SmoothOutcome& outcome) { return sigmas_of(outcome, &NodeSigmas::angular_velocities); })
-      .def("covers", [](const SmoothOutcome& outcome, double t) { return outcome.smoothing.covers(t); }, "t"_a);
+      .def(
+          "covers", [](const SmoothOutcome& outcome, double t) { return outcome.smoothing.covers(t); }, "t"_a);
   add_words(outcome_class);
   add_page(outcome_class);
   module.def("smooth", &smoothed, "keys"_a, "options"_a, "times"_a = nb::none(), "rates"_a = nb::none());

@@ -6,9 +6,9 @@
 
 #include <nanobind/nanobind.h>
 
-// Strings of the library are bytes, such as the names of files. Those that are no UTF-8 come to Python as it has such names: each
-// byte that belongs to no character as a lone surrogate (PEP 383), which goes back as that byte. So every string of Python goes in,
-// and every string of the library comes out.
+// Strings of the library are bytes, such as the names of files. Those that are no UTF-8 come to Python as it has such
+// names: each byte that belongs to no character as a lone surrogate (PEP 383), which goes back as that byte. So every
+// string of Python goes in, and every string of the library comes out.
 
 namespace orispline::python {
 
