@@ -91,7 +91,7 @@ Expected<void> sample_into(const BakedCurve<T>& curve, int order, std::span<cons
 }
 
 template <class T>
-void many(const BakedCurve<T>& curve, int order, const Numbers& times, const Rows<T>& out, bool world) {
+void many_of_baked(const BakedCurve<T>& curve, int order, const Numbers& times, const Rows<T>& out, bool world) {
   value_of(sample_into<T>(curve, order, span_of(times), out, world));
 }
 
@@ -102,8 +102,8 @@ nb::tuple parts_of(const BakedCurve<T>& curve) {
   const auto pieces = curve.pieces();
   const nb::module_ numpy = nb::module_::import_("numpy");
   constexpr int powers = batch::baked_degree<T> + 1;
-  const nb::object coefficients = numpy.attr("empty")(nb::make_tuple(pieces.size(), 4, powers),
-                                                      sizeof(T) == sizeof(float) ? "float32" : "float64");
+  const nb::object coefficients =
+      numpy.attr("empty")(nb::make_tuple(pieces.size(), 4, powers), sizeof(T) == sizeof(float) ? "float32" : "float64");
   const nb::object scales = numpy.attr("empty")(nb::make_tuple(pieces.size(), 2));
   T* row = nb::cast<nb::ndarray<T, nb::ndim<3>, nb::c_contig, nb::device::cpu>>(coefficients).data();
   double* scale = nb::cast<Rows<double>>(scales).data();
@@ -127,8 +127,8 @@ BakedCurve<T> restored(const Numbers& ends, const Coefficients<T>& coefficients,
     pieces[i].middle = scales.data()[2 * i];
     pieces[i].per_step = scales.data()[2 * i + 1];
   }
-  return value_of(BakedCurve<T>::restored({ends.data(), ends.data() + ends.size()}, std::move(pieces),
-                                          largest_difference));
+  return value_of(
+      BakedCurve<T>::restored({ends.data(), ends.data() + ends.size()}, std::move(pieces), largest_difference));
 }
 
 template <class T>
@@ -141,7 +141,7 @@ void add(nb::module_& module, nb::class_<PythonCurve>& curve_class, const char* 
       .def_prop_ro("largest_difference", &BakedCurve<T>::largest_difference)
       .def_prop_ro("nbytes", [](const BakedCurve<T>& curve) { return curve.pieces().size_bytes(); })
       .def_prop_ro("parts", &parts_of<T>)
-      .def("many", &many<T>, "order"_a, "times"_a, "out"_a.noconvert(), "world"_a);
+      .def("many", &many_of_baked<T>, "order"_a, "times"_a, "out"_a.noconvert(), "world"_a);
   curve_class.def(
       bake_name,
       [](const PythonCurve& curve, double tolerance) {

@@ -95,9 +95,9 @@ Expected<void> write_rows(io::SampleWriter& writer, io::SampleColumns columns, c
 }
 
 /// The bytes of a file in memory.
-nb::bytes write(const std::string& path, bool in_memory, const io::StatedOptions& stated, const std::string& like,
-                const std::string& epoch, const std::optional<StatedGrid>& grid, bool world, const Numbers& seconds,
-                const Rows4& orientations, const Columns& there) {
+nb::bytes write_samples(const std::string& path, bool in_memory, const io::StatedOptions& stated,
+                        const std::string& like, const std::string& epoch, const std::optional<StatedGrid>& grid,
+                        bool world, const Numbers& seconds, const Rows4& orientations, const Columns& there) {
   const auto bytes = [&]() -> Expected<std::string> {
     const nb::gil_scoped_release release;
     const auto times = times_of(epoch, grid);
@@ -136,8 +136,9 @@ void add_sample_writing(nb::module_& module) {
          const std::optional<Rows3>& angular_accelerations, const std::optional<Rows3>& angular_jerks,
          const std::optional<Rows3>& positions, const std::optional<Rows3>& velocities,
          const std::optional<Rows3>& accelerations) {
-        return write(path, in_memory, stated, like, epoch, grid, world, seconds, orientations,
-                     {angular_velocities, angular_accelerations, angular_jerks, positions, velocities, accelerations});
+        return write_samples(
+            path, in_memory, stated, like, epoch, grid, world, seconds, orientations,
+            {angular_velocities, angular_accelerations, angular_jerks, positions, velocities, accelerations});
       },
       "path"_a, "in_memory"_a, "stated"_a, "like"_a, "epoch"_a, "grid"_a.none(), "world"_a, "seconds"_a,
       "orientations"_a, "angular_velocities"_a.none(), "angular_accelerations"_a.none(), "angular_jerks"_a.none(),

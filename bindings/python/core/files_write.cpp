@@ -53,8 +53,8 @@ Expected<Written> write_track(Track track, const std::string& path, bool in_memo
 }
 
 /// The bytes of a file in memory, and warnings.
-nb::tuple write(const Keys& keys, const std::string& path, bool in_memory, const io::StatedOptions& stated,
-                const std::string& like, const std::optional<MethodText>& stated_method) {
+nb::tuple write_keys(const Keys& keys, const std::string& path, bool in_memory, const io::StatedOptions& stated,
+                     const std::string& like, const std::optional<MethodText>& stated_method) {
   const auto method = stated_method ? std::optional(stated_method->method()) : std::nullopt;
   const auto written = [&]() -> Expected<Written> {
     const nb::gil_scoped_release release;
@@ -69,7 +69,7 @@ nb::tuple write(const Keys& keys, const std::string& path, bool in_memory, const
 }  // namespace
 
 void add_key_writing(nb::module_& module) {
-  module.def("write_keys", &write, "keys"_a, "path"_a, "in_memory"_a, "stated"_a, "like"_a, "method"_a.none());
+  module.def("write_keys", &write_keys, "keys"_a, "path"_a, "in_memory"_a, "stated"_a, "like"_a, "method"_a.none());
 }
 
 }  // namespace orispline::python

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <nanobind/nanobind.h>
 
@@ -39,6 +40,10 @@ jobs::ChosenMethod method_chosen(const std::optional<MethodText>& stated, const 
 inline std::shared_ptr<const Track> reference_in(const std::optional<Keys>& recording) {
   return recording ? recording->track : nullptr;
 }
+
+/// As Python's lists have them; quaternions scalar last.
+inline std::vector<double> numbers_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+inline std::vector<double> numbers_of(const Eigen::Quaterniond& q) { return {q.x(), q.y(), q.z(), q.w()}; }
 
 /// What there is to say of an outcome of orispline::jobs, whose document is a dict or a list.
 template <class Document = nanobind::dict, class Outcome>

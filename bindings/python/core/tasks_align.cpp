@@ -18,13 +18,9 @@ namespace {
 using jobs::AlignOutcome;
 
 AlignOutcome alignment_of(const Keys& moved, const Keys& fixed, const nb::dict& stated) {
-  jobs::AlignRequest request{
-      .moved = moved.track, .fixed = fixed.track, .options = options_in<AlignOptions>(stated)};
+  jobs::AlignRequest request{.moved = moved.track, .fixed = fixed.track, .options = options_in<AlignOptions>(stated)};
   return value_of(interruptible([&](const Progress& progress) { return jobs::align(std::move(request), progress); }));
 }
-
-std::vector<double> numbers_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-std::vector<double> numbers_of(const Eigen::Quaterniond& q) { return {q.x(), q.y(), q.z(), q.w()}; }
 
 nb::dict attributes_of_alignment(const AlignOutcome& outcome) {
   const Alignment& alignment = outcome.alignment;

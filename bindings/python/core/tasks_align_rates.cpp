@@ -41,20 +41,17 @@ jobs::Recording recording_of(const KeysOrGyro& one) {
   return std::get<Gyro>(one).track;
 }
 
-RateAlignOutcome alignment_of(const KeysOrGyro& moved, const KeysOrGyro& fixed, const nb::dict& stated) {
+RateAlignOutcome rate_alignment_of(const KeysOrGyro& moved, const KeysOrGyro& fixed, const nb::dict& stated) {
   jobs::RateAlignRequest request{
       .moved = recording_of(moved), .fixed = recording_of(fixed), .options = options_in<AlignOptions>(stated)};
   return value_of(
       interruptible([&](const Progress& progress) { return jobs::align_rates(std::move(request), progress); }));
 }
 
-std::vector<double> numbers_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-nb::dict attributes_of_alignment(const RateAlignOutcome& outcome) {
+nb::dict attributes_of_rate_alignment(const RateAlignOutcome& outcome) {
   const RateAlignment& alignment = outcome.alignment;
   nb::dict attributes = attributes_of(alignment);
-  const Eigen::Quaterniond& q = alignment.body;
-  attributes["body"] = std::vector<double>{q.x(), q.y(), q.z(), q.w()};
+  attributes["body"] = numbers_of(alignment.body);
   nb::list open;
   for (const OpenRateDirection& one : alignment.open)
     open.append(nb::make_tuple(numbers_of(one.body), one.offset, numbers_of(one.bias)));
@@ -79,14 +76,13 @@ std::optional<std::pair<FloatArray, FloatArray>> aligned_rates(const RateAlignOu
 }  // namespace
 
 void add_align_rates(nb::module_& module) {
-  nb::class_<Gyro>(module, "Gyro").def(nb::new_(&gyro_of), "times"_a, "rates"_a, "epoch"_a,
-                            "is_dated"_a);
+  nb::class_<Gyro>(module, "Gyro").def(nb::new_(&gyro_of), "times"_a, "rates"_a, "epoch"_a, "is_dated"_a);
   auto outcome_class = nb::class_<RateAlignOutcome>(module, "RateAlignment");
   outcome_class.def_prop_ro("keys", &aligned_keys)
       .def_prop_ro("rates", &aligned_rates)
-      .def("attributes", &attributes_of_alignment);
+      .def("attributes", &attributes_of_rate_alignment);
   add_words(outcome_class);
-  module.def("align_rates", &alignment_of, "moved"_a, "fixed"_a, "options"_a);
+  module.def("align_rates", &rate_alignment_of, "moved"_a, "fixed"_a, "options"_a);
 }
 
 }  // namespace orispline::python
