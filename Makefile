@@ -231,8 +231,8 @@ format:
 
 tidy:
 	tools/setup.sh build test tidy
-	cmake --preset clang -B build/tidy -DORISPLINE_UNITS=OFF
-	run-clang-tidy -quiet -j $(JOBS) -p build/tidy '/(src|cli|papers|tests)/.*\.cpp$$'
+	cmake --preset clang -B build/tidy
+	run-clang-tidy-22 -quiet -j $(JOBS) -extra-arg=-Wno-deprecated-declarations -p build/tidy '/(src|cli|papers|tests)/.*\.cpp$$|\.units/'
 
 clean:
 	rm -rf build

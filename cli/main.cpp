@@ -207,7 +207,8 @@ class CommandLine {
       const auto words = arguments.subspan(1);
       const auto done =
           understood_words(commands_, {words.begin(), words.end()})
-              .and_then([&](std::vector<std::string> understood) { return parsed(commands_, program(), understood); })
+              .and_then(
+                  [&](const std::vector<std::string>& understood) { return parsed(commands_, program(), understood); })
               .and_then([](const Wanted& user) {
                 if (!user.command) return print_document(user.text);
                 return batch::forced_kernels().and_then([&](const batch::Kernels*) { return user.command->run(); });

@@ -32,7 +32,7 @@ check clang              clang++
 check libclang-rt-dev?   fuzzer/FuzzedDataProvider.h
 check gcovr              gcovr
 tidy  clang              clang++
-tidy  clang-tidy         clang-tidy
+tidy  clang-tidy-22      run-clang-tidy-22
 site  doxygen?           doxygen
 python python3           python3
 python python3-dev?      python3-config

@@ -179,11 +179,11 @@ TEST(Keyframes, AreNoneUnlessMade) {
 
 TEST(Keyframes, KeepTheirKeysWhenTheyAreMovedFrom) {
   Keyframes keys = Keyframes::make(three_keys()).value();
-  const Keyframes moved = std::move(keys);
-  ASSERT_EQ(keys.size(), 3u);  // NOLINT: that is what is tested
+  const Keyframes moved = std::move(keys);  // NOLINT
+  ASSERT_EQ(keys.size(), 3u);               // NOLINT: that is what is tested
   EXPECT_EQ(keys.times()[2], moved.times()[2]);
   Keyframes assigned;
-  assigned = std::move(keys);
+  assigned = std::move(keys);               // NOLINT
   EXPECT_EQ(keys.size(), assigned.size());  // NOLINT
 }
 

@@ -20,7 +20,7 @@
 
 int orispline_command(int argc, char** argv);  // cli/main.cpp under another name
 
-extern "C" void __sanitizer_set_report_fd(void* fd) __attribute__((weak));
+extern "C" void __sanitizer_set_report_fd(void* fd) __attribute__((weak));  // NOLINT: the sanitizers' own name
 
 namespace orispline::fuzz { namespace {
 
@@ -54,6 +54,11 @@ std::optional<std::string> variable(const char* name) {
   return value ? std::optional<std::string>(value) : std::nullopt;
 }
 
+/// Sanitizers, where there are any, say what they find there.
+void report_to(std::intptr_t fd) {
+  if (__sanitizer_set_report_fd) __sanitizer_set_report_fd(reinterpret_cast<void*>(fd));  // NOLINT: so they want it
+}
+
 /// While it lives, the streams of the process are files, and its folder and that for temporary files another one.
 class Surroundings {
  public:
@@ -64,7 +69,7 @@ class Surroundings {
     replace(0, input, O_RDONLY);
     replace(1, streams.file("stdout"), O_WRONLY | O_CREAT | O_TRUNC);
     replace(2, streams.file("stderr"), O_WRONLY | O_CREAT | O_TRUNC);
-    if (__sanitizer_set_report_fd) __sanitizer_set_report_fd(reinterpret_cast<void*>(std::intptr_t{before_[2]}));
+    report_to(before_[2]);
   }
   ~Surroundings() {
     std::fflush(stdout);
@@ -73,7 +78,7 @@ class Surroundings {
       dup2(before_[fd], fd);
       close(before_[fd]);
     }
-    if (__sanitizer_set_report_fd) __sanitizer_set_report_fd(reinterpret_cast<void*>(std::intptr_t{2}));
+    report_to(2);
     std::error_code ignored;  // nothing may leave a destructor
     fs::current_path(folder_before_, ignored);
     if (temporary_before_) setenv("TMPDIR", temporary_before_->c_str(), 1);
@@ -158,7 +163,7 @@ void try_command(const Words& words, std::string_view keys) {
   static const TemporaryFolder streams;
   const TemporaryFolder folder;
   const std::string input = folder.write("keys.csv", keys);
-  const std::string old = folder.write("old.csv", old_output);
+  static_cast<void>(folder.write("old.csv", old_output));
   const auto before = files_of(folder);
   int code = -1;
   {

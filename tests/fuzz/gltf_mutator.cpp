@@ -3,6 +3,7 @@
 // its buffer is. Bytes alone hardly ever make another file that is read to its end.
 #include <fuzz/gltf_mutator.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 
@@ -203,9 +204,11 @@ void change_numbers(std::string& bytes, Chance& chance) {
       return static_cast<void>(bytes.replace(word * at, 4 * word, bytes, word * chance.below(words - 3), 4 * word));
     case 3:
       return static_cast<void>(bytes.replace(word * at, word, bytes, word * chance.below(words), word));
-    case 4:
-      bytes[chance.below(bytes.size())] ^= static_cast<char>(1u << chance.below(8));
+    case 4: {
+      char& byte = bytes[chance.below(bytes.size())];
+      byte = static_cast<char>(static_cast<unsigned char>(byte) ^ 1u << chance.below(8));
       return;
+    }
   }
 }
 
@@ -241,6 +244,6 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   if (kind == 1) return LLVMFuzzerMutate(data, option_bytes, option_bytes), size;
   const std::string file = changed({reinterpret_cast<const char*>(data) + option_bytes, size - option_bytes}, chance);
   if (file.empty() || option_bytes + file.size() > most) return LLVMFuzzerMutate(data, size, most);
-  std::memcpy(data + option_bytes, file.data(), file.size());
+  std::ranges::copy(file, data + option_bytes);
   return option_bytes + file.size();
 }

@@ -72,13 +72,13 @@ class Setup(unittest.TestCase):
         self.machine.add_apt("exit 100")
         run = self.machine.setup("tidy")
         self.assertEqual(run.returncode, 1)
-        self.assertIn("not here (Debian's names of the packages): clang-tidy\n", run.stderr)
+        self.assertIn("not here (Debian's names of the packages): clang-tidy-22\n", run.stderr)
 
     def test_fails_and_names_the_packages_without_apt(self):
         self.machine.add_header("fuzzer/FuzzedDataProvider.h")
         run = self.machine.setup("check", "tidy")
         self.assertEqual(run.returncode, 1)
-        self.assertIn("clang gcovr clang clang-tidy\nsetup: install them, then try again\n", run.stderr)
+        self.assertIn("clang gcovr clang clang-tidy-22\nsetup: install them, then try again\n", run.stderr)
 
     def test_finds_the_headers_of_the_compiler_itself(self):
         for command in ("clang++", "gcovr"):
@@ -105,8 +105,8 @@ class Setup(unittest.TestCase):
         header.parent.mkdir(parents=True)
         header.touch()
         run = self.machine.setup("--missing", "check", "tidy")
-        self.assertEqual((run.returncode, run.stdout, run.stderr, self.machine.orders()), (0, "gcovr clang-tidy\n", "", []))
-        self.machine.add_command("clang-tidy")
+        self.assertEqual((run.returncode, run.stdout, run.stderr, self.machine.orders()), (0, "gcovr clang-tidy-22\n", "", []))
+        self.machine.add_command("run-clang-tidy-22")
         self.assertEqual(self.machine.setup("--missing", "tidy").stdout, "")
 
     def test_asks_python_for_its_modules(self):

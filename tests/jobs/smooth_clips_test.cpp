@@ -48,8 +48,10 @@ TEST(SmoothClipsJob, WarnsOnceOfAllThatCannotBeSmoothed) {
   SmoothClipsRequest request = wave(2);
   request.options.gap = 1.5;
   for (Clip& clip : request.clips)
-    for (std::size_t i = 0; i < clip.rotations.front().size(); ++i)
-      clip.rotations.front().times[i] += static_cast<double>(i / 2);
+    for (std::size_t i = 0; i < clip.rotations.front().size(); ++i) {
+      const std::size_t pair = i / 2;
+      clip.rotations.front().times[i] += static_cast<double>(pair);
+    }
   const auto outcome = smooth_clips(std::move(request));
   ASSERT_TRUE(outcome) << outcome.error().message;
   ASSERT_EQ(outcome->warnings.size(), 1u);

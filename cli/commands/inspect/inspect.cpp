@@ -86,7 +86,7 @@ Expected<InspectedFile> inspected_file(const InputRequest& input) {
   auto scaled = scaled_to_unit(std::exchange(file->data, {}));
   auto keys = Keyframes::make(std::move(scaled.data), file->recipe.signs);
   if (!keys) return tl::unexpected(located(*file, keys.error()));
-  io::TrackFile read = io::track_file(std::move(*file), std::move(*keys));
+  io::TrackFile read = io::track_file(std::move(*file), *keys);
   jobs::KeyFaults faults{.duplicate_times = read.repairs.duplicates_dropped,
                          .out_of_order_rows = read.repairs.rows_moved,
                          .invalid_rows = read.repairs.invalid_dropped,

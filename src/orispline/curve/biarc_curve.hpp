@@ -13,8 +13,8 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 template <CurvePoint P>
 using Ambient = std::conditional_t<std::same_as<P, Eigen::Quaterniond>, Eigen::Vector4d, Eigen::Vector3d>;
 
-[[nodiscard]] inline const Eigen::Vector4d& ambient(const Eigen::Quaterniond& q) noexcept { return q.coeffs(); }
-[[nodiscard]] inline const Eigen::Vector3d& ambient(const Eigen::Vector3d& p) noexcept { return p; }
+[[nodiscard]] inline Eigen::Vector4d ambient(const Eigen::Quaterniond& q) noexcept { return q.coeffs(); }
+[[nodiscard]] inline Eigen::Vector3d ambient(const Eigen::Vector3d& p) noexcept { return p; }
 
 /// An arc of a circle, or a straight line, from a point with a unit tangent there and the curvature towards the centre.
 ///

@@ -100,8 +100,9 @@ template <class Make>
       last = std::move(problem);
       share = next;
       advance = std::min(1.5 * advance, 0.25);
-    } else if ((advance *= 0.5) < 1.0 / 256) {
-      return tl::unexpected(chain::not_converged(method, first, share));
+    } else {
+      advance *= 0.5;
+      if (advance < 1.0 / 256) return tl::unexpected(chain::not_converged(method, first, share));
     }
   }
   return std::move(*last);

@@ -95,7 +95,7 @@ template <CurvePoint P>
 Biarc<Ambient<P>> path_between(const P& from, const std::optional<Eigen::Vector3d>& leaving, const P& to,
                                const std::optional<Eigen::Vector3d>& arriving, const Eigen::Vector3d& displacement) {
   using V = Ambient<P>;
-  const V &start = ambient(from), &end = ambient(to);
+  const V start = ambient(from), end = ambient(to);
   const double size = displacement.norm();
   if (size < least_step) return {{.start = start}, {.start = end}};
   const V chord = chord_along(from, displacement);

@@ -89,7 +89,7 @@ Eigen::Vector3d RowReader::rate(const VectorColumns& columns) {
   if (options_.free_rates == FreeRates::refused) return vector(columns);
   if (options_.free_rates == FreeRates::allowed) return free_vector(columns, "three cells of the rate");
   const NotFinite before = not_finite_;
-  const Eigen::Vector3d numbers = vector(columns);
+  Eigen::Vector3d numbers = vector(columns);
   if (numbers.allFinite()) return numbers;
   not_finite_ = before;
   return free_rate();

@@ -40,7 +40,7 @@ Expected<std::optional<AnyPath>> path_apart(const Method& method, const Track& t
                           .orientations = std::vector(apart.times.size(), Eigen::Quaterniond::Identity()),
                           .positions = apart.positions})
       .and_then([&](const Keyframes& keys) { return curve_beside_gaps(method, keys, track.recipe.gap); })
-      .map([](PoseCurve curve) { return curve.position; });
+      .map([](const PoseCurve& curve) { return curve.position; });
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ Expected<CurveOfKeys> curve_of_keys(const Method& method, const Track& keys) {
   // Positions say something of their own.
   return shaped_curve(keys.keys.positions().empty() ? found : method, keys).map([&](PoseCurve curve) {
     auto warnings = warnings_of(found, keys);
-    return CurveOfKeys{std::move(curve), std::move(found), std::move(findings), std::move(warnings)};
+    return CurveOfKeys{std::move(curve), std::move(found), findings, std::move(warnings)};
   });
 }
 

@@ -29,7 +29,7 @@ Expected<InspectOutcome> inspect(InspectRequest request) {
     const AnyCurve& curve = shaped->curve.orientation;
     const Seam seam = method.options.loop ? Seam::closed : Seam::open;
     const Continuities found = continuities_at_keys(curve, seam);
-    outcome.methods.push_back({labels[i], found.in_time, found.of_shape, std::move(shaped->findings)});
+    outcome.methods.push_back({labels[i], found.in_time, found.of_shape, shaped->findings});
     outcome.curves.push_back(std::move(shaped->curve));
     std::ranges::move(shaped->warnings, std::back_inserter(outcome.warnings));
   }

@@ -233,8 +233,8 @@ Expected<MeanRequest> mean_of_all(std::span<const Track> files, const MeanOption
     append(rows.lines, std::span(file.lines));
   }
   for (std::size_t i = 0; i < data.orientations.size(); ++i) data.times.push_back(static_cast<double>(i));
-  return Keyframes::make(std::move(data)).map([&](Keyframes keys) {
-    rows.keys = std::move(keys);
+  return Keyframes::make(std::move(data)).map([&](const Keyframes& keys) {
+    rows.keys = keys;
     request.rows = std::make_shared<const Track>(std::move(rows));
     return std::move(request);
   });

@@ -143,7 +143,7 @@ Sum arctangent_of_quotient(double least, double most) {
     const double part = leading_half(t);
     rest = remainder(part) * (1.0 / most) - (t - part);
   } else {
-    i = static_cast<std::size_t>(t * steps + 0.5);
+    i = static_cast<std::size_t>(t * steps + 0.5);  // NOLINT(bugprone-incorrect-roundings): not negative
     const double c = static_cast<double>(i) / steps;
     t = remainder(c) / (most + c * least);
     rest = arctangent_rests[i];

@@ -30,7 +30,7 @@ template <CurvePoint P>
     moments += given.weights[k] * way * way.transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments);
-  const Eigen::Vector3d squares = axes.eigenvalues();
+  const Eigen::Vector3d& squares = axes.eigenvalues();
   const bool is_one = squares[2] > 0.0 && squares[1] <= 1e-20 * squares[2];
   return is_one ? std::optional(Eigen::Vector3d(axes.eigenvectors().col(2))) : std::nullopt;
 }

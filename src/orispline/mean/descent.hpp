@@ -123,7 +123,7 @@ class Descent {
     if (pull.weight_here == 0.0) {
       const Eigen::Vector3d newton = pull.hessian.ldlt().solve(pull.towards);
       if (newton.allFinite())
-        if (const Place<P> there = at(moved(here.point, newton)); is_lower(here.pull, there.pull)) return there;
+        if (Place<P> there = at(moved(here.point, newton)); is_lower(here.pull, there.pull)) return there;
     }
     Eigen::Vector3d step = pull.residual() / pull.towards.norm() * pull.towards;
     std::optional<Place<P>> best;

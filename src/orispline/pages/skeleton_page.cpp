@@ -100,9 +100,9 @@ void add_notes(report::SkeletonPage& page, std::span<const ClipPair> pairs) {
                                    counted(static_cast<std::size_t>(alone), "joint"), alone == 1 ? "is" : "are"));
 }
 
-report::SkeletonPage begun_skeleton_page(std::string title, std::string_view before, std::string_view after,
+report::SkeletonPage begun_skeleton_page(const std::string& title, std::string_view before, std::string_view after,
                                          const PageLengths& lengths, const PageHead& head) {
-  return {.title = head.title.empty() ? std::move(title) : head.title,
+  return {.title = head.title.empty() ? title : head.title,
           .command = head.command,
           .date = head.date,
           .version = std::string(version),
