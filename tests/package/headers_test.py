@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Every installed header can be included alone, and twice: headers_test.py FOLDER COMPILER OPTIONS...
+"""Each of these installed headers can be included alone, and twice: headers_test.py FOLDER HEADERS COMPILER OPTIONS...
 
-FOLDER is where they are installed. Eigen's headers, which take most of the time, are read once by GCC; what a header needs of
-the others it has to include.
+FOLDER is where they are installed, HEADERS a pattern such as orispline/**/*.hpp. Eigen's headers, which take most of the
+time, are read once by GCC; what a header needs of the others it has to include.
 """
 import concurrent.futures
 import os
@@ -16,11 +16,11 @@ WARNINGS = ["-Wall", "-Wextra", "-Wconversion", "-Wsign-conversion", "-Wshadow",
 
 
 def main():
-    folder, compiler, *options = sys.argv[1:]
+    folder, pattern, compiler, *options = sys.argv[1:]
     folder = pathlib.Path(folder)
     command = [compiler, "-std=c++20", "-DEIGEN_MAX_ALIGN_BYTES=16", "-I", folder, *options]
-    headers = sorted(path.relative_to(folder).as_posix() for path in folder.glob("orispline/**/*.hpp"))
-    assert headers, f"no headers in {folder}"
+    headers = sorted(path.relative_to(folder).as_posix() for path in folder.glob(pattern))
+    assert headers, f"no {pattern} in {folder}"
     with tempfile.TemporaryDirectory() as made:
         if "clang" not in compiler:
             first = pathlib.Path(made, "first.hpp")
