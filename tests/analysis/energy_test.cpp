@@ -108,7 +108,7 @@ TEST(Energies, AskForAsFewMotionsAtTheTimesOfTodayAsAtTheStartOfTime) {
       return motions;
     };
     EXPECT_LE(motions_from(today), motions_from(0.0) * 11 / 10);
-    EXPECT_LE(motions_from(today), std::size_t{39 * 150});
+    EXPECT_LE(motions_from(today), std::size_t{39} * 150);
   }
 }
 

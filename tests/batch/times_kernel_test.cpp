@@ -31,7 +31,7 @@ TEST(TimesKernel, TellsWhetherTimesAreInOrder) {
     EXPECT_TRUE(are_in_order({-infinity, -0.0, 0.0, -0.0, 1.0, 1.0, infinity, infinity}));
     for (const std::size_t size : {2U, 7U, 8U, 9U, 40U}) {
       std::vector<double> rising(size);
-      for (std::size_t k = 0; k < size; ++k) rising[k] = static_cast<double>(k / 2);
+      for (std::size_t k = 0; k < size; ++k) rising[k] = std::floor(static_cast<double>(k) / 2.0);
       EXPECT_TRUE(are_in_order(rising));
       for (std::size_t k = 0; k < size; ++k)
         for (const double wrong : {nan, k == 0 ? 1e9 : -1.0}) {

@@ -109,7 +109,7 @@ TEST(Npy, CountsRowsOfSeveralBlocks) {
   const std::vector<std::string> times(20000, "3.5");
   const Array array = written_array({.derivatives = 2}, times);
   ASSERT_EQ(array.rows, times.size());
-  EXPECT_EQ(array.values[19999 * 11], 3.5);
+  EXPECT_EQ(array.values[std::size_t{19999} * 11], 3.5);
   EXPECT_EQ(array.values.back(), 6.0);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/jobs/smooth.hpp>
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "jobs/swinging.hpp"
@@ -48,10 +50,8 @@ TEST(SmoothClipsJob, WarnsOnceOfAllThatCannotBeSmoothed) {
   SmoothClipsRequest request = wave(2);
   request.options.gap = 1.5;
   for (Clip& clip : request.clips)
-    for (std::size_t i = 0; i < clip.rotations.front().size(); ++i) {
-      const std::size_t pair = i / 2;
-      clip.rotations.front().times[i] += static_cast<double>(pair);
-    }
+    for (std::size_t i = 0; i < clip.rotations.front().size(); ++i)
+      clip.rotations.front().times[i] += std::floor(static_cast<double>(i) / 2.0);
   const auto outcome = smooth_clips(std::move(request));
   ASSERT_TRUE(outcome) << outcome.error().message;
   ASSERT_EQ(outcome->warnings.size(), 1u);

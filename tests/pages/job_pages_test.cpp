@@ -22,7 +22,8 @@ TEST(SmoothClipsPage, HasTheWarningsAboveItsNotes) {
                              .clips = {{.name = "wave", .rotations = {swinging(0), swinging(1)}}},
                              .options = {.smoothing_time = 2.0, .gap = 1.5},
                              .has_no_unit = true};
-  for (std::size_t i = 0; i < 40; ++i) request.clips[0].rotations[1].times[i] += static_cast<double>(i / 2);
+  for (std::size_t i = 0; i < 40; ++i)
+    request.clips[0].rotations[1].times[i] += std::floor(static_cast<double>(i) / 2.0);
   const SmoothClipsOutcome outcome = smooth_clips(std::move(request)).value();
   ASSERT_EQ(outcome.warnings.size(), 1U);
   const report::SkeletonPage page = page_of(outcome, "folder/clean.bvh", head);

@@ -50,8 +50,8 @@ Fault disturbed(std::string name, std::function<void(Rates&, Dice&)> disturb) {
 }
 
 /// Runs of `length` rates, `count` of them, each set by `set`.
-Fault runs(std::string name, std::size_t length, std::size_t count,
-           std::function<Eigen::Vector3d(const Eigen::Vector3d&, Dice&)> set) {
+Fault runs(const std::string& name, std::size_t length, std::size_t count,
+           const std::function<Eigen::Vector3d(const Eigen::Vector3d&, Dice&)>& set) {
   return disturbed(name + " in runs of " + std::to_string(length), [=](Rates& rates, Dice& dice) {
     for (std::size_t run = 0; run < count; ++run) {
       const auto first = static_cast<std::size_t>(dice.between(0.02, 0.95) * static_cast<double>(rates.size()));

@@ -77,7 +77,7 @@ Expected<std::optional<std::vector<LabelledMethod>>> methods_in(const TaskReques
 }
 
 template <class Outcome>
-TaskOutcome told(Outcome outcome, std::vector<Track> tracks) {
+TaskOutcome told(Outcome outcome, std::vector<Track>&& tracks) {
   return {.document = document_of(outcome),
           .summary = summary_of(outcome),
           .warnings = std::move(outcome.warnings),
@@ -204,7 +204,7 @@ Expected<TaskOutcome> run_align(const TaskRequest& request, const Progress& prog
       .and_then([&](const AlignOptions& options) {
         return align({.moved = request.input("moved"), .fixed = request.input("fixed"), .options = options}, progress);
       })
-      .map([](AlignOutcome outcome) { return told(outcome, {outcome.aligned}); });
+      .map([](const AlignOutcome& outcome) { return told(outcome, {outcome.aligned}); });
 }
 
 Expected<TaskOutcome> run_compare(const TaskRequest& request, const Progress& progress) {

@@ -187,7 +187,7 @@ void write(StateWriter& out, const Eigen::Quaterniond& q) {
 }
 template <class T>
 T read_entry(StateReader& in) {
-  const Eigen::Vector3d xyz = in.vector();
+  Eigen::Vector3d xyz = in.vector();
   if constexpr (std::same_as<T, Eigen::Vector3d>) return xyz;
   else return quaternion_xyzw(xyz.x(), xyz.y(), xyz.z(), in.real());
 }

@@ -171,11 +171,15 @@ std::optional<CubicTangents<P>> CubicSpans<P>::within(std::size_t i, std::size_t
                                                       std::size_t every) const {
   Fit fit(targets_, i, j, given, every);
   double largest = 0.0, before = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < rounds_of_radii; ++round)
-    if ((largest = fit.solve()) <= square_bound_) return fit.tangents();
+  for (int round = 0; round < rounds_of_radii; ++round) {
+    largest = fit.solve();
+    if (largest <= square_bound_) return fit.tangents();
+  }
   if constexpr (std::same_as<P, Eigen::Quaterniond>)
-    for (int round = 0; round < rounds_of_directions && j - i > 4; ++round)
-      if ((largest = fit.solve_directions()) <= square_bound_) return fit.tangents();
+    for (int round = 0; round < rounds_of_directions && j - i > 4; ++round) {
+      largest = fit.solve_directions();
+      if (largest <= square_bound_) return fit.tangents();
+    }
   for (int round = 0; round < rounds_of_weights; ++round) {
     if (!(largest <= beyond_weights * beyond_weights * square_bound_)) break;
     fit.weigh(largest);

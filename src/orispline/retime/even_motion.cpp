@@ -262,7 +262,7 @@ Expected<DenseKeys> dense_enough(EvenKeys even, OpenEndedWork& work) {
     if (round < most_halvings_of_steps && even.halve(faults)) continue;
     Fault fault;
     for (const Fault& of_step : faults) fault.add(of_step);
-    return DenseKeys{std::move(*keys), std::move(*curve), std::move(method), fault};
+    return DenseKeys{*keys, std::move(*curve), std::move(method), fault};
   }
 }
 

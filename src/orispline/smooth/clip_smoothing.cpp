@@ -41,9 +41,7 @@ Expected<Smoothing> smoothed(const RotationChannel& rotation, const VectorChanne
                              const SmoothOptions& options) {
   KeyframeData data{.times = rotation.times, .orientations = rotation.values};
   if (translation) data.positions = translation->values;
-  return Keyframes::make(std::move(data)).and_then([&](Keyframes keys) {
-    return smooth(Track(std::move(keys)), options);
-  });
+  return Keyframes::make(std::move(data)).and_then([&](const Keyframes& keys) { return smooth(Track(keys), options); });
 }
 
 /// A rotation of a clip, and where it stands there.

@@ -61,7 +61,7 @@ std::optional<std::size_t> GyroPath::interval_about(double t) const {
 
 Eigen::Vector3d GyroPath::rate_in(std::size_t k, double t) const {
   const double h = times_[k + 1] - times_[k], share = (t - times_[k]) / h;
-  const Eigen::Vector3d straight = (1.0 - share) * rates_[k] + share * rates_[k + 1];
+  Eigen::Vector3d straight = (1.0 - share) * rates_[k] + share * rates_[k + 1];
   if (k == 0 || k + 2 >= times_.size()) return straight;
   const double before = times_[k] - times_[k - 1], after = times_[k + 2] - times_[k + 1];
   if (std::max({before, h, after}) > uneven * std::min({before, h, after})) return straight;

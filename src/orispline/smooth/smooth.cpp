@@ -425,8 +425,8 @@ Expected<Track> track_between(const Request& request, SmoothedNodes& nodes, cons
       sample += is_sample ? 1 : 0;
     }
   }
-  return smoothed_keyframes(between.times, nodes).map([&](Keyframes keys) {
-    track.keys = std::move(keys);
+  return smoothed_keyframes(between.times, nodes).map([&](const Keyframes& keys) {
+    track.keys = keys;
     return std::move(track);
   });
 }

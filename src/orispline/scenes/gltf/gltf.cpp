@@ -471,7 +471,7 @@ Expected<SceneWritten> written_from(const Source& source, const Scene& scene, co
   KeyStore store(uses.free_accessors, document.root().list("accessors").value()->size());
   auto animations = written_animations(scene, source, *plan, std::move(store));
   if (!animations) return tl::unexpected(std::move(animations.error()));
-  auto lists = packed(document, uses, std::move(animations->store));
+  auto lists = packed(document, uses, animations->store);
   if (!lists) return tl::unexpected(std::move(lists.error()));
   Json json = document.json;
   set_list(json, "animations", std::move(animations->list));

@@ -188,7 +188,7 @@ class Packing {
         uses_(uses.views),
         lists_{*document.root().list("accessors").value(), *document.root().list("bufferViews").value(), {}} {}
 
-  [[nodiscard]] Expected<Packed> with(KeyStore store, const std::vector<std::size_t>& free_accessors) && {
+  [[nodiscard]] Expected<Packed> with(const KeyStore& store, const std::vector<std::size_t>& free_accessors) && {
     keep_whole_views();
     for (std::size_t v = 0; v < uses_.size(); ++v) {
       if (!uses_[v].is_whole && !uses_[v].accessors.empty()) keep_parts_of(v);
@@ -333,9 +333,8 @@ Uses uses_of(const Document& document, const KeptSamplers& kept) {
   return uses;
 }
 
-Expected<Packed> packed(const Document& document, const Uses& uses, KeyStore store) {
-  return check_views(document).and_then(
-      [&] { return Packing(document, uses).with(std::move(store), uses.free_accessors); });
+Expected<Packed> packed(const Document& document, const Uses& uses, const KeyStore& store) {
+  return check_views(document).and_then([&] { return Packing(document, uses).with(store, uses.free_accessors); });
 }
 
 }}}  // namespace orispline::scenes::gltf

@@ -78,6 +78,6 @@ struct Packed {
 /// extensions may refer to them: their places are taken by new ones.
 ///
 /// Errors (bad_data): a bufferView whose data only an extension knows; more than 2 GiB.
-[[nodiscard]] Expected<Packed> packed(const Document& document, const Uses& uses, KeyStore store);
+[[nodiscard]] Expected<Packed> packed(const Document& document, const Uses& uses, const KeyStore& store);
 
 }}}  // namespace orispline::scenes::gltf
