@@ -38,7 +38,7 @@ Expected<orispline::SmoothOptions> smoothing_in(const SmoothnessOptions& options
   if (const auto cutoff = checked(
           if_given("--cutoff", options.cutoff, [](OptionText o) { return positive_in(without_unit(o, "Hz")); })))
     smoothing.smoothing_time = 1.0 / (2.0 * std::numbers::pi * *cutoff);
-  return std::move(checked).or_else(std::move(smoothing)).and_then([&](const orispline::SmoothOptions& read) {
+  return std::move(checked).or_else(smoothing).and_then([&](const orispline::SmoothOptions& read) {
     return check(read).map([&] { return read; }).map_error([&](Error error) {
       return said_of_cutoff(options, std::move(error));
     });

@@ -38,7 +38,7 @@ Expected<io::TrackFile> track_of(io::KeyReader reader, Signs signs) {
   auto keys = Keyframes::make(std::exchange(file->data, {}), signs);
   if (!keys) return tl::unexpected(located(*file, std::move(keys.error())));
   file->recipe.signs = signs;
-  return io::track_file(std::move(*file), std::move(*keys));
+  return io::track_file(std::move(*file), *keys);
 }
 
 Expected<Source> open_source(const SampleRequest& request, io::KeyReader keys) {

@@ -47,7 +47,7 @@ std::vector<P> with_ghosts(std::span<const P> solved, const FamilySettings& sett
 
 Expected<BetaThrough::Construction> BetaThrough::construction(const Keyframes& keys, const FamilySettings& settings) {
   return shape_with_ghosts(keys.size(), settings).and_then([&](const BetaShape& shape) {
-    return solved_points(keys.orientations(), shape, settings).map([&](auto&& points) {
+    return solved_points(keys.orientations(), shape, settings).map([&](auto points) {
       return Construction{shape, std::move(points)};
     });
   });

@@ -39,7 +39,7 @@ Expected<Method> with_period_text(Method method, std::string_view text) {
   const auto seconds = number_in(text);
   if (!seconds || *seconds <= 0.0)
     return bad_option(period, formatted("found '{}', wanted a number of seconds greater than 0", text));
-  return with_loop(std::move(method), {.period = *seconds});
+  return with_loop(std::move(method), {.period = seconds});
 }
 
 /// `SETTING=VALUE`, or `closed`.

@@ -105,8 +105,10 @@ double factor_of(const std::vector<KeyWidth>& keys, double share) {
   }
   std::ranges::sort(misses);
   double sum = 0.0;
-  for (const auto& [miss, weight] : misses)
-    if ((sum += weight) >= share * all) return miss;
+  for (const auto& [miss, weight] : misses) {
+    sum += weight;
+    if (sum >= share * all) return miss;
+  }
   return misses.empty() ? std::numeric_limits<double>::infinity() : misses.back().first;
 }
 

@@ -67,7 +67,7 @@ SlerpBezierCurve curve_of(const Keyframes& keys, const std::vector<Eigen::Quater
 Expected<Nu::Construction> Nu::construction(const Keyframes& keys, const FamilySettings& settings) {
   return ratios_of(keys.times(), settings.per_key("nu")).and_then([&](const Ratios& ratios) {
     return rule_of(keys, settings, ratios).and_then([&](const NuRule<double>& rule) {
-      return control_points_through(keys.orientations(), info.name, rule).map([&](auto&& controls) {
+      return control_points_through(keys.orientations(), info.name, rule).map([&](auto controls) {
         return Construction{rule, std::move(controls)};
       });
     });

@@ -20,7 +20,7 @@ Expected<TrackFile> checked(KeyFile file, const ReadOptions& options, std::optio
   if (options.inverse_poses || !options.frames.is_none()) file.table = {};  // states the keys of other frames
   auto keys = Keyframes::make(std::move(data), file.recipe.signs);
   if (!keys) return tl::unexpected(located(file, std::move(keys.error())));
-  return track_file(std::move(file), std::move(*keys));
+  return track_file(std::move(file), *keys);
 }
 
 /// Without what says how the file looks.
@@ -53,7 +53,7 @@ Expected<KeyReader> open_beside(const TrackFile& other, const Input& input, cons
 
 }  // namespace
 
-TrackFile track_file(KeyFile file, Keyframes keys) {
+TrackFile track_file(KeyFile file, Keyframes keys) {  // NOLINT(performance-unnecessary-value-param): keys are shared
   TrackFile found{.format = file.format,
                   .repairs = file.repairs,
                   .unposed = std::move(file.unposed),
@@ -66,7 +66,7 @@ TrackFile track_file(KeyFile file, Keyframes keys) {
       found.warnings.push_back(std::move(warning));
     }
   Track& track = found.track;
-  track.keys = std::move(keys);
+  track.keys = keys;
   track.name = std::move(file.path);
   track.epoch = file.epoch;
   track.lines = std::move(file.lines);

@@ -77,10 +77,10 @@ Expected<std::optional<std::vector<LabelledMethod>>> methods_in(const TaskReques
 }
 
 template <class Outcome>
-TaskOutcome told(Outcome outcome, std::vector<Track>&& tracks) {
+TaskOutcome told(const Outcome& outcome, std::vector<Track>&& tracks) {
   return {.document = document_of(outcome),
           .summary = summary_of(outcome),
-          .warnings = std::move(outcome.warnings),
+          .warnings = outcome.warnings,
           .tracks = std::move(tracks)};
 }
 
@@ -127,7 +127,7 @@ Expected<TaskOutcome> run_smooth(const TaskRequest& request, const Progress& pro
       .and_then([&](const SmoothOptions& options) {
         return smooth({.recording = request.input("recording"), .options = options}, progress);
       })
-      .map([](SmoothOutcome outcome) { return told(outcome, {outcome.smoothing.track}); });
+      .map([](const SmoothOutcome& outcome) { return told(outcome, {outcome.smoothing.track}); });
 }
 
 Expected<TaskOutcome> run_tune(const TaskRequest& request, const Progress& progress) {
@@ -139,7 +139,7 @@ Expected<TaskOutcome> run_tune(const TaskRequest& request, const Progress& progr
   return std::move(checked)
       .or_else(std::move(job))
       .and_then([&](TuneRequest sound) { return tune(std::move(sound), progress); })
-      .map([](TuneOutcome outcome) { return told(outcome, {outcome.tuning.track}); });
+      .map([](const TuneOutcome& outcome) { return told(outcome, {outcome.tuning.track}); });
 }
 
 Expected<TaskOutcome> run_reduce(const TaskRequest& request, const Progress& progress) {
@@ -159,7 +159,7 @@ Expected<TaskOutcome> run_reduce(const TaskRequest& request, const Progress& pro
   for (auto& outcome : reduce(*sound, progress)) {
     if (!outcome) return tl::unexpected(std::move(outcome.error()));
     const Track track = outcome->chosen().track;
-    outcomes.push_back(told(std::move(*outcome), {track}));
+    outcomes.push_back(told(*outcome, {track}));
   }
   return together(std::move(outcomes));
 }
@@ -172,7 +172,7 @@ Expected<TaskOutcome> run_retime(const TaskRequest& request, const Progress& pro
   return std::move(checked)
       .or_else(std::move(job))
       .and_then([&](RetimeRequest sound) { return retime(std::move(sound), progress); })
-      .map([](RetimeOutcome outcome) { return told(outcome, {outcome.retiming.track}); });
+      .map([](const RetimeOutcome& outcome) { return told(outcome, {outcome.retiming.track}); });
 }
 
 Expected<TaskOutcome> run_bake(const TaskRequest& request, const Progress& progress) {
@@ -183,7 +183,7 @@ Expected<TaskOutcome> run_bake(const TaskRequest& request, const Progress& progr
   return std::move(checked)
       .or_else(std::move(job))
       .and_then([&](BakeRequest sound) { return bake(std::move(sound), progress); })
-      .map([](BakeOutcome outcome) { return told(std::move(outcome), {}); });
+      .map([](const BakeOutcome& outcome) { return told(outcome, {}); });
 }
 
 Expected<TaskOutcome> run_mean(const TaskRequest& request, const Progress&) {
@@ -196,7 +196,7 @@ Expected<TaskOutcome> run_mean(const TaskRequest& request, const Progress&) {
   return typed_options<MeanOptions>(stated_in(request))
       .and_then(job_of)
       .and_then([](MeanRequest job) { return mean(std::move(job)); })
-      .map([](MeanOutcome outcome) { return told(outcome, {outcome.track()}); });
+      .map([](const MeanOutcome& outcome) { return told(outcome, {outcome.track()}); });
 }
 
 Expected<TaskOutcome> run_align(const TaskRequest& request, const Progress& progress) {
@@ -226,7 +226,7 @@ Expected<TaskOutcome> run_compare(const TaskRequest& request, const Progress& pr
   return std::move(checked)
       .or_else(std::move(job))
       .and_then([&](CompareRequest sound) { return compare(std::move(sound), progress); })
-      .map([](CompareOutcome outcome) { return told(std::move(outcome), {}); });
+      .map([](const CompareOutcome& outcome) { return told(outcome, {}); });
 }
 
 }}}  // namespace orispline::jobs
