@@ -93,7 +93,11 @@ KeyRows::KeyRows(std::string path, const FormatInfo& format, KeyColumns columns,
 }
 
 KeyRows::Place KeyRows::place_of(const TextTable& table) const {
-  return {table.here(), table.cells()[columns_.time], table.cells().first(columns_.width)};
+  return {table.line(), table.cells()[columns_.time], table.cells().first(columns_.width)};
+}
+
+Where KeyRows::where(std::size_t line, std::optional<std::size_t> column) const {
+  return {.file = file_.path, .line = line, .column = column};
 }
 
 /// Before sorting a row has no index yet.
@@ -135,15 +139,15 @@ Expected<void> KeyRows::add(const TextTable& table) {
 
 /// Appends a row with the position of the body.
 Expected<void> KeyRows::append(const KeyRow& key, const Place& place) {
-  const auto orientation = orientation_of(key.orientation, place.where);
+  const auto orientation = orientation_of(key.orientation, place.line);
   if (!orientation) return refused(orientation.error());
-  const auto inner = inner_of(key, place.where);
+  const auto inner = inner_of(key, place.line);
   if (!inner) return refused(inner.error());
   const Pose pose{*orientation, key.position};
   if (needs_all()) {
     times_.push_back(key.time);
   } else {
-    const auto appended = append_time(key.time, place.time, *place.where.line);
+    const auto appended = append_time(key.time, place.time, place.line);
     if (!appended) return tl::unexpected(appended.error());
     if (!*appended) {
       if (!unrising_) note_duplicate(pose);
@@ -155,7 +159,7 @@ Expected<void> KeyRows::append(const KeyRow& key, const Place& place) {
     ++file_.repairs.normalised;
     file_.repairs.largest_matrix_distance = std::max(file_.repairs.largest_matrix_distance, key.matrix_distance);
   }
-  file_.lines.push_back(static_cast<std::uint32_t>(*place.where.line));
+  file_.lines.push_back(static_cast<std::uint32_t>(place.line));
   if (options_.keep_table) file_.table.rows.emplace_back(place.cells.begin(), place.cells.end());
   append_motion(key, *orientation);
   for (std::size_t side = 0; side < inner->size(); ++side)
@@ -166,20 +170,19 @@ Expected<void> KeyRows::append(const KeyRow& key, const Place& place) {
 }
 
 /// The orientation, body to world, that a quaternion of the file states.
-Expected<Eigen::Quaterniond> KeyRows::orientation_of(const Eigen::Quaterniond& stated, Where where) {
-  return normalised(stated, std::move(where)).map([this](const Eigen::Quaterniond& unit) {
+Expected<Eigen::Quaterniond> KeyRows::orientation_of(const Eigen::Quaterniond& stated, std::size_t line,
+                                                     std::optional<std::size_t> column) {
+  return normalised(stated, line, column).map([this](const Eigen::Quaterniond& unit) {
     return options_.conjugate || options_.inverse_poses ? unit.conjugate() : unit;
   });
 }
 
 /// The inner quaternions of the row, likewise.
-Expected<KeyRows::InnerQuaternions> KeyRows::inner_of(const KeyRow& key, const Where& where) {
+Expected<KeyRows::InnerQuaternions> KeyRows::inner_of(const KeyRow& key, std::size_t line) {
   InnerQuaternions inner = key.inner;
   for (std::size_t side = 0; side < inner.size(); ++side) {
     if (!columns_.inner[side] || is_free_inner(inner[side])) continue;
-    Where there = where;
-    there.column = (*columns_.inner[side])[0].index + 1;
-    auto found = orientation_of(inner[side], std::move(there));
+    auto found = orientation_of(inner[side], line, (*columns_.inner[side])[0].index + 1);
     if (!found) return tl::unexpected(std::move(found.error()));
     inner[side] = *found;
   }
@@ -241,7 +244,7 @@ Expected<void> KeyRows::append_between(const KeyRow& key, const Place& place) {
         between.rates.fill(free_rate());
         between.inner.fill(free_inner());
         ++file_.repairs.rows_between;
-        if (auto appended = append(between, {place.where, {}, place.cells}); !appended) return appended;
+        if (auto appended = append(between, {place.line, {}, place.cells}); !appended) return appended;
       }
   }
   before_ = key;
@@ -254,7 +257,7 @@ Expected<void> KeyRows::add_part(KeyRow key, Error missing, const TextTable& tab
   const Place place = place_of(table);
   parts_.push_back({std::move(key),
                     std::move(missing),
-                    place.where,
+                    place.line,
                     std::string(place.time),
                     {place.cells.begin(), place.cells.end()}});
   return {};
@@ -279,7 +282,7 @@ Expected<void> KeyRows::take_two_tracks() {
   for (const Part& part : parts) {
     if (part.key.lacks == KeyRow::Lacks::orientation) continue;
     const std::vector<std::string_view> cells(part.cells.begin(), part.cells.end());
-    if (auto appended = append(part.key, {part.where, part.time, cells}); !appended) return appended;
+    if (auto appended = append(part.key, {part.line, part.time, cells}); !appended) return appended;
     if (unrising_) return tl::unexpected(out_of_order());
   }
   PositionTrack& apart = file_.positions_apart;
@@ -290,7 +293,7 @@ Expected<void> KeyRows::take_two_tracks() {
       return failure(
           ErrorCode::bad_data,
           formatted("time {} does not come after that of the position before it, wanted increasing times", part.time),
-          part.where);
+          where(part.line, std::nullopt));
     apart.times.push_back(time);
     apart.positions.push_back(position_in_world(part.key.position));
   }
@@ -305,13 +308,14 @@ Expected<void> KeyRows::take_two_tracks() {
 }
 
 /// A quaternion that is near enough to norm 1 for keys.
-Expected<Eigen::Quaterniond> KeyRows::normalised(Eigen::Quaterniond q, Where where) {
+Expected<Eigen::Quaterniond> KeyRows::normalised(Eigen::Quaterniond q, std::size_t line,
+                                                 std::optional<std::size_t> column) {
   const double norm = q.coeffs().stableNorm(), off = std::abs(norm - 1.0);
   if (off <= norm_error_limit || options_.norms == Norms::as_they_are) return q;
-  if (norm == 0.0) return mended_by("drop_invalid", "the quaternion is zero, wanted a rotation", std::move(where));
-  if (!std::isfinite(norm)) return tl::unexpected(norm_refused(norm, std::move(where)));
+  if (norm == 0.0) return mended_by("drop_invalid", "the quaternion is zero, wanted a rotation", where(line, column));
+  if (!std::isfinite(norm)) return tl::unexpected(norm_refused(norm, where(line, column)));
   if (options_.norms == Norms::near_one && off > loose_norm_limit + 1e-12)
-    return tl::unexpected(norm_refused(norm, std::move(where)));
+    return tl::unexpected(norm_refused(norm, where(line, column)));
   ++file_.repairs.normalised;
   file_.repairs.largest_norm_error = std::max(file_.repairs.largest_norm_error, off);
   q.coeffs() /= norm;

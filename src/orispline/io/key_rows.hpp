@@ -45,7 +45,7 @@ class KeyRows {
  private:
   /// Where a row stands, for what is said of it, and what is kept of it.
   struct Place {
-    Where where;
+    std::size_t line;
     std::string_view time;  // as it is written
     std::span<const std::string_view> cells;
   };
@@ -53,7 +53,7 @@ class KeyRows {
   struct Part {
     KeyRow key;
     Error missing;
-    Where where;
+    std::size_t line;
     std::string time;
     std::vector<std::string> cells;
   };
@@ -71,18 +71,21 @@ class KeyRows {
   using InnerQuaternions = std::array<Eigen::Quaterniond, inner_names.size()>;
 
   [[nodiscard]] Place place_of(const TextTable& table) const;
+  [[nodiscard]] Where where(std::size_t line, std::optional<std::size_t> column) const;
   [[nodiscard]] Expected<void> refused(Error error) const;
   [[nodiscard]] Expected<void> add_part(KeyRow key, Error missing, const TextTable& table);
   [[nodiscard]] Expected<void> settle_parts();
   [[nodiscard]] Expected<void> take_two_tracks();
   [[nodiscard]] Expected<void> append(const KeyRow& key, const Place& place);
   [[nodiscard]] Expected<void> append_between(const KeyRow& key, const Place& place);
-  [[nodiscard]] Expected<Eigen::Quaterniond> orientation_of(const Eigen::Quaterniond& stated, Where where);
-  [[nodiscard]] Expected<InnerQuaternions> inner_of(const KeyRow& key, const Where& where);
+  [[nodiscard]] Expected<Eigen::Quaterniond> orientation_of(const Eigen::Quaterniond& stated, std::size_t line,
+                                                            std::optional<std::size_t> column = std::nullopt);
+  [[nodiscard]] Expected<InnerQuaternions> inner_of(const KeyRow& key, std::size_t line);
   [[nodiscard]] Eigen::Vector3d position_in_world(const Eigen::Vector3d& stated) const;
   void append_motion(const KeyRow& key, const Eigen::Quaterniond& orientation);
   [[nodiscard]] Expected<void> add_unposed(const KeyRow& key, const TextTable& table);
-  [[nodiscard]] Expected<Eigen::Quaterniond> normalised(Eigen::Quaterniond q, Where where);
+  [[nodiscard]] Expected<Eigen::Quaterniond> normalised(Eigen::Quaterniond q, std::size_t line,
+                                                        std::optional<std::size_t> column);
   [[nodiscard]] Expected<void> settle_clock(const TextTable& table);
   void settle_time_unit(const Decimal& first);
   void warn_of_long_steps();

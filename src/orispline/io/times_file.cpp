@@ -73,14 +73,16 @@ Expected<Decimal> time_of(const TextTable& table, TimeColumn& column, const Cloc
     return at_row(table, formatted("found {}, wanted the time in cell {}", counted(table.cells().size(), "cell"),
                                    column.index + 1));
   const std::string_view cell = table.cells()[column.index];
-  const auto here = table.here(column.index);
+  const auto refused = [&](std::string message) {
+    return failure(ErrorCode::bad_data, std::move(message), table.here(column.index));
+  };
   if (looks_like_iso_time(cell)) {
     const auto time = parse_iso_time(cell);
-    return time ? Expected<Decimal>(*time - clock.zero) : failure(ErrorCode::bad_data, time.error().message, here);
+    return time ? Expected<Decimal>(*time - clock.zero) : refused(time.error().message);
   }
   const auto time = decimal_of(cell);
-  if (!time) return failure(ErrorCode::bad_data, time.error().message, here);
-  if (!*time) return failure(ErrorCode::bad_data, formatted("found {}, wanted a finite time", in_quotes(cell)), here);
+  if (!time) return refused(time.error().message);
+  if (!*time) return refused(formatted("found {}, wanted a finite time", in_quotes(cell)));
   if (!std::exchange(column.states_unit, true))
     if (auto guess = time_unit_by_size(**time)) {
       column.unit = guess->seconds;
