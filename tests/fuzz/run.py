@@ -52,7 +52,7 @@ def main():
     parser.add_argument("seconds", type=int)
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--only", help="one target, such as fuzz_keys")
-    parser.add_argument("--slowest", type=int, default=25, metavar="S",
+    parser.add_argument("--slowest", type=int, default=40, metavar="S",
                         help="so many seconds of an input are a finding (default %(default)s); more on a busy machine")
     arguments = parser.parse_args()
     programs = sorted(path for path in arguments.folder.resolve().glob("fuzz_*")
