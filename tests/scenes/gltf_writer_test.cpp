@@ -101,6 +101,24 @@ TEST(GltfWriter, TakesKeysOutOfAViewThatOthersShare) {
   EXPECT_EQ(after.binary.size(), 28u);  // 4 before it, for the same place within 8 bytes
 }
 
+TEST(GltfWriter, KeepsWhatFollowsAnOddNumberOfBytesOnItsPlaceWithinEight) {
+  GltfFile file;
+  file.view("image");
+  file.animate(file.floats("SCALAR", {0, 1, 2}), file.floats("VEC4", test::quarter_turns));
+  const std::size_t second = file.view("second image");
+  file.more = fmt::format(R"(,"images":[{{"bufferView":0}},{{"bufferView":{}}}])", second);
+  Scene scene = scene_of(file);
+  scene.clips.clear();
+  const WrittenFile after = written(scene);
+  const auto image = [&](std::size_t i) {
+    return after.json["bufferViews"][after.json["images"][i]["bufferView"].get<std::size_t>()];
+  };
+  EXPECT_EQ(after.binary.substr(image(0).value("byteOffset", 0u), 5), "image");
+  const std::size_t offset = image(1)["byteOffset"];
+  EXPECT_EQ(after.binary.substr(offset, 12), "second image");
+  EXPECT_EQ(offset, 12u);  // was 68
+}
+
 TEST(GltfWriter, KeepsChannelsThatAreNotOurs) {
   GltfFile file = test::turning();
   const std::size_t weights = file.floats("SCALAR", {0, 0.5F, 1});
