@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/align/best_of_offsets.hpp>
 
+#include <cmath>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 namespace orispline { namespace {
@@ -15,9 +18,9 @@ constexpr TriedOffset best{.offset = 1.0, .sigma = 0.01, .noise = 1.0, .samples 
 
 std::optional<double> rival_of_best(const TriedOffset& other) {
   BestOfOffsets<Fit> fits;
-  fits.add(Fit{other});
-  fits.add(std::nullopt);
   fits.add(Fit{best});
+  fits.add(std::nullopt);
+  fits.add(Fit{other});
   return fits.rival(0.1);
 }
 
