@@ -67,6 +67,17 @@ TEST_F(Align, CountsTheOffsetFromTheEpochs) {
   EXPECT_NEAR(there.keys.times()[0], 0.0, 1e-5);
 }
 
+TEST_F(Align, CountsTheOffsetFromTimesThatBeginAnywhere) {
+  const Difference truth;
+  const double begin = 30.0;
+  Difference later = truth;
+  later.offset += begin;
+  const auto found = align(moved_recording({}, later, random),
+                           testing_support::track_of({}, begin, TrueMotion::orientation, TrueMotion::position, random));
+  ASSERT_TRUE(found) << describe(found.error());
+  expect_near(*found, truth, 1e-5, 1e-5);
+}
+
 TEST_F(Align, BringsOneRecordingOntoTheOther) {
   const Difference truth;
   const Taken with_positions{.has_positions = true};

@@ -71,6 +71,16 @@ TEST(Counterparts, TellWhatIsGuessed) {
   EXPECT_EQ(found.guessed, (Joints{1, 2}));
 }
 
+TEST(Counterparts, AreGuessedWhereSeveralOfOneNameAreElsewhere) {
+  const Skeleton a = skeleton(
+      {joint("root", no_parent), joint("left", 0), joint("hand", 1, 1.0), joint("right", 0), joint("hand", 3, 1.0)});
+  const Skeleton b = skeleton(
+      {joint("root", no_parent), joint("front", 0), joint("hand", 1, 2.0), joint("back", 0), joint("hand", 3, 2.0)});
+  const Counterparts found = counterparts_of(a, b);
+  EXPECT_EQ(found.joints, (Joints{0, no_parent, 2, no_parent, 4}));
+  EXPECT_EQ(found.guessed, (Joints{2, 4}));
+}
+
 TEST(Counterparts, AreTheSameInAnyOrderOfTheJoints) {
   std::vector<Joint> joints{joint("root", no_parent)};
   std::mt19937 dice(7);

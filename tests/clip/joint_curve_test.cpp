@@ -168,6 +168,8 @@ TEST(JointCurve, IsAnErrorBelowScalesThatLeaveNoOrientation) {
       "one for the world";
   EXPECT_EQ(fault_in_world({.joint = elbow_joint, .times = {0.0, 1.0}, .values = {{1, 1, 1}, {1, 2, 1}}}), uneven);
   EXPECT_EQ(fault_in_world({.joint = elbow_joint, .times = {0.0}, .values = {{1, 1, -1}}}), uneven);
+  EXPECT_EQ(fault_in_world({.joint = elbow_joint, .times = {0.0}, .values = {{1, 1.0001, 1}}}), uneven);
+  EXPECT_EQ(fault_in_world({.joint = elbow_joint, .times = {0.0}, .values = {{1, 1.000009, 1}}}), "");
   EXPECT_EQ(fault_in_world({.joint = elbow_joint,
                             .interpolation = ChannelInterpolation::cubicspline,
                             .times = {0.0, 1.0},

@@ -119,6 +119,21 @@ TEST(GltfWriter, KeepsWhatFollowsAnOddNumberOfBytesOnItsPlaceWithinEight) {
   EXPECT_EQ(offset, 12u);  // was 68
 }
 
+TEST(GltfWriter, KeepsKeysThatAMeshOrASkinNamesToo) {
+  for (const char* const also : {R"(,"meshes":[{"primitives":[{"attributes":{},"indices":0}]}])",
+                                 R"(,"skins":[{"joints":[0],"inverseBindMatrices":0}])",
+                                 R"(,"meshes":[{"primitives":[{"attributes":{"_WAVE":0}}]}])",
+                                 R"(,"meshes":[{"primitives":[{"attributes":{},"targets":[{"POSITION":0}]}]}])"}) {
+    GltfFile file = test::turning();
+    file.more = also;
+    Scene scene = scene_of(file);
+    scene.clips.clear();
+    const WrittenFile after = written(scene);
+    EXPECT_EQ(after.accessor_bytes(0, 4), bytes_of<float>({0, 1, 2})) << also;
+    EXPECT_EQ(after.binary.size(), 12u) << also;
+  }
+}
+
 TEST(GltfWriter, KeepsChannelsThatAreNotOurs) {
   GltfFile file = test::turning();
   const std::size_t weights = file.floats("SCALAR", {0, 0.5F, 1});
