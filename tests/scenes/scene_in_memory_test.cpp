@@ -45,4 +45,11 @@ TEST(SceneInMemory, HoldsTracks) {
   EXPECT_EQ(track->track.keys.size(), 3u);
 }
 
+TEST(SceneInMemory, IsNamedWhereAJointIsNotInIt) {
+  join_formats();
+  const auto track = io::read_track(Input::in_memory("arm.glb", arm.glb()), {.scene = {.joint = "leg"}});
+  ASSERT_FALSE(track);
+  EXPECT_EQ(track.error().where.file, "arm.glb");
+}
+
 }}  // namespace orispline::scenes

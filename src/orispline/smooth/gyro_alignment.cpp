@@ -126,7 +126,6 @@ class Regression {
   void add(const Window& window, const std::vector<Eigen::Vector3d>& residuals, Eigen::Matrix4d& normal,
            Eigen::Vector4d& right) const {
     Eigen::Matrix<double, 3, 4> mean_slopes = Eigen::Matrix<double, 3, 4>::Zero();
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     double sum = 0.0;
     const auto weight = [&](std::size_t i) {
       const double length = residuals[i].norm();
@@ -134,13 +133,12 @@ class Regression {
     };
     for (std::size_t i = 0; i < window.size(); ++i) {
       mean_slopes += weight(i) * window[i].slopes;
-      mean += weight(i) * residuals[i];
       sum += weight(i);
     }
     for (std::size_t i = 0; i < window.size(); ++i) {
       const Eigen::Matrix<double, 3, 4> slopes = window[i].slopes - mean_slopes / sum;
       normal += weight(i) * slopes.transpose() * slopes;
-      right += weight(i) * slopes.transpose() * (residuals[i] - mean / sum);
+      right += weight(i) * slopes.transpose() * residuals[i];  // the slopes are without their mean
     }
   }
 
