@@ -65,6 +65,8 @@ TEST_F(Align, CountsTheOffsetFromTheEpochs) {
   const Track there = aligned(moved, fixed, *found).value();
   EXPECT_EQ(there.epoch, fixed.epoch);
   EXPECT_NEAR(there.keys.times()[0], 0.0, 1e-5);
+  moved.as_read.assign(moved.keys.orientations().begin(), moved.keys.orientations().end());
+  EXPECT_TRUE(aligned(moved, fixed, *found).value().as_read.empty());  // it is another motion than was read
 }
 
 TEST_F(Align, CountsTheOffsetFromTimesThatBeginAnywhere) {
