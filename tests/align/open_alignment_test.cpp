@@ -33,6 +33,21 @@ bool warns(const Alignment& alignment) {
   return false;
 }
 
+/// What is open does not depend on the unit of time.
+TEST(OpenAlignment, IsNoneOfAMotionThatIsSlowOrFast) {
+  for (const double second : {1e-4, 1e4}) {
+    std::mt19937_64 random(3);
+    const Taken taken{.rate = 50.0 / second, .to = 20.0 * second, .noise = 0.01 * degree};
+    const auto turn = [&](double t) { return TrueMotion::orientation(t / second); };
+    const Track fixed = track_of(taken, 0.0, turn, TrueMotion::position, random);
+    const Track moved = track_of(taken, 0.1373 * second, turn, TrueMotion::position, random);
+    const auto found = align(moved, fixed);
+    ASSERT_TRUE(found) << describe(found.error());
+    EXPECT_TRUE(found->open.empty()) << second;
+    EXPECT_NEAR(found->offset.to_double() / second, 0.1373, 1e-4);
+  }
+}
+
 /// A turn of the world about the only axis is the same as one of the body.
 TEST(OpenAlignment, IsThatOfTurnsAboutOneAxis) {
   for (const double noise : {0.0, 0.3 * degree}) {
