@@ -239,18 +239,18 @@ Expected<void> sample_many(std::span<const CompiledCurve<T>> curves, double t, c
   return {};
 }
 
-// NOLINTBEGIN(bugprone-macro-parentheses): Curve is a type
+// NOLINTBEGIN(bugprone-macro-parentheses): they are types
 #define ORISPLINE_SAMPLE_FROM(Curve, T)                                                              \
   template Expected<void> sample_uniform<T>(const Curve&, double, double, const Samples<T>&, Work);  \
   template Expected<void> sample<T>(const Curve&, std::span<const double>, const Samples<T>&, Work); \
   template Expected<void> sample_at<T>(const Curve&, std::span<const double>, const Samples<T>&, Work);
-// NOLINTEND(bugprone-macro-parentheses)
 #define ORISPLINE_SAMPLE(T)                  \
   ORISPLINE_SAMPLE_FROM(AnyCurve, T)         \
   ORISPLINE_SAMPLE_FROM(CompiledCurve<T>, T) \
   ORISPLINE_SAMPLE_FROM(PoseCurve, T)        \
   ORISPLINE_SAMPLE_FROM(BakedCurve<T>, T)    \
   template Expected<void> sample_many<T>(std::span<const CompiledCurve<T>>, double, const Samples<T>&, Work);
+// NOLINTEND(bugprone-macro-parentheses)
 ORISPLINE_SAMPLE(double)
 ORISPLINE_SAMPLE(float)
 
