@@ -33,6 +33,7 @@ class SharedList {
     if (block_) block_->owners.fetch_add(1, std::memory_order_relaxed);
   }
   SharedList(SharedList&& other) noexcept : block_(std::exchange(other.block_, nullptr)) {}
+  // NOLINTNEXTLINE(bugprone-unhandled-self-assignment): by a copy
   SharedList& operator=(const SharedList& other) noexcept { return *this = SharedList(other); }
   SharedList& operator=(SharedList&& other) noexcept {
     std::swap(block_, other.block_);
