@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/align.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -68,7 +69,10 @@ TEST(OpenAlignment, IsThatOfAnEvenTurn) {
   const auto found = alignment_of([](double t) { return 0.5 * t; }, 0.1 * degree, 0.0);
   ASSERT_TRUE(found) << describe(found.error());
   EXPECT_EQ(found->open.size(), 2u);
-  EXPECT_TRUE(warns(*found));
+  const auto names_offset = [](const Warning& warning) {
+    return warning.message.find("the offset of the clocks") != std::string::npos;
+  };
+  EXPECT_TRUE(std::ranges::any_of(found->warnings, names_offset));
 }
 
 /// Where nothing moves, one rotation is all that is known.
