@@ -112,7 +112,7 @@ TEST(CasesOfC, AreWhatIsRefused) {
     EXPECT_EQ(result.code, one["error"]["code"]) << one;
     EXPECT_EQ(orispline_error_key(result.error.get()), one["error"]["key"]) << one;
     EXPECT_EQ(result.message(), one["error"]["message"].get<std::string>());
-    EXPECT_EQ(result.option(), one["error"]["option"]);
+    EXPECT_EQ(result.option(), one["error"]["option"].get<std::string>());
     EXPECT_EQ(orispline_error_remedy(result.error.get()), one["error"]["remedy"]);
   }
 }

@@ -45,6 +45,7 @@ TEST(CurveOfC, HasTheBitsOfEveryMethod) {
       for (const Side side : {Side::right, Side::left}) {
         const auto found = motion_at(curve, t, side == Side::left ? ORISPLINE_LEFT : ORISPLINE_RIGHT);
         const auto numbers = numbers_of(wanted.orientation.motion(t, side), wanted.position->linear_motion(t, side));
+        // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the same bits
         EXPECT_EQ(std::memcmp(&found, numbers.data(), sizeof found), 0) << family.name << " at " << t;
       }
   }
@@ -59,6 +60,7 @@ TEST(CurveOfC, GivesOrientationsInTheOrderThatIsAskedFor) {
     expect_ok(call(orispline_curve_orientation, static_cast<const orispline_curve*>(curve.get()), t, ORISPLINE_XYZW,
                    last.data()));
     EXPECT_EQ(first, (std::array{last[3], last[0], last[1], last[2]}));
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the same bits
     EXPECT_EQ(std::memcmp(last.data(), motion_at(curve, t).orientation, sizeof last), 0);
   }
 }
