@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/warning.hpp>
 #include <orispline/curve/keyframe.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
