@@ -69,6 +69,7 @@ TEST(OpenAlignment, IsThatOfAnEvenTurn) {
   const auto found = alignment_of([](double t) { return 0.5 * t; }, 0.1 * degree, 0.0);
   ASSERT_TRUE(found) << describe(found.error());
   EXPECT_EQ(found->open.size(), 2u);
+  EXPECT_TRUE(warns(*found));
   const auto names_offset = [](const Warning& warning) {
     return warning.message.find("the offset of the clocks") != std::string::npos;
   };
