@@ -293,7 +293,7 @@ Expected<void> KeyRows::take_two_tracks() {
       return failure(
           ErrorCode::bad_data,
           formatted("time {} does not come after that of the position before it, wanted increasing times", part.time),
-          where(part.line, std::nullopt));
+          where(part.line));
     apart.times.push_back(time);
     apart.positions.push_back(position_in_world(part.key.position));
   }

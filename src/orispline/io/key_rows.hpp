@@ -71,7 +71,7 @@ class KeyRows {
   using InnerQuaternions = std::array<Eigen::Quaterniond, inner_names.size()>;
 
   [[nodiscard]] Place place_of(const TextTable& table) const;
-  [[nodiscard]] Where where(std::size_t line, std::optional<std::size_t> column) const;
+  [[nodiscard]] Where where(std::size_t line, std::optional<std::size_t> column = std::nullopt) const;
   [[nodiscard]] Expected<void> refused(Error error) const;
   [[nodiscard]] Expected<void> add_part(KeyRow key, Error missing, const TextTable& table);
   [[nodiscard]] Expected<void> settle_parts();
