@@ -142,6 +142,22 @@ TEST_F(Align, IsTurnedRoundWithTheRecordings) {
   EXPECT_NEAR((there->offset + back->offset).to_double(), 0.0, 1e-3);
 }
 
+/// The recordings overlap by seconds, but most of them lie in a hole of the fixed one.
+TEST_F(Align, RefusesAnOffsetThatBringsOnlyAFewSamplesTogether) {
+  const Difference truth{.offset = 0.0};
+  const Track moved = moved_recording({.from = 9.9}, truth, random), whole = fixed_recording({}, random);
+  KeyframeData data = whole.keys.data(), with_hole;
+  for (std::size_t i = 0; i < data.times.size(); ++i)
+    if (data.times[i] < 10.0 || data.times[i] > 19.99) {
+      with_hole.times.push_back(data.times[i]);
+      with_hole.orientations.push_back(data.orientations[i]);
+    }
+  const auto found = align(moved, Track(Keyframes::make(std::move(with_hole)).value()), {.offset = 0.0});
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().option, "offset");
+  EXPECT_NE(found.error().message.find("side by side"), std::string::npos) << found.error().message;
+}
+
 TEST_F(Align, RefusesWhatCannotBeAligned) {
   const Difference truth;
   const Track moved = moved_recording({}, truth, random), fixed = fixed_recording({}, random);

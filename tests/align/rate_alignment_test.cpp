@@ -270,4 +270,17 @@ TEST(RateAlignment, WarnsOfWhatIsNoAlignment) {
   EXPECT_EQ(found->warnings[0].code, "poor_alignment");
 }
 
+/// What is far beyond the noise of a good gyro is near in units of what is left of a poor one: every orientation
+/// counts.
+TEST(RateAlignment, ComparesEveryOrientationWithAPoorGyro) {
+  const SimulatedBody motion(13);
+  GyroTrack scaled = gyro_of(motion, {.noise = 0.02 * degree}, 1);
+  for (Eigen::Vector3d& rate : scaled.rates.rates) rate.x() *= 1.1;
+  const Track poses = poses_of(motion, {.noise = 0.02 * degree}, 2);
+  const auto found = align(scaled, poses);
+  ASSERT_TRUE(found) << describe(found.error());
+  EXPECT_GT(found->excess, 6.0);
+  EXPECT_GE(found->compared, poses.keys.size() * 99 / 100);
+}
+
 }}  // namespace orispline

@@ -86,7 +86,7 @@ Seen seen_gyro(const GyroPlan& plan, const SeenPoses& poses, double gyro_noise) 
 /// Where the gyro says nothing, the motion is as stiff as the orientations alone want it: `alone` is their λ, in units
 /// of the weights of the fit.
 void stiffen(SmoothingProblem& problem, const std::vector<bool>& unled, double lambda, double alone) {
-  if (std::ranges::count(unled, true) == 0) return;
+  if (std::ranges::find(unled, true) == unled.end()) return;
   for (const bool is_unled : unled) problem.relative_lambdas.push_back(is_unled ? alone / lambda : 1.0);
 }
 
