@@ -270,6 +270,21 @@ TEST(RateAlignment, WarnsOfWhatIsNoAlignment) {
   EXPECT_EQ(found->warnings[0].code, "poor_alignment");
 }
 
+/// One orientation in five hundred is wild.
+TEST(RateAlignment, NamesTheOrientationsThatDoNotCount) {
+  const SimulatedBody motion(14);
+  KeyframeData data = poses_of(motion, {.noise = 0.1 * degree}, 2).keys.data();
+  std::vector<std::size_t> wild;
+  for (std::size_t i = 500; i < data.orientations.size(); i += 500) {
+    wild.push_back(i);
+    data.orientations[i] = data.orientations[i] * exp<double>(Eigen::Vector3d(0.5, 0.4, -0.3));
+  }
+  const auto found = align(gyro_of(motion, {}, 1), Track(Keyframes::make(std::move(data)).value()));
+  ASSERT_TRUE(found) << describe(found.error());
+  EXPECT_TRUE(std::ranges::includes(found->rejected_fixed, wild));
+  EXPECT_LE(found->rejected_fixed.size(), 100U);
+}
+
 /// What is far beyond the noise of a good gyro is near in units of what is left of a poor one: every orientation
 /// counts.
 TEST(RateAlignment, ComparesEveryOrientationWithAPoorGyro) {

@@ -210,9 +210,12 @@ TEST(GltfWriter, MakesBonesToTheFarthestChild) {
   EXPECT_EQ(after.json["nodes"][2], Json({{"name", "far"}, {"translation", {0.0, 0.0, 3.0}}}));
   ASSERT_EQ(after.json["meshes"].size(), 1u);
   EXPECT_EQ(after.json["accessors"][1]["max"][2], 3.0);
+  for (const Json& view : after.json["bufferViews"]) EXPECT_EQ(view["buffer"], 0);
   const orispline::test::ScratchDirectory folder;
   ASSERT_TRUE(write_scene(scene, folder.file("bare.gltf"), {.bones = false}));
-  EXPECT_EQ(orispline::test::content_of(folder.file("bare.gltf")).find("mesh"), std::string::npos);
+  const std::string bare = orispline::test::content_of(folder.file("bare.gltf"));
+  EXPECT_EQ(bare.find("mesh"), std::string::npos);
+  EXPECT_TRUE(bare.starts_with("{\n  \"")) << "indented by two";
 }
 
 TEST(GltfWriter, AlignsSignsButLeavesSplinesTheCurvesThatTheyAre) {

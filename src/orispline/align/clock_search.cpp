@@ -74,7 +74,6 @@ std::vector<Candidate> candidates(std::span<const double> moved, std::span<const
   std::vector<Candidate> all;
   for (std::ptrdiff_t lag = least - size(fixed); lag <= size(moved) - least; ++lag) {
     const auto from = std::max<std::ptrdiff_t>(0, -lag), to = std::min(size(fixed), size(moved) - lag);
-    if (to - from < least) continue;
     const auto count = static_cast<std::size_t>(to - from);
     all.push_back({unlikeness.sum(moved.subspan(static_cast<std::size_t>(from + lag), count),
                                   fixed.subspan(static_cast<std::size_t>(from), count)),
