@@ -16,7 +16,8 @@ WITHOUT = {"report", "pages"}
 NOT_BUILT = {"scenes/assimp.cpp"}  # without an option that is off
 PLACE = re.compile(r"src/orispline/([\w/.]+):(\d+)")
 LIBRARY, HOST = "src/orispline", "base/expected.cpp"  # the host has mutation.cpp behind its own text
-FLAGS = {"CMAKE_BUILD_TYPE": "Debug", "CMAKE_CXX_FLAGS_DEBUG": "-O1", "ORISPLINE_TESTS": "ON", "BUILD_SHARED_LIBS": "OFF"}
+FLAGS = {"CMAKE_BUILD_TYPE": "Debug", "CMAKE_CXX_FLAGS_DEBUG": "-O1 -D_GLIBCXX_ASSERTIONS", "ORISPLINE_TESTS": "ON",
+         "BUILD_SHARED_LIBS": "OFF"}
 
 
 def put(path, data):

@@ -215,7 +215,6 @@ class Descents {
 Expected<Descents> descents(const Keyframes& keys, const FamilySettings& settings, const Knots& knots,
                             const Counts& counts) {
   FamilySettings with = settings;
-  with.parameters.emplace("nu", PerKey({0.0}));
   with.parameters.emplace("hold", PerKey({0.0}));
   std::vector<std::pair<double, AnyCurve>> starts;
   const auto take = [&](auto curve) {

@@ -253,7 +253,6 @@ Document with_bones(Document document, const Skeleton& skeleton) {
   document.views = {View{.offset = 0, .length = sizeof triangles},
                     View{.offset = sizeof triangles, .length = corners.size(), .stride = corner_bytes}};
   document.json["bufferViews"] = views_of(corners.size());
-  document.json["buffers"] = Json::array({{{"byteLength", document.binary.size()}}});
   document.json["accessors"] = std::move(accessors);
   document.json["meshes"] = std::move(meshes);
   return document;
