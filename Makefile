@@ -36,9 +36,10 @@ wasm:
 python_package = cmake --install build/release --prefix build/python/prefix > /dev/null && \
   python3 bindings/python/build.py build/python build/python/prefix $(1)
 
-# One build of the library serves the command, the tests, the users' programs and the Python package, which comes last, where
-# Python's headers and the packages of its tests are to be had, with the site, which has its reference. Clang compiles the families, which are most
-# templates. The studio comes before the command that holds its page.
+# One build of the library serves the command, the tests, the users' programs and the Python package, which is built where Python's
+# headers and the packages of its tests are to be had, before the tests, for those of the studio run the Python that it copies. The site,
+# which has the package's reference, comes last. Clang compiles the families, which are most templates. The studio comes before the command
+# that holds its page.
 test: build
 	tools/setup.sh build test python spark wasm site
 	$(build_wasm)
@@ -48,8 +49,9 @@ test: build
 	cmake --preset clang-families
 	$(call timed,the families by Clang) cmake --build --preset clang-families -j $(JOBS)
 	$(call timed,tests of the families by Clang) ctest --preset clang-families -j $(JOBS)
+	$(call timed,the Python package) sh -c '$(call python_package,--or-skip)'
 	$(call timed,the tests) ctest --preset release -j $(JOBS) --output-junit junit.xml --test-output-size-passed 100000
-	$(call timed,the Python package) sh -c '$(call python_package,--test --or-skip)'
+	$(call timed,tests of the Python package) python3 bindings/python/build.py build/python --installed --test --or-skip
 	$(call timed,the site) $(site) --or-skip
 	$(call timed,tests of the site) tests/site/browse.sh build/site build/site-browser
 	@tests/summary.py build/release/junit.xml

@@ -129,6 +129,7 @@ def main():
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("prefix", type=pathlib.Path, nargs="?")
     parser.add_argument("--sdist", action="store_true", help="the source beside the wheel")
+    parser.add_argument("--installed", action="store_true", help="builds nothing: tests the wheel that an earlier call has built and installed")
     parser.add_argument("--test", action="store_true", help="then the tests of tests/python")
     parser.add_argument("--timing", action="store_true", help="then those that measure time, one by one: for a quiet machine")
     parser.add_argument("--stub", action="store_true", help="write orispline/_core.pyi anew in the source")
@@ -139,9 +140,15 @@ def main():
         python = environment(folder)
     except Missing as missing:
         sys.exit(print(f"Python package: skipped: {missing}") if options.or_skip else f"build.py: {missing}")
-    wheel = built(python, folder, options.prefix, options.sdist)
-    run(python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--force-reinstall", "--no-deps", wheel)
-    report_sizes(wheel)
+    if options.installed:
+        wheels = list((folder / "dist").glob("*.whl"))
+        if len(wheels) != 1:
+            sys.exit(f"build.py: found {len(wheels)} wheels in {folder / 'dist'}, wanted the one that a call without --installed builds")
+        wheel, = wheels
+    else:
+        wheel = built(python, folder, options.prefix, options.sdist)
+        run(python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--force-reinstall", "--no-deps", wheel)
+        report_sizes(wheel)
     if options.stub:
         run(python, ROOT / "tools/make_python_stub.py", ROOT / "bindings/python/orispline/_core.pyi")
     runs = [words for wanted, words in ((options.test, SIDE_BY_SIDE), (options.timing, ["-m", "timing"])) if wanted]
