@@ -27,9 +27,9 @@ NaturalSpline::NaturalSpline(const Window& window) noexcept : window_(window), l
   for (std::size_t i = 1; i < middle; ++i) eliminate(i, i - 1, window.step(i - 1), window.step(i));
   for (std::size_t i = last_ - 1; i > middle; --i) eliminate(i, i + 1, window.step(i), window.step(i - 1));
   const double before = window.step(middle - 1), after = window.step(middle);
-  inverse_pivot_[middle] = 1.0 / (2.0 * (before + after) - before * link_[middle - 1] - after * link_[middle + 1]);
+  inverse_pivot_[middle] = 1.0 / (2.0 * (before + after) - (before * link_[middle - 1] + after * link_[middle + 1]));
   second_[middle] =
-      inverse_pivot_[middle] * (right_side(middle) - before * second_[middle - 1] - after * second_[middle + 1]);
+      inverse_pivot_[middle] * (right_side(middle) - (before * second_[middle - 1] + after * second_[middle + 1]));
   for (std::size_t i = middle; i-- > 1;) second_[i] -= link_[i] * second_[i + 1];
   for (std::size_t i = middle + 1; i < last_; ++i) second_[i] -= link_[i] * second_[i - 1];
 }
