@@ -27,12 +27,12 @@ struct BitsOfSamples {
   std::uint64_t path_samples, path_rates;      ///< of baked curves and of positions
 };
 
-inline constexpr BitsOfSamples written_bits{.local_samples = 0x836047facc1574c3U,
-                                            .local_jerks = 0x3f0076ccb7bfed75U,
-                                            .solved_samples = 0xab1f8ada183b8f44U,
-                                            .solved_jerks = 0xb375be68db693567U,
-                                            .path_samples = 0x1b43ebcd67e35f1eU,
-                                            .path_rates = 0x18ef863707211e3eU};
+inline constexpr BitsOfSamples written_bits{.local_samples = 0x711164207d6e7137U,
+                                            .local_jerks = 0xc786d66b2e9e9116U,
+                                            .solved_samples = 0x4a189207f105c82fU,
+                                            .solved_jerks = 0xcac4c3033bee3601U,
+                                            .path_samples = 0x2e65c57236076fb7U,
+                                            .path_rates = 0x3168807cffbfa260U};
 
 /// Angles that need folding.
 [[nodiscard]] inline AnyCurve tense_curve(double tension) {

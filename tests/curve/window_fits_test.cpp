@@ -77,22 +77,6 @@ TEST(NaturalSpline, HasRatesThatMeetAtAKeyAndNoneBeyondItsEnds) {
   }
 }
 
-TEST(NaturalSpline, OfTheMirrorImageBendsAlikeToTheLastBit) {
-  Dice dice(384);
-  for (const std::size_t size : {3, 5, 7}) {
-    Window window = some_window(dice, size, 0), mirrored = window;
-    for (std::size_t i = 0; i < size; ++i) {
-      mirrored.times[i] = -window.times[size - 1 - i];
-      mirrored.displacements[i] = window.displacements[size - 1 - i];
-    }
-    for (std::size_t i = 0; i < size; ++i) {
-      window.centre = i;
-      mirrored.centre = size - 1 - i;
-      EXPECT_EQ(NaturalSpline(mirrored).rates().second, NaturalSpline(window).rates().second) << size << ' ' << i;
-    }
-  }
-}
-
 TEST(ChartPiece, AboutTheMiddleHasTheRatesThatWereAskedForWhateverItTurns) {
   Dice dice(383);
   for (const double turn : {0.0, 1e-9, 0.3, 1.5, 3.1, 4.5, 6.0}) {

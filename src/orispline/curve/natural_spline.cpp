@@ -7,31 +7,21 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 NaturalSpline::NaturalSpline(const Window& window) noexcept : window_(window), last_(window.size - 1) {
   ORISPLINE_EXPECT(window.size >= 2 && window.size <= Window::capacity);
+  // Second derivatives M: h₋M₋ + 2(h₋ + h₊)M + h₊M₊ = 6 (secant₊ - secant₋), zero at both ends; Thomas' algorithm.
   for (std::size_t i = 0; i < last_; ++i) {
     per_step_[i] = 1.0 / window.step(i);
     secant_[i] = per_step_[i] * (window.displacements[i + 1] - window.displacements[i]);
   }
   second_[0].setZero();
   second_[last_].setZero();
-  link_[0] = link_[last_] = 0.0;
-  if (last_ < 2) return;
-  // Second derivatives M: h₋M₋ + 2(h₋ + h₊)M + h₊M₊ = 6 (secant₊ - secant₋), zero at both ends. Eliminated from both
-  // ends to the middle: the divisions of each half wait for each other, not for those of the other half.
-  const auto right_side = [this](std::size_t i) { return Eigen::Vector3d(6.0 * (secant_[i] - secant_[i - 1])); };
-  const auto eliminate = [&](std::size_t i, std::size_t outer, double outer_step, double inner_step) {
-    inverse_pivot_[i] = 1.0 / (2.0 * (outer_step + inner_step) - outer_step * link_[outer]);
-    link_[i] = inner_step * inverse_pivot_[i];
-    second_[i] = inverse_pivot_[i] * (right_side(i) - outer_step * second_[outer]);
-  };
-  const std::size_t middle = last_ / 2;
-  for (std::size_t i = 1; i < middle; ++i) eliminate(i, i - 1, window.step(i - 1), window.step(i));
-  for (std::size_t i = last_ - 1; i > middle; --i) eliminate(i, i + 1, window.step(i), window.step(i - 1));
-  const double before = window.step(middle - 1), after = window.step(middle);
-  inverse_pivot_[middle] = 1.0 / (2.0 * (before + after) - (before * link_[middle - 1] + after * link_[middle + 1]));
-  second_[middle] =
-      inverse_pivot_[middle] * (right_side(middle) - (before * second_[middle - 1] + after * second_[middle + 1]));
-  for (std::size_t i = middle; i-- > 1;) second_[i] -= link_[i] * second_[i + 1];
-  for (std::size_t i = middle + 1; i < last_; ++i) second_[i] -= link_[i] * second_[i - 1];
+  double upper = 0.0;
+  for (std::size_t i = 1; i < last_; ++i) {
+    const double before = window.step(i - 1), after = window.step(i);
+    inverse_pivot_[i] = 1.0 / (2.0 * (before + after) - before * upper);
+    upper_[i] = upper = after * inverse_pivot_[i];
+    second_[i] = inverse_pivot_[i] * (6.0 * (secant_[i] - secant_[i - 1]) - before * second_[i - 1]);
+  }
+  for (std::size_t i = last_; i-- > 1;) second_[i] -= upper_[i] * second_[i + 1];
 }
 
 WindowRates NaturalSpline::rates() const noexcept {
@@ -47,17 +37,11 @@ WindowRates NaturalSpline::rates() const noexcept {
 double NaturalSpline::left_out_error(std::size_t first, std::size_t past) const noexcept {
   ORISPLINE_EXPECT(last_ >= 2 && past <= window_.size);
   std::array<double, Window::capacity> own{}, next{}, after{};  // of the inverse, at (i, i), (i, i + 1) and (i, i + 2)
-  const std::size_t middle = last_ / 2;
-  own[middle] = inverse_pivot_[middle];
-  for (std::size_t i = middle; i-- > 1;) {
-    next[i] = -link_[i] * own[i + 1];
-    own[i] = inverse_pivot_[i] - link_[i] * next[i];
+  for (std::size_t i = last_; i-- > 1;) {
+    after[i] = -upper_[i] * next[i + 1];
+    next[i] = -upper_[i] * own[i + 1];
+    own[i] = inverse_pivot_[i] - upper_[i] * next[i];
   }
-  for (std::size_t i = middle + 1; i < last_; ++i) {
-    next[i - 1] = -link_[i] * own[i - 1];
-    own[i] = inverse_pivot_[i] - link_[i] * next[i - 1];
-  }
-  for (std::size_t i = 1; i + 2 < last_; ++i) after[i] = i < middle ? -link_[i] * next[i + 1] : -link_[i + 2] * next[i];
   double sum = 0.0;
   for (std::size_t j = first; j < past; ++j) {
     const std::size_t left = j > 0 ? j - 1 : 0, right = std::min(j + 1, last_);

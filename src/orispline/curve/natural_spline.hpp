@@ -21,8 +21,7 @@ class NaturalSpline {
   const Window& window_;
   std::size_t last_;                                               ///< key
   std::array<double, Window::capacity> per_step_;                  ///< one over each step [1/s]
-  std::array<double, Window::capacity> inverse_pivot_;             ///< of the elimination, at the inner keys
-  std::array<double, Window::capacity> link_;                      ///< to the neighbour that is nearer to the middle
+  std::array<double, Window::capacity> inverse_pivot_, upper_;     ///< of the elimination, at the inner keys
   std::array<Eigen::Vector3d, Window::capacity> secant_, second_;  ///< after each key, and the derivative there
 };
 
