@@ -90,9 +90,8 @@ Expected<std::vector<double>> vector(std::string_view text) {
 
 Expected<std::uint64_t> count(std::string_view text, std::uint64_t lowest) {
   std::uint64_t found = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, found);
-  if (error != std::errc{} || stop != end || found < lowest)
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), found);
+  if (error != std::errc{} || end != text.data() + text.size() || found < lowest)
     return wanted(text, formatted("a whole number from {} on", lowest));
   return found;
 }
