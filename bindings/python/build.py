@@ -108,6 +108,22 @@ def built(python, folder, prefix, sdist):
     return final
 
 
+def installed(python, folder, prefix, sdist):
+    """The wheel, built anew and installed in the environment."""
+    wheel = built(python, folder, prefix, sdist)
+    run(python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--force-reinstall", "--no-deps", wheel)
+    report_sizes(wheel)
+    return wheel
+
+
+def installed_before(folder):
+    """The wheel that an earlier call has built and installed."""
+    wheels = list((folder / "dist").glob("*.whl"))
+    if len(wheels) != 1:
+        sys.exit(f"build.py: found {len(wheels)} wheels in {folder / 'dist'}, wanted the one that a call without --installed builds")
+    return wheels[0]
+
+
 def report_sizes(wheel):
     """Says what the wheel and the module in it take. Ends the program where that is more than its budget."""
     with zipfile.ZipFile(wheel) as archive:
@@ -140,15 +156,7 @@ def main():
         python = environment(folder)
     except Missing as missing:
         sys.exit(print(f"Python package: skipped: {missing}") if options.or_skip else f"build.py: {missing}")
-    if options.installed:
-        wheels = list((folder / "dist").glob("*.whl"))
-        if len(wheels) != 1:
-            sys.exit(f"build.py: found {len(wheels)} wheels in {folder / 'dist'}, wanted the one that a call without --installed builds")
-        wheel, = wheels
-    else:
-        wheel = built(python, folder, options.prefix, options.sdist)
-        run(python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--force-reinstall", "--no-deps", wheel)
-        report_sizes(wheel)
+    wheel = installed_before(folder) if options.installed else installed(python, folder, options.prefix, options.sdist)
     if options.stub:
         run(python, ROOT / "tools/make_python_stub.py", ROOT / "bindings/python/orispline/_core.pyi")
     runs = [words for wanted, words in ((options.test, SIDE_BY_SIDE), (options.timing, ["-m", "timing"])) if wanted]

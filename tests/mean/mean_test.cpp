@@ -157,8 +157,7 @@ TEST(Mean, SaysWhereItMayNotBeTheOnlyOne) {
   ASSERT_EQ(found->warnings.size(), 1u);
   EXPECT_EQ(found->warnings[0].code, "mean_not_certified");
   EXPECT_NE(found->warnings[0].message.find("there may be another that is as good or better"), std::string::npos);
-  ASSERT_EQ(found->warnings[0].numbers.size(), 1u);
-  EXPECT_NEAR(found->warnings[0].numbers[0].second, 119.0, 1e-9);
+  EXPECT_NEAR(found->warnings[0].number("largest_distance_deg"), 119.0, 1e-9);
 }
 
 TEST(Mean, IsNoWorseThanAnyOfTheRowsOrWhatLiesBelowThem) {
