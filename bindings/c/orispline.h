@@ -49,7 +49,7 @@ extern "C" {
 
 /// That of the library which is there: a program that finds another number than ORISPLINE_C_ABI must not go on.
 ORISPLINE_C_API int32_t orispline_abi(void);
-/// `0.2.0`. It is never freed.
+/// `0.3.0`. It is never freed.
 ORISPLINE_C_API const char *orispline_version(void);
 
 /// Frees a text or bytes that a function of this header made. Null is nothing.

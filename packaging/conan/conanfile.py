@@ -8,7 +8,7 @@ from conan.tools.files import copy, get
 
 class Orispline(ConanFile):
     name = "orispline"
-    version = "0.2.0"
+    version = "0.3.0"
     description = "Smooth orientation curves through keyframes"
     license = "Apache-2.0"
     topics = ("quaternion", "rotation", "interpolation", "spline")

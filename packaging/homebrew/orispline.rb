@@ -4,7 +4,7 @@ class Orispline < Formula
   desc "Smooth orientation curves through keyframes"
   homepage "@REPOSITORY@"
   url "@ARCHIVE@"
-  version "0.2.0"
+  version "0.3.0"
   sha256 "@SHA256@"
   license "Apache-2.0"
 
