@@ -25,7 +25,10 @@ struct MotionFile {
   std::string name{};  ///< for people
   Skeleton skeleton{};
   std::vector<Clip> clips{};
-  bool has_no_unit = false;  ///< of length; else it is the metre
+  bool has_no_unit = false;        ///< of length; else it is the metre
+  std::string_view format{};       ///< with its article: `a BVH file`; empty where it is not known
+  std::string_view title{};        ///< of the format: `glTF`
+  bool is_single_precise = false;  ///< times and values are in single precision
 };
 
 /// Clips that have the same name are the same, and so is the only clip of both files; joints go by counterparts_of().

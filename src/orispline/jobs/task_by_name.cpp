@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
 #include <orispline/base/suggestion.hpp>
 #include <orispline/fields/field_json.hpp>
 #include <orispline/jobs/task_list.hpp>
@@ -49,23 +52,38 @@ Json results_json(const std::vector<FieldInfo>& fields) {
   return results;
 }
 
+Json options_json(const std::vector<FieldInfo>& fields) {
+  Json options = Json::array();
+  for (const FieldInfo& field : fields) options.push_back(option_json(field));
+  return options;
+}
+
+Json kinds_of(const TaskKinds& takes) {
+  Json kinds = Json::array();
+  if (takes.tracks) kinds.push_back("keys");
+  if (takes.gyros) kinds.push_back("rates");
+  if (takes.scenes) kinds.push_back("skeleton");
+  return kinds;
+}
+
 Json task_json(const TaskInfo& task) {
-  Json options = Json::array(), inputs = Json::array(), settings = Json::array();
-  for (const FieldInfo& field : task.options) options.push_back(option_json(field));
+  Json inputs = Json::array(), settings = Json::array();
   for (const TaskInput& input : task.inputs)
     inputs.push_back({{"name", input.name},
                       {"sentence", input.sentence},
                       {"required", input.is_required},
-                      {"several", input.takes_several}});
+                      {"several", input.takes_several},
+                      {"kinds", kinds_of(input.takes)}});
   for (const TaskSetting& setting : task.settings)
     settings.push_back({{"name", setting.name}, {"sentence", setting.sentence}});
   Json json{{"task", task.name},
             {"sentence", task.sentence},
-            {"options", std::move(options)},
+            {"options", options_json(task.options)},
             {"results", results_json(task.results)},
             {"inputs", std::move(inputs)},
             {"settings", std::move(settings)}};
   if (!task.results_of_gyros.empty()) json["results_of_gyros"] = results_json(task.results_of_gyros);
+  if (!task.options_of_scenes.empty()) json["options_of_skeletons"] = options_json(task.options_of_scenes);
   return json;
 }
 
@@ -87,6 +105,24 @@ std::vector<std::string_view> names_in(const List& stated) {
   return names;
 }
 
+/// `orientations at times, or a skeleton`
+std::string wanted_of(const TaskKinds& takes) {
+  std::vector<std::string_view> kinds;
+  if (takes.tracks) kinds.emplace_back("orientations at times");
+  if (takes.gyros) kinds.emplace_back("the rates of a gyro");
+  if (takes.scenes) kinds.emplace_back("the clips of a skeleton");
+  return joined(kinds, " or ");
+}
+
+std::string_view name_of(const TaskValue& value) {
+  constexpr std::array names{"orientations at times", "the rates of a gyro", "the clips of a skeleton"};
+  return names[value.index()];
+}
+
+bool takes(const TaskKinds& kinds, const TaskValue& value) {
+  return std::array{kinds.tracks, kinds.gyros, kinds.scenes}[value.index()];
+}
+
 Expected<void> check_inputs(const TaskInfo& task, const TaskRequest& request) {
   std::vector<std::string_view> known, repeated;
   for (const TaskInput& input : task.inputs) {
@@ -94,20 +130,31 @@ Expected<void> check_inputs(const TaskInfo& task, const TaskRequest& request) {
     if (input.takes_several) repeated.push_back(input.name);
   }
   if (auto fits = check_names("input", names_in(request.inputs), known, repeated); !fits) return fits;
-  for (const TaskInput& input : task.inputs)
-    if (input.is_required && !request.input(input.name))
-      return bad_option(input.name, "found none, wanted orientations at times");
+  for (const TaskInput& input : task.inputs) {
+    if (input.is_required && !request.value(input.name))
+      return bad_option(input.name, "found none, wanted " + wanted_of(input.takes));
+    for (const auto& [name, value] : request.inputs)
+      if (name == input.name && !takes(input.takes, value))
+        return bad_option(name, formatted("found {}, wanted {}", name_of(value), wanted_of(input.takes)));
+  }
   return {};
 }
 
+/// Those of the task, or of the task on a skeleton.
+const std::vector<FieldInfo>& options_for(const TaskInfo& task, const TaskRequest& request) {
+  const bool is_scene = has_scene(request);
+  return is_scene && !task.options_of_scenes.empty() ? task.options_of_scenes : task.options;
+}
+
 Expected<void> check_options(const TaskInfo& task, const TaskRequest& request) {
+  const std::vector<FieldInfo>& options = options_for(task, request);
   std::vector<std::string_view> known;
-  for (const FieldInfo& field : task.options)
+  for (const FieldInfo& field : options)
     if (field.type != FieldType::recording) known.push_back(field.name);
   for (const TaskSetting& setting : task.settings) known.push_back(setting.name);
   if (auto fits = check_names("option", names_in(request.options), known, {}); !fits) return fits;
-  for (const FieldInfo& field : task.options)
-    if (field.is_required && !request.option(field.name))
+  for (const FieldInfo& field : options)
+    if (field.is_required && !request.stated(field.name))
       return bad_option(field.name, "found none, wanted " + wanted_of(field));
   return {};
 }
@@ -120,16 +167,33 @@ Json tasks_json() {
   return list;
 }
 
+const TaskValue* TaskRequest::value(std::string_view name) const {
+  for (const auto& [known, value] : inputs)
+    if (known == name) return &value;
+  return nullptr;
+}
+
 std::shared_ptr<const Track> TaskRequest::input(std::string_view name) const {
-  for (const auto& [known, track] : inputs)
-    if (known == name) return track;
+  const TaskValue* const found = value(name);
+  const auto* const track = found ? std::get_if<std::shared_ptr<const Track>>(found) : nullptr;
+  return track ? *track : nullptr;
+}
+
+const FieldValue* TaskRequest::stated(std::string_view name) const {
+  for (const auto& [known, value] : options)
+    if (known == name) return &value;
   return nullptr;
 }
 
 const std::string* TaskRequest::option(std::string_view name) const {
-  for (const auto& [known, text] : options)
-    if (known == name) return &text;
-  return nullptr;
+  const FieldValue* const found = stated(name);
+  return found ? std::get_if<std::string>(found) : nullptr;
+}
+
+bool has_scene(const TaskRequest& request) {
+  return std::ranges::any_of(request.inputs, [](const auto& input) {
+    return std::holds_alternative<std::shared_ptr<const MotionFile>>(input.second);
+  });
 }
 
 Expected<TaskOutcome> run_task(std::string_view name, const TaskRequest& request, const Progress& progress) {

@@ -28,11 +28,13 @@ constexpr TaskSetting one_method{"method", "The text of the method whose curve i
 constexpr TaskSetting several_methods{"methods", "The texts of methods, with commas between them"};
 constexpr TaskSetting threads_setting{"threads", "At most so many at work; 0: one per core"};
 
-constexpr TaskInput keys_input{"keys", "The keys"}, recording_input{"recording", "The recording"};
+constexpr TaskInput keys_input{"keys", "The keys"};
+constexpr TaskKinds gyros_too{.gyros = true}, scenes_too{.scenes = true};
+constexpr TaskKinds gyros_alone{.tracks = false, .gyros = true}, scenes_alone{.tracks = false, .scenes = true};
 
 constexpr TaskInput not_required(std::string_view name, std::string_view sentence) { return {name, sentence, false}; }
-constexpr TaskInput several_of(std::string_view name, std::string_view sentence) {
-  return {name, sentence, true, true};
+constexpr TaskInput several_of(std::string_view name, std::string_view sentence, TaskKinds takes = {}) {
+  return {name, sentence, true, true, takes};
 }
 
 }  // namespace
@@ -42,8 +44,9 @@ TaskInfo smooth_info() {
           "A noisy recording as a smooth motion with rates",
           fields<SmoothOptions>(),
           fields<Smoothing>(),
-          {recording_input},
-          {},
+          {{.name = "recording", .sentence = "The recording, or a skeleton with its clips", .takes = scenes_too},
+           {"gyro", "The rates of a gyro with a clock of its own", false, false, gyros_alone}},
+          {threads_setting},
           run_smooth};
 }
 
@@ -55,15 +58,22 @@ TaskInfo tune_info() {
 }
 
 TaskInfo reduce_info() {
-  std::vector<TaskSetting> settings{several_methods, threads_setting, {"smooth", "Smooth the recordings first"}};
+  std::vector<TaskSetting> settings{
+      several_methods,
+      threads_setting,
+      {"smooth", "Smooth the recordings first"},
+      {"closed", "Of a skeleton: channels that end as they begin have the same tangent at both ends"},
+      {"position_scale", "Of a skeleton: metres in the unit of length of its file"}};
   for (const FieldInfo& field : fields_of<SmoothOptions>()) settings.push_back({field.name, field.sentence});
   return {"reduce",
           "The fewest keys that reproduce a recording within a tolerance",
           fields<ReduceOptions>(),
           fields<Reduction>(),
-          {several_of("recording", "The recording, or several")},
+          {several_of("recording", "The recording, or several; or a skeleton with its clips", scenes_too)},
           std::move(settings),
-          run_reduce};
+          run_reduce,
+          {},
+          fields<ClipReduceOptions>()};
 }
 
 TaskInfo retime_info() {
@@ -102,7 +112,8 @@ TaskInfo align_info() {
           "What brings one recording onto another one of the same motion",
           fields<AlignOptions>(),
           fields<Alignment>(),
-          {{"moved", "The recording that is brought"}, {"fixed", "The one that it is brought onto"}},
+          {{.name = "moved", .sentence = "The recording that is brought", .takes = gyros_too},
+           {.name = "fixed", .sentence = "The one that it is brought onto", .takes = gyros_too}},
           {},
           run_align,
           fields<RateAlignment>()};
@@ -121,6 +132,27 @@ TaskInfo compare_info() {
            {"align", "Bring the keys onto the reference first"},
            {"sort", "The word of the measure to sort by"}},
           run_compare};
+}
+
+TaskInfo inspect_info() {
+  return {"inspect",
+          "What keys are like, and where the rates of curves through them jump; or what a skeleton's clips hold",
+          {},
+          {},
+          {{.name = "keys", .sentence = "The keys, or a skeleton with its clips", .takes = scenes_too}},
+          {several_methods},
+          run_inspect};
+}
+
+TaskInfo difference_info() {
+  return {"difference",
+          "How far the motions of a skeleton in two files are apart",
+          {field_named(fields_of<ClipReduceOptions>(), "shell")},
+          {},
+          {{.name = "first", .sentence = "A skeleton with its clips", .takes = scenes_alone},
+           {.name = "second", .sentence = "The same skeleton with other clips", .takes = scenes_alone}},
+          {{"rate", "Compare at so many times per second as well [Hz]"}, threads_setting},
+          run_difference};
 }
 
 }}}  // namespace orispline::jobs

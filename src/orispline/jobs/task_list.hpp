@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <orispline/base/progress.hpp>
@@ -12,17 +14,41 @@
 #include <orispline/curve/track.hpp>
 #include <orispline/fields/field_info.hpp>
 #include <orispline/fields/json.hpp>
+#include <orispline/jobs/align.hpp>
+#include <orispline/jobs/align_rates.hpp>
+#include <orispline/jobs/bake.hpp>
+#include <orispline/jobs/compare.hpp>
+#include <orispline/jobs/curve_of_keys.hpp>
+#include <orispline/jobs/difference.hpp>
+#include <orispline/jobs/inspect.hpp>
+#include <orispline/jobs/inspect_scene.hpp>
+#include <orispline/jobs/mean.hpp>
+#include <orispline/jobs/reduce.hpp>
+#include <orispline/jobs/retime.hpp>
+#include <orispline/jobs/smooth.hpp>
+#include <orispline/jobs/tune.hpp>
 
-// The tasks by their names, for faces that know none of them: recordings and texts go in, a document, sentences and
-// tracks come out.
+// The tasks by their names: the one way by which the command and every binding run them. Recordings, skeletons and
+// options go in; a document, sentences, tracks and skeletons come out. No file is read or written here.
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
-/// Keys or recordings, by the name that a task has for them.
+/// What a task takes and makes: orientations at times, the rates of a gyro on a clock of their own, or the clips of a
+/// skeleton.
+using TaskValue =
+    std::variant<std::shared_ptr<const Track>, std::shared_ptr<const GyroTrack>, std::shared_ptr<const MotionFile>>;
+
+/// The kinds of values that an input takes.
+struct TaskKinds {
+  bool tracks = true, gyros = false, scenes = false;
+};
+
+/// An input, by the name that a task has for it.
 struct TaskInput {
   std::string_view name, sentence;
   bool is_required = true;
   bool takes_several = false;
+  TaskKinds takes{};
 };
 
 /// What a task takes beside the fields of its options.
@@ -30,15 +56,34 @@ struct TaskSetting {
   std::string_view name, sentence;
 };
 
-/// What somebody states for a task, by names; texts as they are typed.
+/// What somebody states for a task, by names. Options are texts as they are typed, or values in the units of the
+/// library.
 struct ORISPLINE_EXPORT TaskRequest {
-  std::vector<std::pair<std::string, std::shared_ptr<const Track>>> inputs{};
-  std::vector<std::pair<std::string, std::string>> options{};
+  std::vector<std::pair<std::string, TaskValue>> inputs{};
+  std::vector<std::pair<std::string, FieldValue>> options{};
+  std::optional<ChosenMethod> method{};   ///< in the place of the option `method`
+  std::vector<LabelledMethod> methods{};  ///< in the place of the option `methods`; none: the option holds
+  std::vector<Decimation> decimations{};  ///< of `compare`, in the place of the options that state one
+  KeyFaults faults{};                     ///< of `inspect`: what was mended in the keys for it
+  std::string mended{};                   ///< what reading mended in the inputs, in words that summaries repeat
 
-  /// Null where nothing of that name is stated.
+  /// Null where no orientations of that name are stated.
   [[nodiscard]] std::shared_ptr<const Track> input(std::string_view name) const;
+  /// Whatever is stated under that name; null where nothing is.
+  [[nodiscard]] const TaskValue* value(std::string_view name) const;
+  /// Null where none of that name is stated, or not as a text.
   [[nodiscard]] const std::string* option(std::string_view name) const;
+  /// Null where none of that name is stated.
+  [[nodiscard]] const FieldValue* stated(std::string_view name) const;
 };
+
+/// Whether one of the inputs is a skeleton.
+[[nodiscard]] ORISPLINE_EXPORT bool has_scene(const TaskRequest& request);
+
+/// What a task found, as its own function gives it.
+using TaskFinding = std::variant<SmoothOutcome, SmoothClipsOutcome, TuneOutcome, ReduceOutcome, ReduceSceneOutcome,
+                                 RetimeOutcome, BakeOutcome, MeanOutcome, AlignOutcome, RateAlignOutcome,
+                                 CompareOutcome, InspectOutcome, InspectSceneOutcome, DifferenceOutcome>;
 
 /// What there is to say of a task that was done, and what it made.
 struct TaskOutcome {
@@ -46,6 +91,10 @@ struct TaskOutcome {
   std::string summary{};
   std::vector<Warning> warnings{};
   std::vector<Track> tracks{};  ///< keys with the recipe of the curve that they are for
+  std::string line{};           ///< the summary in one line without an end; empty where a task has none
+  std::vector<GyroTrack> gyros{};
+  std::vector<MotionFile> scenes{};
+  std::vector<TaskFinding> findings{};  ///< one; of `reduce` one for each recording
 };
 
 /// A task: what it takes and what it gives.
@@ -55,7 +104,8 @@ struct TaskInfo {
   std::vector<TaskInput> inputs;
   std::vector<TaskSetting> settings;
   Expected<TaskOutcome> (*run)(const TaskRequest& request, const Progress& progress);
-  std::vector<FieldInfo> results_of_gyros{};  ///< in their place, where a face lets the task take such recordings too
+  std::vector<FieldInfo> results_of_gyros{};   ///< in their place, where an input is of a gyro
+  std::vector<FieldInfo> options_of_scenes{};  ///< in the place of the options, where the input is a skeleton
 };
 
 /// THE list of them.
@@ -65,9 +115,15 @@ struct TaskInfo {
 [[nodiscard]] ORISPLINE_EXPORT Json tasks_json();
 
 /// Errors: bad_argument, of the option or the input, for a task, an input or an option that there is not or that stands
-/// twice, and for one that is wanted and missing; those of typed_value(), and of the task.
+/// twice, for an input of another kind, and for one that is wanted and missing; those of typed_value(), and of the
+/// task.
 [[nodiscard]] ORISPLINE_EXPORT Expected<TaskOutcome> run_task(std::string_view name, const TaskRequest& request,
                                                               const Progress& progress = {});
+
+/// The page of what was found, as one HTML file. With ORISPLINE_PAGE. `after`: what it calls clips that were changed,
+/// such as the name of a file. Error (bad_argument): a task that has no page.
+[[nodiscard]] ORISPLINE_EXPORT Expected<std::string> page_of(const TaskOutcome& outcome, const pages::PageHead& head,
+                                                             std::string_view after = {});
 
 // What each of them is.
 [[nodiscard]] TaskInfo smooth_info();
@@ -78,6 +134,8 @@ struct TaskInfo {
 [[nodiscard]] TaskInfo mean_info();
 [[nodiscard]] TaskInfo align_info();
 [[nodiscard]] TaskInfo compare_info();
+[[nodiscard]] TaskInfo inspect_info();
+[[nodiscard]] TaskInfo difference_info();
 
 // How each of them is run.
 [[nodiscard]] Expected<TaskOutcome> run_smooth(const TaskRequest& request, const Progress& progress);
@@ -88,5 +146,7 @@ struct TaskInfo {
 [[nodiscard]] Expected<TaskOutcome> run_mean(const TaskRequest& request, const Progress& progress);
 [[nodiscard]] Expected<TaskOutcome> run_align(const TaskRequest& request, const Progress& progress);
 [[nodiscard]] Expected<TaskOutcome> run_compare(const TaskRequest& request, const Progress& progress);
+[[nodiscard]] Expected<TaskOutcome> run_inspect(const TaskRequest& request, const Progress& progress);
+[[nodiscard]] Expected<TaskOutcome> run_difference(const TaskRequest& request, const Progress& progress);
 
 }}}  // namespace orispline::jobs

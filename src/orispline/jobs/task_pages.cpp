@@ -18,6 +18,7 @@
 #include <orispline/jobs/reduce.hpp>
 #include <orispline/jobs/retime.hpp>
 #include <orispline/jobs/smooth.hpp>
+#include <orispline/jobs/task_list.hpp>
 #include <orispline/pages/task_pages.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
@@ -132,6 +133,36 @@ report::SkeletonPage page_of(const DifferenceOutcome& outcome, const pages::Page
   return pages::skeleton_page({first.name, first.skeleton, first.clips}, {second.name, second.skeleton, second.clips},
                               pairs, {.are_known = !first.has_no_unit && !second.has_no_unit, .shell = shell},
                               with_notes, threads);
+}
+
+namespace {
+
+/// The document of the page of one finding; of a task without a page none.
+struct PageOfFinding {
+  const pages::PageHead& head;
+  std::string_view after;
+
+  [[nodiscard]] static std::string html(const report::Page& page) { return report::document(page); }
+  [[nodiscard]] static std::string html(const report::SkeletonPage& page) { return report::skeleton_document(page); }
+
+  template <class Outcome>
+  [[nodiscard]] std::optional<std::string> operator()(const Outcome& outcome) const {
+    if constexpr (requires { page_of(outcome, head); }) return html(page_of(outcome, head));
+    else if constexpr (requires { page_of(outcome, std::string(after), head); })
+      return html(page_of(outcome, std::string(after), head));
+    else return std::nullopt;
+  }
+};
+
+}  // namespace
+
+Expected<std::string> page_of(const TaskOutcome& outcome, const pages::PageHead& head, std::string_view after) {
+  if (outcome.findings.size() != 1)
+    return failure(ErrorCode::bad_argument,
+                   formatted("found {} results, wanted one: a page shows one", outcome.findings.size()));
+  auto page = std::visit(PageOfFinding{head, after}, outcome.findings.front());
+  if (!page) return failure(ErrorCode::bad_argument, "found a task without a page, wanted one that has a page");
+  return *std::move(page);
 }
 
 }}}  // namespace orispline::jobs

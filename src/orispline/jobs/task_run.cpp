@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -25,8 +28,13 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
 namespace {
 
-StatedText stated_in(const TaskRequest& request) {
-  return [&request](std::string_view name) { return request.option(name); };
+StatedValue stated_in(const TaskRequest& request) {
+  return [&request](std::string_view name) { return request.stated(name); };
+}
+
+template <class Options>
+Expected<Options> options_in(const TaskRequest& request) {
+  return stated_options<Options>(stated_in(request));
 }
 
 /// With the name of the option that was wrong.
@@ -38,24 +46,38 @@ auto of_option(std::string_view name) {
 }
 
 Expected<bool> flag(const TaskRequest& request, std::string_view name) {
-  const std::string* const text = request.option(name);
-  if (!text) return false;
-  if (*text != "true" && *text != "false")
-    return Expected<bool>(typed::wanted(*text, "true or false")).map_error(of_option(name));
-  return *text == "true";
+  const FieldValue* const value = request.stated(name);
+  if (!value) return false;
+  if (const bool* const is_set = std::get_if<bool>(value)) return *is_set;
+  const std::string text = text_of(*value);
+  if (text != "true" && text != "false")
+    return Expected<bool>(typed::wanted(text, "true or false")).map_error(of_option(name));
+  return text == "true";
 }
 
 Expected<unsigned> threads_in(const TaskRequest& request) {
-  const std::string* const text = request.option("threads");
-  if (!text) return 0u;
-  return typed::count(*text, 0)
+  const FieldValue* const value = request.stated("threads");
+  if (!value) return 0u;
+  return typed::count(text_of(*value), 0)
       .map([](std::uint64_t count) {
         return static_cast<unsigned>(std::min<std::uint64_t>(count, std::numeric_limits<unsigned>::max()));
       })
       .map_error(of_option("threads"));
 }
 
+/// Absent where none is stated.
+Expected<std::optional<double>> positive_in(const TaskRequest& request, std::string_view name) {
+  const FieldValue* const value = request.stated(name);
+  if (!value || is_absent(*value)) return std::nullopt;
+  const double* const number = std::get_if<double>(value);
+  if (number && *number > 0.0 && std::isfinite(*number)) return std::optional(*number);
+  return typed::positive(text_of(*value))
+      .map([](double found) { return std::optional(found); })
+      .map_error(of_option(name));
+}
+
 Expected<ChosenMethod> method_in(const TaskRequest& request, const Track& keys, const UsualMethod& usual) {
+  if (request.method) return *request.method;
   const std::string* const text = request.option("method");
   if (!text) return chosen_method(std::nullopt, keys, usual);
   return method_from_text(*text).and_then([&](const Method& named) { return chosen_method(named, keys, usual); });
@@ -63,6 +85,7 @@ Expected<ChosenMethod> method_in(const TaskRequest& request, const Track& keys, 
 
 /// Absent where none are stated.
 Expected<std::optional<std::vector<LabelledMethod>>> methods_in(const TaskRequest& request) {
+  if (!request.methods.empty()) return request.methods;
   const std::string* const list = request.option("methods");
   if (!list) return std::nullopt;
   const auto texts = method_texts_in(*list);
@@ -76,33 +99,49 @@ Expected<std::optional<std::vector<LabelledMethod>>> methods_in(const TaskReques
   return methods;
 }
 
+/// Null where no skeleton is stated under that name.
+const MotionFile* scene_in(const TaskRequest& request, std::string_view name) {
+  const TaskValue* const value = request.value(name);
+  const auto* const scene = value ? std::get_if<std::shared_ptr<const MotionFile>>(value) : nullptr;
+  return scene ? scene->get() : nullptr;
+}
+
+/// Null where no gyro is stated under that name.
+std::shared_ptr<const GyroTrack> gyro_in(const TaskRequest& request, std::string_view name) {
+  const TaskValue* const value = request.value(name);
+  const auto* const gyro = value ? std::get_if<std::shared_ptr<const GyroTrack>>(value) : nullptr;
+  return gyro ? *gyro : nullptr;
+}
+
+/// What there is to say of one outcome, and the outcome itself.
 template <class Outcome>
-TaskOutcome told(const Outcome& outcome, std::vector<Track>&& tracks) {
-  return {.document = document_of(outcome),
-          .summary = summary_of(outcome),
-          .warnings = outcome.warnings,
-          .tracks = std::move(tracks)};
+TaskOutcome told(Outcome outcome, std::vector<Track> tracks = {}) {
+  TaskOutcome all{.document = document_of(outcome), .summary = summary_of(outcome), .tracks = std::move(tracks)};
+  if constexpr (requires { outcome.warnings; }) all.warnings = outcome.warnings;
+  if constexpr (requires { line_of(outcome); }) all.line = line_of(outcome);
+  all.findings.emplace_back(std::move(outcome));
+  return all;
 }
 
 /// Wanted where an option of smoothing is stated.
 Expected<std::optional<SmoothOptions>> smoothing_in(const TaskRequest& request) {
   auto wanted = flag(request, "smooth");
   if (!wanted) return tl::unexpected(std::move(wanted.error()));
-  for (const FieldInfo& field : fields_of<SmoothOptions>()) *wanted = *wanted || request.option(field.name);
+  for (const FieldInfo& field : fields_of<SmoothOptions>()) *wanted = *wanted || request.stated(field.name);
   if (!*wanted) return std::nullopt;
-  return typed_options<SmoothOptions>(stated_in(request)).and_then([](const SmoothOptions& options) {
-    return check(options).map([&] { return std::optional(options); });
-  });
+  return options_in<SmoothOptions>(request).and_then(
+      [](const SmoothOptions& options) { return check(options).map([&] { return std::optional(options); }); });
 }
 
 /// Of a recording without another one.
 Expected<std::vector<Decimation>> decimations_in(const TaskRequest& request) {
+  if (!request.decimations.empty()) return request.decimations;
   if (!request.input("reference"))
-    return typed_options<Decimation>(stated_in(request)).and_then([](const Decimation& decimation) {
+    return options_in<Decimation>(request).and_then([](const Decimation& decimation) {
       return check_ranges(decimation).map([&] { return std::vector{decimation}; });
     });
   for (const FieldInfo& field : fields_of<Decimation>())
-    if (request.option(field.name))
+    if (request.stated(field.name))
       return bad_option(field.name, "found a `reference` as well, wanted samples of the keys or a reference for them");
   return std::vector<Decimation>();
 }
@@ -116,18 +155,153 @@ TaskOutcome together(std::vector<TaskOutcome> outcomes) {
     all.summary += one.summary;
     std::ranges::move(one.warnings, std::back_inserter(all.warnings));
     std::ranges::move(one.tracks, std::back_inserter(all.tracks));
+    std::ranges::move(one.findings, std::back_inserter(all.findings));
   }
   return all;
+}
+
+/// The rates with times since the epoch of the recording.
+std::shared_ptr<const GyroRates> rates_beside(const Track& recording, const GyroTrack& gyro) {
+  auto rates = std::make_shared<GyroRates>(gyro.rates);
+  if (gyro.epoch == recording.epoch) return rates;
+  for (std::size_t k = 0; k < rates->times.size(); ++k)
+    rates->times[k] = (gyro.time_of(k) - recording.epoch).to_double();
+  return rates;
+}
+
+/// The keys, with their standard deviations as settings behind all others.
+Track with_sigmas(const Smoothing& smoothed) {
+  Track track = smoothed.track;
+  if (!smoothed.sigmas) return track;
+  const auto add = [&track](std::string_view letters, const std::vector<Eigen::Vector3d>& vectors) {
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      std::vector<double>& column = track.settings[formatted("sigma_{}{}", letters, "xyz"[axis])];
+      column.clear();
+      for (const Eigen::Vector3d& v : vectors) column.push_back(v[axis]);
+    }
+  };
+  add("", smoothed.sigmas->orientations);
+  add("w", smoothed.sigmas->angular_velocities);
+  return track;
+}
+
+/// The keys with the values that were found; what their table states itself keeps its text there.
+Track tuned_track(const TuneOutcome& outcome) {
+  const Track& given = *outcome.request.keys;
+  Track keys = outcome.tuning.track;
+  std::erase_if(keys.settings, [&](const auto& column) {
+    const auto same = given.settings.find(column.first);
+    return same != given.settings.end() && *same == column && !given.table.rows.empty();
+  });
+  return keys;
+}
+
+MotionFile with_clips(const MotionFile& file, std::vector<Clip> clips) {
+  MotionFile changed{.name = file.name, .skeleton = file.skeleton, .clips = std::move(clips)};
+  changed.has_no_unit = file.has_no_unit;
+  changed.format = file.format;
+  changed.title = file.title;
+  changed.is_single_precise = file.is_single_precise;
+  return changed;
+}
+
+Expected<TaskOutcome> smooth_scene(const MotionFile& file, const TaskRequest& request) {
+  if (request.value("gyro"))
+    return bad_option("gyro", "found the rates of a gyro for the clips of a skeleton, wanted orientations at times");
+  FirstError checked;
+  SmoothClipsRequest job{.name = file.name,
+                         .skeleton = file.skeleton,
+                         .clips = file.clips,
+                         .options = checked(options_in<SmoothOptions>(request)),
+                         .threads = checked(threads_in(request)),
+                         .has_no_unit = file.has_no_unit};
+  return std::move(checked)
+      .or_else(std::move(job))
+      .and_then([](SmoothClipsRequest sound) { return smooth_clips(std::move(sound)); })
+      .map([&](SmoothClipsOutcome outcome) {
+        std::vector<Clip> clips;
+        for (const ClipSmoothing& smoothed : outcome.clips) clips.push_back(smoothed.clip);
+        TaskOutcome all = told(std::move(outcome));
+        all.scenes = {with_clips(file, std::move(clips))};
+        return all;
+      });
+}
+
+/// The method of cubics for a skeleton, unless another one is stated.
+Expected<Method> clip_method_in(const TaskRequest& request) {
+  if (const std::string* const text = request.option("methods"); text && *text == cubicspline_method)
+    return Method{cubicspline_method};
+  return methods_in(request).and_then([](const auto& stated) -> Expected<Method> {
+    if (!stated) return Method{cubicspline_method};
+    if (stated->size() == 1) return stated->front().method;
+    return bad_option("methods", formatted("found {} methods for a skeleton, wanted one", stated->size()));
+  });
+}
+
+Expected<TaskOutcome> reduce_scene(const MotionFile& file, const TaskRequest& request) {
+  if (request.inputs.size() > 1)
+    return bad_option("recording",
+                      formatted("found {} inputs with a skeleton among them, wanted it alone", request.inputs.size()));
+  for (const FieldInfo& field : fields_of<SmoothOptions>())
+    if (request.stated(field.name))
+      return bad_option(field.name, "found the clips of a skeleton, wanted the task `smooth` first");
+  FirstError checked;
+  ReduceSceneRequest job{.file = {file.name, file.format, file.has_no_unit, file.is_single_precise},
+                         .skeleton = file.skeleton,
+                         .clips = file.clips,
+                         .options = checked(options_in<ClipReduceOptions>(request)),
+                         .position_scale = checked(positive_in(request, "position_scale")),
+                         .threads = checked(threads_in(request))};
+  job.options.method = checked(clip_method_in(request));
+  job.options.closed = checked(flag(request, "closed"));
+  return std::move(checked)
+      .or_else(std::move(job))
+      .and_then([](ReduceSceneRequest sound) { return jobs::reduce_scene(std::move(sound)); })
+      .map([&](ReduceSceneOutcome outcome) {
+        std::vector<Clip> clips = outcome.clips();
+        TaskOutcome all = told(std::move(outcome));
+        all.scenes = {with_clips(file, std::move(clips))};
+        return all;
+      });
+}
+
+Recording recording_in(const TaskRequest& request, std::string_view name) {
+  if (auto gyro = gyro_in(request, name)) return gyro;
+  return request.input(name);
+}
+
+Expected<TaskOutcome> align_rates(const TaskRequest& request, const AlignOptions& options, const Progress& progress) {
+  return jobs::align_rates(
+             {.moved = recording_in(request, "moved"), .fixed = recording_in(request, "fixed"), .options = options},
+             progress)
+      .map([](RateAlignOutcome outcome) {
+        const auto aligned = outcome.aligned;
+        TaskOutcome all = told(std::move(outcome));
+        if (const auto* const track = std::get_if<Track>(&aligned)) all.tracks = {*track};
+        else all.gyros = {std::get<GyroTrack>(aligned)};
+        return all;
+      });
 }
 
 }  // namespace
 
 Expected<TaskOutcome> run_smooth(const TaskRequest& request, const Progress& progress) {
-  return typed_options<SmoothOptions>(stated_in(request))
-      .and_then([&](const SmoothOptions& options) {
-        return smooth({.recording = request.input("recording"), .options = options}, progress);
+  if (const MotionFile* const scene = scene_in(request, "recording")) return smooth_scene(*scene, request);
+  const auto gyro = gyro_in(request, "gyro");
+  return options_in<SmoothOptions>(request)
+      .and_then([&](SmoothOptions options) {
+        SmoothRequest job{.recording = request.input("recording"), .options = options};
+        if (gyro) {
+          job.options.gyro = true;
+          job.gyro = rates_beside(*job.recording, *gyro);
+        }
+        return smooth(std::move(job), progress);
       })
-      .map([](const SmoothOutcome& outcome) { return told(outcome, {outcome.smoothing.track}); });
+      .map([&](SmoothOutcome outcome) {
+        outcome.mended = request.mended;
+        Track track = with_sigmas(outcome.smoothing);
+        return told(std::move(outcome), {std::move(track)});
+      });
 }
 
 Expected<TaskOutcome> run_tune(const TaskRequest& request, const Progress& progress) {
@@ -135,31 +309,39 @@ Expected<TaskOutcome> run_tune(const TaskRequest& request, const Progress& progr
   TuneRequest job{.keys = request.input("keys"),
                   .method = checked(method_in(request, *request.input("keys"), usual_tuned)),
                   .reference = request.input("reference"),
-                  .options = checked(typed_options<TuneOptions>(stated_in(request)))};
+                  .options = checked(options_in<TuneOptions>(request))};
   return std::move(checked)
       .or_else(std::move(job))
       .and_then([&](TuneRequest sound) { return tune(std::move(sound), progress); })
-      .map([](const TuneOutcome& outcome) { return told(outcome, {outcome.tuning.track}); });
+      .map([](TuneOutcome outcome) {
+        Track track = tuned_track(outcome);
+        return told(std::move(outcome), {std::move(track)});
+      });
 }
 
 Expected<TaskOutcome> run_reduce(const TaskRequest& request, const Progress& progress) {
+  for (const auto& [name, value] : request.inputs)
+    if (const auto* const scene = std::get_if<std::shared_ptr<const MotionFile>>(&value))
+      return reduce_scene(**scene, request);
   FirstError checked;
   ReduceRequest job{.recordings = {},
-                    .options = checked(typed_options<ReduceOptions>(stated_in(request))),
+                    .options = checked(options_in<ReduceOptions>(request)),
                     .smoothing = checked(smoothing_in(request)),
                     .threads = checked(threads_in(request))};
   if (auto methods = checked(methods_in(request))) {
     job.methods.clear();
     for (LabelledMethod& one : *methods) job.methods.push_back(std::move(one.method));
   }
-  for (const auto& [name, track] : request.inputs) job.recordings.push_back(track);
+  for (const auto& [name, value] : request.inputs)
+    job.recordings.push_back(std::get<std::shared_ptr<const Track>>(value));
   auto sound = std::move(checked).or_else(std::move(job));
   if (!sound) return tl::unexpected(std::move(sound.error()));
   std::vector<TaskOutcome> outcomes;
   for (auto& outcome : reduce(*sound, progress)) {
     if (!outcome) return tl::unexpected(std::move(outcome.error()));
-    const Track track = outcome->chosen().track;
-    outcomes.push_back(told(*outcome, {track}));
+    outcome->mended = request.mended;
+    Track track = outcome->chosen().track;
+    outcomes.push_back(told(std::move(*outcome), {std::move(track)}));
   }
   return together(std::move(outcomes));
 }
@@ -168,43 +350,53 @@ Expected<TaskOutcome> run_retime(const TaskRequest& request, const Progress& pro
   FirstError checked;
   RetimeRequest job{.keys = request.input("keys"),
                     .method = checked(method_in(request, *request.input("keys"), usual_retimed)),
-                    .options = checked(typed_options<RetimeOptions>(stated_in(request)))};
+                    .options = checked(options_in<RetimeOptions>(request))};
   return std::move(checked)
       .or_else(std::move(job))
       .and_then([&](RetimeRequest sound) { return retime(std::move(sound), progress); })
-      .map([](const RetimeOutcome& outcome) { return told(outcome, {outcome.retiming.track}); });
+      .map([](RetimeOutcome outcome) {
+        Track track = outcome.retiming.track;
+        return told(std::move(outcome), {std::move(track)});
+      });
 }
 
 Expected<TaskOutcome> run_bake(const TaskRequest& request, const Progress& progress) {
   FirstError checked;
   BakeRequest job{.keys = request.input("keys"),
                   .method = checked(method_in(request, *request.input("keys"), {})),
-                  .options = checked(typed_options<BakeSettings>(stated_in(request)))};
+                  .options = checked(options_in<BakeSettings>(request))};
   return std::move(checked)
       .or_else(std::move(job))
       .and_then([&](BakeRequest sound) { return bake(std::move(sound), progress); })
-      .map([](const BakeOutcome& outcome) { return told(outcome, {}); });
+      .map([](BakeOutcome outcome) { return told(std::move(outcome)); });
 }
 
 Expected<TaskOutcome> run_mean(const TaskRequest& request, const Progress&) {
   const auto job_of = [&](const MeanOptions& options) -> Expected<MeanRequest> {
-    if (request.inputs.size() == 1) return MeanRequest{.rows = request.inputs.front().second, .options = options};
+    if (request.inputs.size() == 1) return MeanRequest{.rows = request.input("rows"), .options = options};
     std::vector<Track> tracks;
-    for (const auto& [name, track] : request.inputs) tracks.push_back(*track);
+    for (const auto& [name, value] : request.inputs) tracks.push_back(*std::get<std::shared_ptr<const Track>>(value));
     return mean_of_all(tracks, options);
   };
-  return typed_options<MeanOptions>(stated_in(request))
+  return options_in<MeanOptions>(request)
       .and_then(job_of)
       .and_then([](MeanRequest job) { return mean(std::move(job)); })
-      .map([](const MeanOutcome& outcome) { return told(outcome, {outcome.track()}); });
+      .map([&](MeanOutcome outcome) {
+        outcome.mended = request.mended;
+        Track track = outcome.track();
+        return told(std::move(outcome), {std::move(track)});
+      });
 }
 
 Expected<TaskOutcome> run_align(const TaskRequest& request, const Progress& progress) {
-  return typed_options<AlignOptions>(stated_in(request))
-      .and_then([&](const AlignOptions& options) {
-        return align({.moved = request.input("moved"), .fixed = request.input("fixed"), .options = options}, progress);
-      })
-      .map([](const AlignOutcome& outcome) { return told(outcome, {outcome.aligned}); });
+  return options_in<AlignOptions>(request).and_then([&](const AlignOptions& options) -> Expected<TaskOutcome> {
+    if (gyro_in(request, "moved") || gyro_in(request, "fixed")) return align_rates(request, options, progress);
+    return align({.moved = request.input("moved"), .fixed = request.input("fixed"), .options = options}, progress)
+        .map([](AlignOutcome outcome) {
+          Track track = outcome.aligned;
+          return told(std::move(outcome), {std::move(track)});
+        });
+  });
 }
 
 Expected<TaskOutcome> run_compare(const TaskRequest& request, const Progress& progress) {
@@ -215,8 +407,8 @@ Expected<TaskOutcome> run_compare(const TaskRequest& request, const Progress& pr
                      .methods = all_methods(),
                      .tune = checked(flag(request, "tune")),
                      .align = checked(flag(request, "align")),
-                     .measured = checked(typed_options<MeasureOptions>(stated_in(request))),
-                     .has_inertia = request.option("inertia") != nullptr,
+                     .measured = checked(options_in<MeasureOptions>(request)),
+                     .has_inertia = request.stated("inertia") && !is_absent(*request.stated("inertia")),
                      .threads = checked(threads_in(request))};
   if (const std::string* const word = request.option("sort")) job.sort = *word;
   if (auto methods = checked(methods_in(request))) {
@@ -226,7 +418,33 @@ Expected<TaskOutcome> run_compare(const TaskRequest& request, const Progress& pr
   return std::move(checked)
       .or_else(std::move(job))
       .and_then([&](CompareRequest sound) { return compare(std::move(sound), progress); })
-      .map([](const CompareOutcome& outcome) { return told(outcome, {}); });
+      .map([](CompareOutcome outcome) { return told(std::move(outcome)); });
+}
+
+Expected<TaskOutcome> run_inspect(const TaskRequest& request, const Progress&) {
+  if (const MotionFile* const scene = scene_in(request, "keys"))
+    return told(inspect_scene({.file = *scene, .format = scene->title}));
+  return methods_in(request)
+      .and_then([&](const auto& methods) {
+        InspectRequest job{.keys = request.input("keys"), .faults = request.faults};
+        if (methods)
+          for (const LabelledMethod& one : *methods) job.methods.push_back(one.method);
+        return inspect(std::move(job));
+      })
+      .map([](InspectOutcome outcome) { return told(std::move(outcome)); });
+}
+
+Expected<TaskOutcome> run_difference(const TaskRequest& request, const Progress&) {
+  FirstError checked;
+  DifferenceRequest job{.first = *scene_in(request, "first"),
+                        .second = *scene_in(request, "second"),
+                        .shell = checked(options_in<ClipReduceOptions>(request)).shell,
+                        .rate = checked(positive_in(request, "rate")),
+                        .threads = checked(threads_in(request))};
+  return std::move(checked)
+      .or_else(std::move(job))
+      .and_then([](DifferenceRequest sound) { return difference(std::move(sound)); })
+      .map([](DifferenceOutcome outcome) { return told(std::move(outcome)); });
 }
 
 }}}  // namespace orispline::jobs
