@@ -196,17 +196,32 @@ bool has_scene(const TaskRequest& request) {
   });
 }
 
-Expected<TaskOutcome> run_task(std::string_view name, const TaskRequest& request, const Progress& progress) {
-  const std::vector<TaskInfo> tasks = tasks_info();
+namespace {
+
+/// Error: a task that there is not.
+Expected<TaskInfo> task_named(std::string_view name) {
   std::vector<std::string_view> names;
-  for (const TaskInfo& task : tasks) {
+  for (TaskInfo& task : tasks_info()) {
+    if (task.name == name) return std::move(task);
     names.push_back(task.name);
-    if (task.name != name) continue;
+  }
+  return failure(ErrorCode::bad_argument, unknown_word("task", name, names));
+}
+
+}  // namespace
+
+Expected<void> check_task(std::string_view name, const TaskRequest& request) {
+  return task_named(name).and_then([&](const TaskInfo& task) {
+    return check_options(task, request).and_then([&] { return task.check ? task.check(request) : Expected<void>(); });
+  });
+}
+
+Expected<TaskOutcome> run_task(std::string_view name, const TaskRequest& request, const Progress& progress) {
+  return task_named(name).and_then([&](const TaskInfo& task) {
     return check_inputs(task, request).and_then([&] { return check_options(task, request); }).and_then([&] {
       return task.run(request, progress);
     });
-  }
-  return failure(ErrorCode::bad_argument, unknown_word("task", name, names));
+  });
 }
 
 }}}  // namespace orispline::jobs

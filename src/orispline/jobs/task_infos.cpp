@@ -26,6 +26,8 @@ std::vector<FieldInfo> fields() {
 
 constexpr TaskSetting one_method{"method", "The text of the method whose curve it is about"};
 constexpr TaskSetting several_methods{"methods", "The texts of methods, with commas between them"};
+constexpr TaskSetting cutoff_setting{
+    "cutoff", "Cut-off frequency 1/(2 pi tau) [Hz] instead of the smoothing time: half of a motion at it is left"};
 constexpr TaskSetting threads_setting{"threads", "At most so many at work; 0: one per core"};
 
 constexpr TaskInput keys_input{"keys", "The keys"};
@@ -46,15 +48,20 @@ TaskInfo smooth_info() {
           fields<Smoothing>(),
           {{.name = "recording", .sentence = "The recording, or a skeleton with its clips", .takes = scenes_too},
            {"gyro", "The rates of a gyro with a clock of its own", false, false, gyros_alone}},
-          {threads_setting},
-          run_smooth};
+          {cutoff_setting, threads_setting},
+          run_smooth,
+          check_smooth};
 }
 
 TaskInfo tune_info() {
-  return {
-      "tune",           "The tensions that make a curve smoothest, or nearest to a recording",    fields<TuneOptions>(),
-      fields<Tuning>(), {keys_input, not_required("reference", "The recording to come near to")}, {one_method},
-      run_tune};
+  return {"tune",
+          "The tensions that make a curve smoothest, or nearest to a recording",
+          fields<TuneOptions>(),
+          fields<Tuning>(),
+          {keys_input, not_required("reference", "The recording to come near to")},
+          {one_method},
+          run_tune,
+          check_typed<TuneOptions>};
 }
 
 TaskInfo reduce_info() {
@@ -65,6 +72,7 @@ TaskInfo reduce_info() {
       {"closed", "Of a skeleton: channels that end as they begin have the same tangent at both ends"},
       {"position_scale", "Of a skeleton: metres in the unit of length of its file"}};
   for (const FieldInfo& field : fields_of<SmoothOptions>()) settings.push_back({field.name, field.sentence});
+  settings.push_back(cutoff_setting);
   return {"reduce",
           "The fewest keys that reproduce a recording within a tolerance",
           fields<ReduceOptions>(),
@@ -72,6 +80,7 @@ TaskInfo reduce_info() {
           {several_of("recording", "The recording, or several; or a skeleton with its clips", scenes_too)},
           std::move(settings),
           run_reduce,
+          check_reduce,
           {},
           fields<ClipReduceOptions>()};
 }
@@ -83,7 +92,8 @@ TaskInfo retime_info() {
           fields<Retiming>(),
           {keys_input},
           {one_method},
-          run_retime};
+          run_retime,
+          check_retime};
 }
 
 TaskInfo bake_info() {
@@ -93,7 +103,8 @@ TaskInfo bake_info() {
           fields<BakeOutcome>(),
           {keys_input},
           {one_method},
-          run_bake};
+          run_bake,
+          check_bake};
 }
 
 TaskInfo mean_info() {
@@ -104,7 +115,8 @@ TaskInfo mean_info() {
       fields<Mean>(),
       {several_of("rows", "The orientations, with weights where they have the setting weight; several are one set")},
       {},
-      run_mean};
+      run_mean,
+      check_typed<MeanOptions>};
 }
 
 TaskInfo align_info() {
@@ -116,6 +128,7 @@ TaskInfo align_info() {
            {.name = "fixed", .sentence = "The one that it is brought onto", .takes = gyros_too}},
           {},
           run_align,
+          check_typed<AlignOptions>,
           fields<RateAlignment>()};
 }
 
@@ -131,7 +144,8 @@ TaskInfo compare_info() {
            {"tune", "Methods with tensions once more, tuned"},
            {"align", "Bring the keys onto the reference first"},
            {"sort", "The word of the measure to sort by"}},
-          run_compare};
+          run_compare,
+          check_compare};
 }
 
 TaskInfo inspect_info() {

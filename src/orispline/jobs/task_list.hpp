@@ -104,6 +104,8 @@ struct TaskInfo {
   std::vector<TaskInput> inputs;
   std::vector<TaskSetting> settings;
   Expected<TaskOutcome> (*run)(const TaskRequest& request, const Progress& progress);
+  /// Of the options, whatever the inputs are, of which those that are there may lack what they hold; null: nothing.
+  Expected<void> (*check)(const TaskRequest& request) = nullptr;
   std::vector<FieldInfo> results_of_gyros{};   ///< in their place, where an input is of a gyro
   std::vector<FieldInfo> options_of_scenes{};  ///< in the place of the options, where the input is a skeleton
 };
@@ -119,6 +121,9 @@ struct TaskInfo {
 /// task.
 [[nodiscard]] ORISPLINE_EXPORT Expected<TaskOutcome> run_task(std::string_view name, const TaskRequest& request,
                                                               const Progress& progress = {});
+
+/// What is wrong with the options before there are inputs, with the errors of run_task() about options.
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> check_task(std::string_view name, const TaskRequest& request);
 
 /// The page of what was found, as one HTML file. With ORISPLINE_PAGE. `after`: what it calls clips that were changed,
 /// such as the name of a file. Error (bad_argument): a task that has no page.
@@ -137,7 +142,14 @@ struct TaskInfo {
 [[nodiscard]] TaskInfo inspect_info();
 [[nodiscard]] TaskInfo difference_info();
 
-// How each of them is run.
+// How their options are checked, and how each of them is run.
+[[nodiscard]] Expected<void> check_smooth(const TaskRequest& request);
+[[nodiscard]] Expected<void> check_reduce(const TaskRequest& request);
+[[nodiscard]] Expected<void> check_retime(const TaskRequest& request);
+[[nodiscard]] Expected<void> check_bake(const TaskRequest& request);
+[[nodiscard]] Expected<void> check_compare(const TaskRequest& request);
+template <class Options>
+[[nodiscard]] Expected<void> check_typed(const TaskRequest& request);
 [[nodiscard]] Expected<TaskOutcome> run_smooth(const TaskRequest& request, const Progress& progress);
 [[nodiscard]] Expected<TaskOutcome> run_tune(const TaskRequest& request, const Progress& progress);
 [[nodiscard]] Expected<TaskOutcome> run_reduce(const TaskRequest& request, const Progress& progress);

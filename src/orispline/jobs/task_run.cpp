@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -65,13 +66,13 @@ Expected<unsigned> threads_in(const TaskRequest& request) {
       .map_error(of_option("threads"));
 }
 
-/// Absent where none is stated.
-Expected<std::optional<double>> positive_in(const TaskRequest& request, std::string_view name) {
+/// A number that is greater than 0; absent where none is stated.
+Expected<std::optional<double>> positive_in(const TaskRequest& request, std::string_view name, std::string_view unit) {
   const FieldValue* const value = request.stated(name);
   if (!value || is_absent(*value)) return std::nullopt;
   const double* const number = std::get_if<double>(value);
   if (number && *number > 0.0 && std::isfinite(*number)) return std::optional(*number);
-  return typed::positive(text_of(*value))
+  return typed::positive(typed::without_unit(text_of(*value), unit))
       .map([](double found) { return std::optional(found); })
       .map_error(of_option(name));
 }
@@ -123,14 +124,49 @@ TaskOutcome told(Outcome outcome, std::vector<Track> tracks = {}) {
   return all;
 }
 
+bool is_stated(const TaskRequest& request, std::string_view name) {
+  const FieldValue* const value = request.stated(name);
+  return value && !is_absent(*value);
+}
+
+/// An error about the smoothing time, which the user stated as a cut-off frequency, in terms of that.
+auto of_cutoff(const TaskRequest& request) {
+  return [&request](Error error) {
+    if (!is_stated(request, "cutoff") || error.option != "smoothing_time") return error;
+    error.option = "cutoff";
+    error.message = formatted("its smoothing time 1/(2 pi f) is out of range: {}", error.message);
+    return error;
+  };
+}
+
+/// The smoothing time of the cut-off frequency [Hz] that is stated.
+Expected<std::optional<double>> cutoff_time_in(const TaskRequest& request) {
+  return positive_in(request, "cutoff", "Hz").map([](std::optional<double> frequency) {
+    return frequency ? std::optional(1.0 / (2.0 * std::numbers::pi * *frequency)) : std::nullopt;
+  });
+}
+
+/// The options of smoothing, with what is wrong whatever the recording is.
+Expected<SmoothOptions> smoothing_options_in(const TaskRequest& request) {
+  if (is_stated(request, "noise") + is_stated(request, "smoothing_time") + is_stated(request, "cutoff") > 1)
+    return failure(ErrorCode::bad_argument,
+                   "found several of `noise`, `smoothing_time` and `cutoff`, wanted one: each says how smooth");
+  FirstError checked;
+  auto options = checked(options_in<SmoothOptions>(request));
+  if (const auto time = checked(cutoff_time_in(request))) options.smoothing_time = *time;
+  if (request.value("gyro")) options.gyro = true;
+  return std::move(checked).or_else(std::move(options)).and_then([&](const SmoothOptions& read) {
+    return check(read).map([&] { return read; }).map_error(of_cutoff(request));
+  });
+}
+
 /// Wanted where an option of smoothing is stated.
 Expected<std::optional<SmoothOptions>> smoothing_in(const TaskRequest& request) {
   auto wanted = flag(request, "smooth");
   if (!wanted) return tl::unexpected(std::move(wanted.error()));
-  for (const FieldInfo& field : fields_of<SmoothOptions>()) *wanted = *wanted || request.stated(field.name);
-  if (!*wanted) return std::nullopt;
-  return options_in<SmoothOptions>(request).and_then(
-      [](const SmoothOptions& options) { return check(options).map([&] { return std::optional(options); }); });
+  for (const FieldInfo& field : fields_of<SmoothOptions>()) *wanted = *wanted || is_stated(request, field.name);
+  if (!*wanted && !is_stated(request, "cutoff")) return std::nullopt;
+  return smoothing_options_in(request).map([](const SmoothOptions& options) { return std::optional(options); });
 }
 
 /// Of a recording without another one.
@@ -212,12 +248,13 @@ Expected<TaskOutcome> smooth_scene(const MotionFile& file, const TaskRequest& re
   SmoothClipsRequest job{.name = file.name,
                          .skeleton = file.skeleton,
                          .clips = file.clips,
-                         .options = checked(options_in<SmoothOptions>(request)),
+                         .options = checked(smoothing_options_in(request)),
                          .threads = checked(threads_in(request)),
                          .has_no_unit = file.has_no_unit};
   return std::move(checked)
       .or_else(std::move(job))
       .and_then([](SmoothClipsRequest sound) { return smooth_clips(std::move(sound)); })
+      .map_error(of_cutoff(request))
       .map([&](SmoothClipsOutcome outcome) {
         std::vector<Clip> clips;
         for (const ClipSmoothing& smoothed : outcome.clips) clips.push_back(smoothed.clip);
@@ -238,31 +275,76 @@ Expected<Method> clip_method_in(const TaskRequest& request) {
   });
 }
 
-Expected<TaskOutcome> reduce_scene(const MotionFile& file, const TaskRequest& request) {
+/// All but the clips.
+Expected<ReduceSceneRequest> reduce_scene_request_in(const MotionFile& file, const TaskRequest& request) {
   if (request.inputs.size() > 1)
     return bad_option("recording",
                       formatted("found {} inputs with a skeleton among them, wanted it alone", request.inputs.size()));
   for (const FieldInfo& field : fields_of<SmoothOptions>())
-    if (request.stated(field.name))
+    if (is_stated(request, field.name))
       return bad_option(field.name, "found the clips of a skeleton, wanted the task `smooth` first");
   FirstError checked;
   ReduceSceneRequest job{.file = {file.name, file.format, file.has_no_unit, file.is_single_precise},
-                         .skeleton = file.skeleton,
-                         .clips = file.clips,
                          .options = checked(options_in<ClipReduceOptions>(request)),
-                         .position_scale = checked(positive_in(request, "position_scale")),
+                         .position_scale = checked(positive_in(request, "position_scale", "")),
                          .threads = checked(threads_in(request))};
   job.options.method = checked(clip_method_in(request));
   job.options.closed = checked(flag(request, "closed"));
-  return std::move(checked)
-      .or_else(std::move(job))
-      .and_then([](ReduceSceneRequest sound) { return jobs::reduce_scene(std::move(sound)); })
+  return std::move(checked).or_else(std::move(job));
+}
+
+Expected<TaskOutcome> reduce_scene(const MotionFile& file, const TaskRequest& request) {
+  return reduce_scene_request_in(file, request)
+      .and_then([&](ReduceSceneRequest job) {
+        job.skeleton = file.skeleton;
+        job.clips = file.clips;
+        return jobs::reduce_scene(std::move(job));
+      })
       .map([&](ReduceSceneOutcome outcome) {
         std::vector<Clip> clips = outcome.clips();
         TaskOutcome all = told(std::move(outcome));
         all.scenes = {with_clips(file, std::move(clips))};
         return all;
       });
+}
+
+/// Null where no input is a skeleton.
+const MotionFile* any_scene_in(const TaskRequest& request) {
+  for (const auto& [name, value] : request.inputs)
+    if (const auto* const scene = std::get_if<std::shared_ptr<const MotionFile>>(&value)) return scene->get();
+  return nullptr;
+}
+
+/// All but the recordings.
+Expected<ReduceRequest> reduce_request_in(const TaskRequest& request) {
+  FirstError checked;
+  ReduceRequest job{.recordings = {},
+                    .options = checked(options_in<ReduceOptions>(request)),
+                    .smoothing = checked(smoothing_in(request)),
+                    .threads = checked(threads_in(request))};
+  if (auto methods = checked(methods_in(request))) {
+    job.methods.clear();
+    for (LabelledMethod& one : *methods) job.methods.push_back(std::move(one.method));
+  }
+  return std::move(checked).or_else(std::move(job));
+}
+
+/// All but the recordings.
+Expected<CompareRequest> compare_request_in(const TaskRequest& request) {
+  FirstError checked;
+  CompareRequest job{.decimations = checked(decimations_in(request)),
+                     .methods = all_methods(),
+                     .tune = checked(flag(request, "tune")),
+                     .align = checked(flag(request, "align")),
+                     .measured = checked(options_in<MeasureOptions>(request)),
+                     .has_inertia = is_stated(request, "inertia"),
+                     .threads = checked(threads_in(request))};
+  if (const std::string* const word = request.option("sort")) job.sort = *word;
+  if (auto methods = checked(methods_in(request))) {
+    job.methods = std::move(*methods);
+    for (const LabelledMethod& one : job.methods) job.named.push_back(one.label);
+  }
+  return std::move(checked).or_else(std::move(job));
 }
 
 Recording recording_in(const TaskRequest& request, std::string_view name) {
@@ -287,16 +369,13 @@ Expected<TaskOutcome> align_rates(const TaskRequest& request, const AlignOptions
 
 Expected<TaskOutcome> run_smooth(const TaskRequest& request, const Progress& progress) {
   if (const MotionFile* const scene = scene_in(request, "recording")) return smooth_scene(*scene, request);
-  const auto gyro = gyro_in(request, "gyro");
-  return options_in<SmoothOptions>(request)
-      .and_then([&](SmoothOptions options) {
+  return smoothing_options_in(request)
+      .and_then([&](const SmoothOptions& options) {
         SmoothRequest job{.recording = request.input("recording"), .options = options};
-        if (gyro) {
-          job.options.gyro = true;
-          job.gyro = rates_beside(*job.recording, *gyro);
-        }
+        if (const auto gyro = gyro_in(request, "gyro")) job.gyro = rates_beside(*job.recording, *gyro);
         return smooth(std::move(job), progress);
       })
+      .map_error(of_cutoff(request))
       .map([&](SmoothOutcome outcome) {
         outcome.mended = request.mended;
         Track track = with_sigmas(outcome.smoothing);
@@ -320,25 +399,14 @@ Expected<TaskOutcome> run_tune(const TaskRequest& request, const Progress& progr
 }
 
 Expected<TaskOutcome> run_reduce(const TaskRequest& request, const Progress& progress) {
+  if (const MotionFile* const scene = any_scene_in(request)) return reduce_scene(*scene, request);
+  auto job = reduce_request_in(request);
+  if (!job) return tl::unexpected(std::move(job.error()));
   for (const auto& [name, value] : request.inputs)
-    if (const auto* const scene = std::get_if<std::shared_ptr<const MotionFile>>(&value))
-      return reduce_scene(**scene, request);
-  FirstError checked;
-  ReduceRequest job{.recordings = {},
-                    .options = checked(options_in<ReduceOptions>(request)),
-                    .smoothing = checked(smoothing_in(request)),
-                    .threads = checked(threads_in(request))};
-  if (auto methods = checked(methods_in(request))) {
-    job.methods.clear();
-    for (LabelledMethod& one : *methods) job.methods.push_back(std::move(one.method));
-  }
-  for (const auto& [name, value] : request.inputs)
-    job.recordings.push_back(std::get<std::shared_ptr<const Track>>(value));
-  auto sound = std::move(checked).or_else(std::move(job));
-  if (!sound) return tl::unexpected(std::move(sound.error()));
+    job->recordings.push_back(std::get<std::shared_ptr<const Track>>(value));
   std::vector<TaskOutcome> outcomes;
-  for (auto& outcome : reduce(*sound, progress)) {
-    if (!outcome) return tl::unexpected(std::move(outcome.error()));
+  for (auto& outcome : reduce(*job, progress)) {
+    if (!outcome) return tl::unexpected(of_cutoff(request)(std::move(outcome.error())));
     outcome->mended = request.mended;
     Track track = outcome->chosen().track;
     outcomes.push_back(told(std::move(*outcome), {std::move(track)}));
@@ -400,24 +468,12 @@ Expected<TaskOutcome> run_align(const TaskRequest& request, const Progress& prog
 }
 
 Expected<TaskOutcome> run_compare(const TaskRequest& request, const Progress& progress) {
-  FirstError checked;
-  CompareRequest job{.keys = request.input("keys"),
-                     .reference = request.input("reference"),
-                     .decimations = checked(decimations_in(request)),
-                     .methods = all_methods(),
-                     .tune = checked(flag(request, "tune")),
-                     .align = checked(flag(request, "align")),
-                     .measured = checked(options_in<MeasureOptions>(request)),
-                     .has_inertia = request.stated("inertia") && !is_absent(*request.stated("inertia")),
-                     .threads = checked(threads_in(request))};
-  if (const std::string* const word = request.option("sort")) job.sort = *word;
-  if (auto methods = checked(methods_in(request))) {
-    job.methods = std::move(*methods);
-    for (const LabelledMethod& one : job.methods) job.named.push_back(one.label);
-  }
-  return std::move(checked)
-      .or_else(std::move(job))
-      .and_then([&](CompareRequest sound) { return compare(std::move(sound), progress); })
+  return compare_request_in(request)
+      .and_then([&](CompareRequest job) {
+        job.keys = request.input("keys");
+        job.reference = request.input("reference");
+        return compare(std::move(job), progress);
+      })
       .map([](CompareOutcome outcome) { return told(std::move(outcome)); });
 }
 
@@ -439,12 +495,42 @@ Expected<TaskOutcome> run_difference(const TaskRequest& request, const Progress&
   DifferenceRequest job{.first = *scene_in(request, "first"),
                         .second = *scene_in(request, "second"),
                         .shell = checked(options_in<ClipReduceOptions>(request)).shell,
-                        .rate = checked(positive_in(request, "rate")),
+                        .rate = checked(positive_in(request, "rate", "")),
                         .threads = checked(threads_in(request))};
   return std::move(checked)
       .or_else(std::move(job))
       .and_then([](DifferenceRequest sound) { return difference(std::move(sound)); })
       .map([](DifferenceOutcome outcome) { return told(std::move(outcome)); });
 }
+
+Expected<void> check_smooth(const TaskRequest& request) {
+  return smoothing_options_in(request).map([](const SmoothOptions&) {});
+}
+
+Expected<void> check_reduce(const TaskRequest& request) {
+  if (const MotionFile* const scene = any_scene_in(request))
+    return reduce_scene_request_in(*scene, request).and_then([](const ReduceSceneRequest& job) { return check(job); });
+  return reduce_request_in(request).map([](const ReduceRequest&) {});
+}
+
+Expected<void> check_retime(const TaskRequest& request) {
+  return options_in<RetimeOptions>(request).and_then([](const RetimeOptions& options) { return check(options); });
+}
+
+Expected<void> check_bake(const TaskRequest& request) {
+  return options_in<BakeSettings>(request).and_then([](const BakeSettings& options) { return check_ranges(options); });
+}
+
+Expected<void> check_compare(const TaskRequest& request) {
+  return compare_request_in(request).and_then([](const CompareRequest& job) { return check(job); });
+}
+
+template <class Options>
+Expected<void> check_typed(const TaskRequest& request) {
+  return options_in<Options>(request).map([](const Options&) {});
+}
+template Expected<void> check_typed<TuneOptions>(const TaskRequest& request);
+template Expected<void> check_typed<MeanOptions>(const TaskRequest& request);
+template Expected<void> check_typed<AlignOptions>(const TaskRequest& request);
 
 }}}  // namespace orispline::jobs
