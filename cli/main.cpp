@@ -11,24 +11,15 @@
 #include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/scenes/scene_tracks.hpp>
 
-#include "commands/align/align_options.hpp"
-#include "commands/bake/bake_options.hpp"
-#include "commands/compare/compare_options.hpp"
 #include "commands/completion/completion.hpp"
 #include "commands/convert/convert_options.hpp"
-#include "commands/difference/difference_options.hpp"
 #include "commands/help/help.hpp"
-#include "commands/inspect/inspect_options.hpp"
-#include "commands/mean/mean_options.hpp"
 #include "commands/methods/methods.hpp"
 #include "commands/plot/plot_options.hpp"
-#include "commands/reduce/reduce_options.hpp"
-#include "commands/retime/retime_options.hpp"
 #include "commands/sample/sample_options.hpp"
-#include "commands/smooth/smooth_options.hpp"
 #include "commands/studio/studio_options.hpp"
+#include "commands/task_command.hpp"
 #include "commands/tasks/tasks.hpp"
-#include "commands/tune/tune_options.hpp"
 #include "options/first_word.hpp"
 #include "options/method_options.hpp"
 #include "output/exit_code.hpp"
@@ -151,42 +142,21 @@ class CommandLine {
         command("sample", "Sample the smooth motion through keyframes", [this] { return sample(sample_); }), sample_);
     add_convert_options(command("convert", "Write keyframes in another format", [this] { return convert(convert_); }),
                         convert_);
-    add_inspect_options(
-        command("inspect", "Describe a file of keyframes, and where the rates of curves through it jump",
-                [this] { return inspect(inspect_); }),
-        inspect_);
-    add_difference_options(command("difference", "Say how far the motions of a skeleton in two files are apart",
-                                   [this] { return difference(difference_); }),
-                           difference_);
-    add_compare_options(command("compare", "Compare the methods on a recording: errors, smoothness, cost",
-                                [this] { return compare(compare_); }),
-                        compare_);
-    add_align_options(
-        command("align", "Bring a recording onto another one of the same motion: axes, clock, scale, place",
-                [this] { return align(align_); }),
-        align_);
+    add("inspect");
+    add("difference");
+    add("compare");
+    add("align");
     add_plot_options(command("plot", "Draw the motion by one or more methods as SVG", [this] { return plot(plot_); }),
                      plot_);
     add_studio_options(command("studio", "Make a page on which keyframes are edited with the mouse",
                                [this] { return studio(studio_); }),
                        studio_);
-    add_smooth_options(
-        command("smooth", "Turn noisy samples into a smooth motion with rates", [this] { return smooth(smooth_); }),
-        smooth_);
-    add_mean_options(
-        command("mean", "Find the mean or the median of the orientations of a file", [this] { return mean(mean_); }),
-        mean_);
-    add_tune_options(command("tune", "Find the tensions that make a curve smoothest, or nearest to a recording",
-                             [this] { return tune(tune_); }),
-                     tune_);
-    add_reduce_options(command("reduce", "Keep the fewest keys that reproduce a recording within a tolerance",
-                               [this] { return reduce(reduce_); }),
-                       reduce_);
-    add_retime_options(command("retime", "Slow a motion until it is within limits of rate, acceleration or torque",
-                               [this] { return retime(retime_); }),
-                       retime_);
-    add_bake_options(
-        command("bake", "Turn a curve into a small file that web pages play", [this] { return bake(bake_); }), bake_);
+    add("smooth");
+    add("mean");
+    add("tune");
+    add("reduce");
+    add("retime");
+    add("bake");
     add_methods_options(command("methods", "List the methods, or describe one", [this] { return methods(methods_); }));
     add_tasks_options(command("tasks", "List the options and results of every task", [this] { return tasks(tasks_); }));
     add_reproduce_options(
@@ -201,9 +171,8 @@ class CommandLine {
     try {
       const std::span arguments(argv, static_cast<std::size_t>(argc));
       if (arguments.size() < 2) return tell(first_steps), ExitCode::bad_usage;
-      for (ReportOptions* report : {&inspect_.report, &difference_.report, &compare_.report, &smooth_.report,
-                                    &reduce_.report, &retime_.report, &reproduce_.report})
-        report->command_line = command_line(arguments.subspan(1));
+      reproduce_.report.command_line = command_line(arguments.subspan(1));
+      for (TaskArguments& task : task_arguments_) task.report.command_line = reproduce_.report.command_line;
       const auto words = arguments.subspan(1);
       const auto done =
           understood_words(commands_, {words.begin(), words.end()})
@@ -223,6 +192,14 @@ class CommandLine {
   Command& command(std::string name, std::string description, std::function<Expected<void>()> run) {
     return commands_.emplace_back(
         Command{.name = std::move(name), .description = std::move(description), .run = std::move(run)});
+  }
+
+  /// A command that runs a task.
+  void add(std::string_view name) {
+    const TaskCommand& row = task_command(name);
+    TaskArguments& arguments = task_arguments_.emplace_back();
+    row.add_options(command(std::string(name), std::string(row.sentence), [&] { return row.run(arguments); }),
+                    arguments);
   }
 
   void add_methods_options(Command& app) {
@@ -273,20 +250,11 @@ class CommandLine {
   }
 
   std::deque<Command> commands_;
+  std::deque<TaskArguments> task_arguments_;
   SampleArguments sample_;
   ConvertArguments convert_;
-  InspectArguments inspect_;
-  DifferenceArguments difference_;
-  AlignArguments align_;
-  CompareArguments compare_;
   PlotArguments plot_;
   StudioArguments studio_;
-  SmoothArguments smooth_;
-  MeanArguments mean_;
-  TuneArguments tune_;
-  ReduceArguments reduce_;
-  RetimeArguments retime_;
-  BakeArguments bake_;
   MethodsArguments methods_;
   TasksArguments tasks_;
   ReproduceArguments reproduce_;

@@ -67,6 +67,12 @@ struct Command {
   Option* add_flag(std::string names, bool& typed, std::string sentence) {
     return add_option(std::move(names), typed, std::move(sentence));
   }
+  /// One whose place is for a text, which becomes `true`.
+  Option* add_flag(std::string names, std::optional<std::string>& typed, std::string sentence) {
+    Option* const flag = add_option(std::move(names), typed, std::move(sentence));
+    flag->stands_for = "true";
+    return flag;
+  }
 };
 
 /// What the help says about the program.

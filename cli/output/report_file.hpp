@@ -30,7 +30,7 @@ class ReportFile {
   template <class MakePage>
   [[nodiscard]] Expected<void> write(MakePage make_page) {
     if constexpr (has_pages)
-      if (output_) return output_->file.write(html_of(make_page(head())));
+      if (output_) return made(make_page(head()));
     return {};
   }
 
@@ -40,8 +40,10 @@ class ReportFile {
  private:
   ReportFile() = default;
   [[nodiscard]] pages::PageHead head() const;
-  [[nodiscard]] static std::string html_of(const report::Page& page) { return report::document(page); }
-  [[nodiscard]] static std::string html_of(const report::SkeletonPage& page) { return report::skeleton_document(page); }
+  [[nodiscard]] Expected<void> made(const report::Page& page) { return output_->file.write(report::document(page)); }
+  [[nodiscard]] Expected<void> made(const Expected<std::string>& html) {
+    return html.and_then([this](const std::string& text) { return output_->file.write(text); });
+  }
 
   std::string command_line_;
   std::optional<Noted<io::OutputFile>> output_;

@@ -56,6 +56,13 @@ struct TaskSetting {
   std::string_view name, sentence;
 };
 
+/// What only the reader of the inputs knows of them.
+struct ReadingNotes {
+  std::string mended{};         ///< what was mended, in words that summaries repeat
+  KeyFaults faults{};           ///< what was mended for a look at keys
+  bool rows_have_times = true;  ///< of their own, else they are numbers of rows
+};
+
 /// What somebody states for a task, by names. Options are texts as they are typed, or values in the units of the
 /// library.
 struct ORISPLINE_EXPORT TaskRequest {
@@ -63,9 +70,9 @@ struct ORISPLINE_EXPORT TaskRequest {
   std::vector<std::pair<std::string, FieldValue>> options{};
   std::optional<ChosenMethod> method{};   ///< in the place of the option `method`
   std::vector<LabelledMethod> methods{};  ///< in the place of the option `methods`; none: the option holds
+  std::vector<std::string> named{};       ///< labels of those of `methods` that are asked for by name, in that order
   std::vector<Decimation> decimations{};  ///< of `compare`, in the place of the options that state one
-  KeyFaults faults{};                     ///< of `inspect`: what was mended in the keys for it
-  std::string mended{};                   ///< what reading mended in the inputs, in words that summaries repeat
+  ReadingNotes reading{};                 ///< of the inputs
 
   /// Null where no orientations of that name are stated.
   [[nodiscard]] std::shared_ptr<const Track> input(std::string_view name) const;

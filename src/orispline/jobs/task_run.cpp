@@ -342,7 +342,9 @@ Expected<CompareRequest> compare_request_in(const TaskRequest& request) {
   if (const std::string* const word = request.option("sort")) job.sort = *word;
   if (auto methods = checked(methods_in(request))) {
     job.methods = std::move(*methods);
-    for (const LabelledMethod& one : job.methods) job.named.push_back(one.label);
+    job.named = request.named;
+    if (request.methods.empty())
+      for (const LabelledMethod& one : job.methods) job.named.push_back(one.label);
   }
   return std::move(checked).or_else(std::move(job));
 }
@@ -377,7 +379,7 @@ Expected<TaskOutcome> run_smooth(const TaskRequest& request, const Progress& pro
       })
       .map_error(of_cutoff(request))
       .map([&](SmoothOutcome outcome) {
-        outcome.mended = request.mended;
+        outcome.mended = request.reading.mended;
         Track track = with_sigmas(outcome.smoothing);
         return told(std::move(outcome), {std::move(track)});
       });
@@ -407,7 +409,7 @@ Expected<TaskOutcome> run_reduce(const TaskRequest& request, const Progress& pro
   std::vector<TaskOutcome> outcomes;
   for (auto& outcome : reduce(*job, progress)) {
     if (!outcome) return tl::unexpected(of_cutoff(request)(std::move(outcome.error())));
-    outcome->mended = request.mended;
+    outcome->mended = request.reading.mended;
     Track track = outcome->chosen().track;
     outcomes.push_back(told(std::move(*outcome), {std::move(track)}));
   }
@@ -441,7 +443,9 @@ Expected<TaskOutcome> run_bake(const TaskRequest& request, const Progress& progr
 
 Expected<TaskOutcome> run_mean(const TaskRequest& request, const Progress&) {
   const auto job_of = [&](const MeanOptions& options) -> Expected<MeanRequest> {
-    if (request.inputs.size() == 1) return MeanRequest{.rows = request.input("rows"), .options = options};
+    if (request.inputs.size() == 1)
+      return MeanRequest{
+          .rows = request.input("rows"), .options = options, .has_times = request.reading.rows_have_times};
     std::vector<Track> tracks;
     for (const auto& [name, value] : request.inputs) tracks.push_back(*std::get<std::shared_ptr<const Track>>(value));
     return mean_of_all(tracks, options);
@@ -450,7 +454,7 @@ Expected<TaskOutcome> run_mean(const TaskRequest& request, const Progress&) {
       .and_then(job_of)
       .and_then([](MeanRequest job) { return mean(std::move(job)); })
       .map([&](MeanOutcome outcome) {
-        outcome.mended = request.mended;
+        outcome.mended = request.reading.mended;
         Track track = outcome.track();
         return told(std::move(outcome), {std::move(track)});
       });
@@ -482,7 +486,7 @@ Expected<TaskOutcome> run_inspect(const TaskRequest& request, const Progress&) {
     return told(inspect_scene({.file = *scene, .format = scene->title}));
   return methods_in(request)
       .and_then([&](const auto& methods) {
-        InspectRequest job{.keys = request.input("keys"), .faults = request.faults};
+        InspectRequest job{.keys = request.input("keys"), .faults = request.reading.faults};
         if (methods)
           for (const LabelledMethod& one : *methods) job.methods.push_back(one.method);
         return inspect(std::move(job));

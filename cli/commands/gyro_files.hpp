@@ -11,6 +11,12 @@
 
 namespace orispline::cli {
 
+/// The rates of a gyro beside the keys of a file, whose epoch their times count from: those of a file of their own,
+/// which the options of reading for keys are read by too, or else those of the rows of the file, with an orientation or
+/// without.
+[[nodiscard]] Expected<GyroTrack> gyro_beside(const io::TrackFile& file, const std::optional<std::string>& gyro_file,
+                                              const io::ReadOptions& read);
+
 /// A file of orientations, or the rates of a gyro in one that has no orientations.
 using AlignedFile = std::variant<io::TrackFile, GyroTrack>;
 

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// smooth and reduce where the output is a file of skeletons, and difference, which compares two of them.
+#include <filesystem>
+#include <utility>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
+#include <orispline/fields.hpp>
+#include <orispline/scenes/scene_file.hpp>
+
+#include "commands/task_command.hpp"
+#include "options/file_places.hpp"
+#include "options/scene_input.hpp"
+#include "options/threads.hpp"
+#include "output/report_file.hpp"
+#include "output/scene_output.hpp"
+#include "output/standard_output.hpp"
+#include "output/summary.hpp"
+
+namespace orispline::cli {
+
+namespace {
+
+/// What the task is told of a file, without its clips.
+jobs::MotionFile file_of_format(const std::string& name, const scenes::SceneFormat* format) {
+  jobs::MotionFile file{.name = name};
+  if (!format) return file;  // keys of a table
+  file.has_no_unit = format->has_no_unit;
+  file.format = format->file;
+  file.title = format->title;
+  file.is_single_precise = format->holds_floats;
+  return file;
+}
+
+/// The words of a task on a skeleton, with its options checked by what the name of the file tells.
+Expected<TaskJob> understood(std::string_view task, const TaskArguments& arguments, Expected<Method> method) {
+  FirstError checked;
+  TaskJob job{.input = checked(input_request(arguments.input)), .request = request_of(arguments)};
+  job.writing = checked(scene_writing(arguments.output));
+  job.request.methods = {{"", checked(std::move(method))}};
+  job.request.options.emplace_back("threads", std::uint64_t{checked(threads_in(arguments.inputs.threads))});
+  job.names = Json({{"input", arguments.input.path}});
+  auto read = std::move(checked).or_else(std::move(job));
+  if (!read) return read;
+  const auto file = file_of_format(arguments.input.path, scene_format_of(read->input));
+  read->request.inputs = {{"recording", std::make_shared<const jobs::MotionFile>(file)}};
+  return jobs::check_task(task, read->request).and_then([&] { return check_files(arguments); }).map([&] {
+    return std::move(*read);
+  });
+}
+
+Expected<void> read_scene_of(const TaskArguments& arguments, TaskJob& job) {
+  auto scene = open_scene(job.input);
+  if (!scene) return tl::unexpected(std::move(scene.error()));
+  warn(scene->warnings);
+  job.request.inputs = {{"recording", motion_of(arguments.input.path, *scene)}};
+  job.scene = *std::move(scene);
+  return {};
+}
+
+/// The clips that the task made, in the place of those that were read.
+Expected<void> write_clips(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
+  job.scene.clips = std::move(outcome.scenes.front().clips);
+  return write_scene(arguments.output.path, job.scene, job.writing);
+}
+
+// smooth
+
+Expected<TaskJob> smooth_scene_job(const TaskArguments& arguments) {
+  const auto refused = [](std::string_view option) {
+    return usage_failure(
+        formatted("{}: found a file of skeletons, whose keys are smoothed, wanted samples of one track", option));
+  };
+  if (arguments.times.rate) return refused("--rate");
+  if (arguments.times.include_end) return refused("--include-end");
+  if (file_of(arguments, "gyro"))
+    return usage_failure("--gyro-file: found a file of skeletons, wanted a recording of one track");
+  return understood("smooth", arguments, Method{}).map([](TaskJob job) {
+    job.request.methods.clear();
+    return job;
+  });
+}
+
+Expected<WrittenResult> write_smooth_scene(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
+  return write_clips(arguments, job, outcome).map([&] { return WrittenResult{.text = written_text(arguments, "")}; });
+}
+
+// reduce
+
+Expected<Method> scene_method_in(const TaskArguments& arguments) {
+  const std::string method = arguments.method.value_or(std::string(smallest_method));
+  if (method != smallest_method && method != cubicspline_method) return method_request(method, arguments.shape);
+  if (any_given(arguments.shape))
+    return usage_failure(formatted("{}: found the method {}, which has no such option, wanted another --method",
+                                   first_given(arguments.shape), cubicspline_method));
+  return Method{cubicspline_method};
+}
+
+/// What is not for clips.
+Expected<void> check_clips(const TaskArguments& arguments) {
+  for (const std::string_view name : {"smooth", "noise", "smoothing_time", "position_noise", "cutoff"})
+    if (is_given(arguments.fields, name))
+      return usage_failure(formatted(
+          "{}: found a file of skeletons, wanted keys of one track as the output, or 'orispline smooth' first",
+          flag_of(name)));
+  if (is_given(arguments.fields, "values"))
+    return usage_failure("--refit: found a file of skeletons, wanted keys of one track as the output");
+  const scenes::SceneFormat* const format = scenes::scene_format_of(arguments.output.path);
+  if (format != &scenes::gltf_format)
+    return usage_failure(formatted("{}: found '{}', but {} holds every frame; wanted glTF, such as small.glb",
+                                   arguments.output.option, printable(arguments.output.path), format->title));
+  if (is_given(arguments.fields, "tolerance") || is_given(arguments.fields, "world_tolerance")) return {};
+  return usage_failure(
+      "reduce: --tolerance or --world-tolerance is missing; 'orispline help reduce' shows what to type");
+}
+
+Expected<TaskJob> reduce_scene_job(const TaskArguments& arguments) {
+  return check_clips(arguments).and_then([&] { return understood("reduce", arguments, scene_method_in(arguments)); });
+}
+
+/// 0 where it is not known.
+std::size_t bytes_of(const std::string& path) {
+  std::error_code none;
+  const auto bytes = std::filesystem::file_size(path, none);
+  return none ? 0 : static_cast<std::size_t>(bytes);
+}
+
+std::string size_text(std::size_t bytes) {
+  const bool is_large = bytes >= 1'000'000;
+  return formatted("{:.3g} {}", static_cast<double>(bytes) * (is_large ? 1e-6 : 1e-3), is_large ? "MB" : "kB");
+}
+
+/// With the sizes of the files, of glTF with its buffers, where they are known.
+Expected<WrittenResult> write_reduced_scene(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
+  const std::size_t before = job.scene.bytes > 0 ? job.scene.bytes : bytes_of(arguments.input.path);
+  return write_clips(arguments, job, outcome).map([&] {
+    const std::size_t after = bytes_of(arguments.output.path);
+    const std::string sizes = before == 0 ? "" : formatted(": {} of {}", size_text(after), size_text(before));
+    WrittenResult written{.text = formatted("written to {}{}\n", destination(arguments.output.path), sizes)};
+    if (before > 0) written.members.emplace_back("bytes_before", before);
+    written.members.emplace_back("bytes", after);
+    return written;
+  });
+}
+
+// difference
+
+/// The chosen clips. The only clip of both files is the one that is compared, whatever its name in the second.
+Expected<jobs::TaskValue> motion_in(const std::string& path, const std::vector<std::string>& clips, bool is_second) {
+  return scenes::read_scene(path)
+      .and_then([&](scenes::Scene scene) -> Expected<scenes::Scene> {
+        warn(scene.warnings);
+        if (is_second && scene.clips.size() == 1 && clips.size() == 1) return scene;
+        return scenes::with_clips(std::move(scene), clips);
+      })
+      .map([&](const scenes::Scene& scene) { return jobs::TaskValue(motion_of(path, scene)); });
+}
+
+}  // namespace
+
+std::shared_ptr<const jobs::MotionFile> motion_of(const std::string& name, const scenes::Scene& scene) {
+  jobs::MotionFile file = file_of_format(name, scene.format);
+  file.skeleton = scene.skeleton;
+  file.clips = scene.clips;
+  return std::make_shared<const jobs::MotionFile>(std::move(file));
+}
+
+const TaskSteps smooth_scene_steps{"smooth", smooth_scene_job, read_scene_of, write_smooth_scene};
+const TaskSteps reduce_scene_steps{"reduce", reduce_scene_job, read_scene_of, write_reduced_scene};
+
+Expected<void> run_difference(const TaskArguments& arguments) {
+  const std::string &first = arguments.input.path, &second = arguments.second;
+  if (auto apart = check_report(arguments.report, {{"FIRST", first}, {"SECOND", second}}); !apart) return apart;
+  auto page = ReportFile::open(arguments.report);
+  if (!page) return tl::unexpected(std::move(page.error()));
+  jobs::TaskRequest request = request_of(arguments);
+  if (auto sound = jobs::check_task("difference", request); !sound) return sound;
+  FirstError checked;
+  request.inputs = {{"first", checked(motion_in(first, arguments.clips, false))},
+                    {"second", checked(motion_in(second, arguments.clips, true))}};
+  auto outcome = std::move(checked).or_else(std::move(request)).and_then([](const jobs::TaskRequest& sound) {
+    return jobs::run_task("difference", sound);
+  });
+  if (!outcome) return tl::unexpected(std::move(outcome.error()));
+  warn(outcome->warnings);
+  return page->write([&](const auto& head) { return page_of(*outcome, head); })
+      .and_then([&] { return print_document(arguments.json ? document(outcome->document) : outcome->summary); })
+      .and_then([&] { return page->finish(); });
+}
+
+}  // namespace orispline::cli
