@@ -12,7 +12,7 @@ import subprocess
 import sys
 
 DOCS = pathlib.Path(__file__).resolve().parents[1] / "docs"
-BLOCK = re.compile(r"(<!-- fields: (\w+) (options|results_of_gyros|results) -->\n).*?(<!-- end of fields -->)", re.S)
+BLOCK = re.compile(r"(<!-- fields: (\w+) (options_of_skeletons|options|results_of_gyros|results) -->\n).*?(<!-- end of fields -->)", re.S)
 
 
 def tasks_of(command):
@@ -38,11 +38,11 @@ def standing(field):
 
 
 def table(task, part):
-    head = {"options": ("option", "what", "unit", "range", "default"), "results": ("result", "what", "unit", "absent")}[part.removesuffix("_of_gyros")]
+    head = {"options": ("option", "what", "unit", "range", "default"), "results": ("result", "what", "unit", "absent")}[part.partition("_")[0]]
     rows = [head]
     for field in task[part]:
         cells = [f"`{field['name']}`", sentence(field), field["unit"] or ""]
-        cells += [field["range"], standing(field)] if part == "options" else [field["absent"] or ""]
+        cells += [field["range"], standing(field)] if part.startswith("options") else [field["absent"] or ""]
         rows.append([cell.replace("|", "\\|") for cell in cells])
     lines = ["".join(f"| {cell} " if cell else "| " for cell in row) + "|\n" for row in rows]
     return "".join([lines[0], "|---" * len(head) + "|\n", *lines[1:]])
