@@ -13,13 +13,14 @@
 #include "commands/smooth/smooth_scene.hpp"
 #include "options/file_places.hpp"
 #include "options/method_options.hpp"
-#include "options/sample_times.hpp"
 #include "options/scene_input.hpp"
+#include "options/threads.hpp"
 #include "output/each_input.hpp"
 #include "output/gathered_output.hpp"
 #include "output/keys_file.hpp"
 #include "output/noted_output.hpp"
 #include "output/repairs_text.hpp"
+#include "output/rows_file.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
@@ -31,7 +32,8 @@ struct Request {
   InputRequest input;
   orispline::SmoothOptions smoothing;
   io::SampleColumns columns;
-  std::optional<TimeRequest> times;  ///< of samples
+  std::optional<RowRequest> rows;  ///< of samples
+  std::size_t threads = 1;         ///< that make them
 };
 
 /// A file of the gyro asks for it.
@@ -43,19 +45,18 @@ SmoothnessOptions with_gyro(const SmoothArguments& options) {
 
 Expected<Request> request_in(const SmoothArguments& options) {
   if (auto agreed = check_files(options); !agreed) return tl::unexpected(std::move(agreed.error()));
-  if (options.include_end && !options.rate) return usage_failure("--include-end: wanted --rate as well");
-  if (options.rate && is_given(options.smoothness.fields, "sigma"))
+  const bool are_samples = options.rows.names_times();
+  if (const auto given = first_given(options.rows); !are_samples && !given.empty())
+    return usage_failure(formatted("{}: wanted --rate as well", given));
+  if (are_samples && is_given(options.smoothness.fields, "sigma"))
     return usage_failure("--sigma: found --rate as well, wanted keys: standard deviations are those of keys");
   FirstError checked;
   Request request{.input = checked(input_request(options.input)),
                   .smoothing = checked(smoothing_in(with_gyro(options))),
                   .columns = checked(output_columns(options.output)),
-                  .times = {}};
-  if (TimeOptions times; options.rate) {
-    times.rate = options.rate;
-    times.include_end = options.include_end;
-    request.times = checked(time_request(times));
-  }
+                  .rows = {},
+                  .threads = checked(threads_in(options.inputs.threads))};
+  if (are_samples) request.rows = checked(row_request(options.rows, options.input, options.output, {}));
   const bool reads_rates = request.smoothing.gyro && !options.gyro_file;
   request.input.read.rate_orders = reads_rates ? 1 : 0;
   request.input.read.world_rates = true;
@@ -66,24 +67,22 @@ Expected<Request> request_in(const SmoothArguments& options) {
   return std::move(checked).or_else(std::move(request));
 }
 
-/// Samples of the curve through the keys, but none between two stretches.
-Expected<std::size_t> write_samples(io::SampleWriter& writer, const orispline::Smoothing& smoothed,
-                                    const TimeRequest& request) {
-  const auto curve = make_pose_curve(smoothed.method, smoothed.track.keys);
+/// Samples of the curve that the keys have when their file is read again, but none between two stretches; how many
+/// rows there are.
+Expected<std::size_t> write_samples(const std::string& path, const Request& request,
+                                    const orispline::Smoothing& smoothed) {
+  const auto keys = jobs::as_read_again(smoothed.track);
+  if (!keys) return tl::unexpected(keys.error());
+  const auto curve = jobs::curve_through(smoothed.method, *keys);
   if (!curve) return tl::unexpected(curve.error());
-  const auto times = SampleTimes::make(request, smoothed.track.epoch, curve->orientation.domain());
-  if (!times) return tl::unexpected(times.error());
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < times->size(); ++k) {
-    const Instant instant = (*times)[k];
-    if (!smoothed.covers(instant.t)) continue;
-    io::Sample sample{.motion = curve->orientation.motion(instant.t)};
-    if (curve->position) sample.linear_motion = curve->position->linear_motion(instant.t);
-    if (auto written = writer.write(times->origin().plus(instant.offset), sample); !written)
-      return tl::unexpected(std::move(written.error()));
-    ++count;
-  }
-  return count;
+  const RowRequest& rows = *request.rows;
+  const auto wanted = jobs::times_on_curve(rows.times, keys->epoch, curve->orientation.domain(), rows.extrapolation);
+  if (!wanted) return tl::unexpected(wanted.error());
+  warn(wanted->warnings);
+  const RowWriting writing = row_writing(rows, keys->recipe.gap.has_value(), request.threads);
+  return write_rows(path, with_positions(rows.columns, curve->position.has_value()), *curve, wanted->times,
+                    {rows.extrapolation}, writing, Progress::Show::never)
+      .map([&](const jobs::RowCounts& counts) { return counts.rows(writing.policy); });
 }
 
 /// The keys, with their standard deviations behind all other columns.
@@ -111,16 +110,11 @@ Expected<void> check_format(const io::FormatInfo& format, const orispline::Smoot
 /// The keys, or samples of the curve through them.
 Expected<void> write(const std::string& path, const Request& request, jobs::SmoothOutcome& outcome) {
   const orispline::Smoothing& smoothed = outcome.smoothing;
+  if (request.rows)
+    return write_samples(path, request, smoothed).map([&](std::size_t rows) { outcome.samples = rows; });
   io::SampleColumns columns = request.columns;
   columns.derivatives = columns.format->holds.rates ? 2 : 0;
-  columns.positions = !smoothed.track.keys.positions().empty();
-  if (!request.times) return write_keys(path, written_keys(smoothed), columns);
-  return open_samples(path, columns, smoothed.track.keys.size()).and_then([&](Noted<io::SampleWriter> output) {
-    return write_samples(output.file, smoothed, *request.times).and_then([&](std::size_t count) {
-      outcome.samples = count;
-      return put_in_place(std::move(output));
-    });
-  });
+  return write_keys(path, written_keys(smoothed), columns);
 }
 
 Expected<void> smooth_one(const SmoothArguments& options) {
@@ -133,6 +127,7 @@ Expected<void> smooth_one(const SmoothArguments& options) {
   if (!file) return tl::unexpected(or_all_of_them(file.error(), "an output such as all.glb"));
   warn(file->warnings);
   request->columns = columns_like(*file->format, request->columns, options.output);
+  if (request->rows) request->rows->columns = columns_for(options.rows, options.output, {}, *file->format);
   if (auto fits = check_format(*request->columns.format, request->smoothing); !fits) return fits;
   std::shared_ptr<const GyroRates> gyro;
   if (request->smoothing.gyro) {
@@ -147,7 +142,7 @@ Expected<void> smooth_one(const SmoothArguments& options) {
   outcome->mended = text_of(file->repairs);
   for (Warning& warning : outcome->warnings) warning = with_flags(std::move(warning));
   warn(outcome->warnings);
-  if (request->times && !request->columns.format->holds.rates)
+  if (request->rows && !request->columns.format->holds.rates)
     warn({{.code = "rates_not_written",
            .message = "this format holds no rates: wx,wy,wz,ax,ay,az are not written, wanted a CSV file for them"}});
   return page->write([&](const auto& head) { return page_of(*outcome, head); })

@@ -3,6 +3,7 @@
 
 #include "options/input_options.hpp"
 #include "options/output_options.hpp"
+#include "options/row_options.hpp"
 #include "options/several_inputs.hpp"
 #include "options/smoothness.hpp"
 #include "output/report_file.hpp"
@@ -16,8 +17,7 @@ struct SmoothArguments {
   InputOptions input;  ///< how they are read
   SmoothnessOptions smoothness;
   std::optional<std::string> gyro_file;
-  std::optional<std::string> rate;  ///< of samples
-  bool include_end = false;
+  RowOptions rows;  ///< of samples in the place of keys
   OutputOptions output;
   ReportOptions report;
   SummaryOptions summary;

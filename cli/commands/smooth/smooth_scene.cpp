@@ -26,11 +26,10 @@ struct SceneRequest {
 };
 
 Expected<void> check_clips(const SmoothArguments& options) {
-  if (options.rate || options.include_end)
-    return usage_failure(
-        formatted("{}: found a file of skeletons, whose keys are smoothed, wanted samples of one track",
-                  options.rate ? "--rate" : "--include-end"));
-  return {};
+  const std::string_view given = first_given(options.rows);
+  if (given.empty()) return {};
+  return usage_failure(
+      formatted("{}: found a file of skeletons, whose keys are smoothed, wanted samples of one track", given));
 }
 
 Expected<SceneRequest> scene_request_in(const SmoothArguments& options) {
