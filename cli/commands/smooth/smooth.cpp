@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
@@ -54,9 +55,11 @@ Expected<Request> request_in(const SmoothArguments& options) {
   Request request{.input = checked(input_request(options.input)),
                   .smoothing = checked(smoothing_in(with_gyro(options))),
                   .columns = checked(output_columns(options.output)),
-                  .rows = {},
-                  .threads = checked(threads_in(options.inputs.threads))};
-  if (are_samples) request.rows = checked(row_request(options.rows, options.input, options.output, {}));
+                  .rows = {}};
+  if (are_samples) {
+    request.rows = checked(row_request(options.rows, options.input, options.output, {}));
+    request.threads = checked(threads_in(options.inputs.threads));
+  }
   const bool reads_rates = request.smoothing.gyro && !options.gyro_file;
   request.input.read.rate_orders = reads_rates ? 1 : 0;
   request.input.read.world_rates = true;
@@ -158,7 +161,13 @@ Expected<void> smooth_one(const SmoothArguments& options) {
 
 Expected<void> check_files(const SmoothArguments& options) {
   const OutputOptions& output = options.output;
-  return check_output_apart(output.option, output.path, {{"INPUT", options.input.path}})
+  std::vector<OtherFile> read{{"INPUT", options.input.path}};
+  if (const auto& list = options.rows.list) {
+    read.push_back({"that of --times", *list});
+    if (*list == io::standard_stream && (options.inputs.folder || options.input.path == io::standard_stream))
+      return usage_failure("--times: found '-', wanted a file, since standard input is read once only");
+  }
+  return check_output_apart(output.option, output.path, read)
       .and_then([&] { return check_summary(options.summary, output.path, "keys"); })
       .and_then([&] {
         return check_report(options.report, {{place_of_output(output), output.path}, {"INPUT", options.input.path}});
