@@ -91,7 +91,7 @@ Expected<void> sample(const Baked<T>& baked, const Times& times, orispline_order
     if (is_of_position(output.quantity))
       return bad_option("quantity", "found positions, wanted orientations or angular rates");
   }
-  return fill_all<T>(outputs, order, times, samples_at_a_time({}),
+  return fill_all<T>(outputs, order, times, {},
                      [&](std::span<const double> some, const Samples<T>& samples, RateFrame frame) {
                        auto done = sample_at<T>(baked.curve, some, samples);
                        if (done && frame == RateFrame::world) turn_to_world(samples);

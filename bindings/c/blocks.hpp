@@ -28,20 +28,14 @@ class Blocks {
 
   /// Makes all samples by `sample(times, samples, frame)`.
   template <class Sample>
-  [[nodiscard]] Expected<void> fill(const Times& times, std::size_t at_a_time, Sample sample) {
+  [[nodiscard]] Expected<void> fill(const Times& times, Work work, Sample sample) {
     if (outputs_.empty()) return {};
     std::vector<double> room;
-    for (std::size_t begin = 0; begin < times.size(); begin += at_a_time) {
-      const std::size_t count = std::min(at_a_time, times.size() - begin);
-      const auto some = times.part(begin, count, room);
-      auto done = sample(some, samples_at(begin, count), frame_);
-      if (!done) {
-        if (auto& index = done.error().where.time_index) *index += begin;
-        return done;
-      }
-      hand_out(begin, count);
-    }
-    return {};
+    return in_blocks(times.size(), work, [&](std::size_t begin, std::size_t count) {
+      return sample(times.part(begin, count, room), samples_at(begin, count), frame_).map([&] {
+        hand_out(begin, count);
+      });
+    });
   }
 
  private:
@@ -107,7 +101,7 @@ class Blocks {
 
 /// All outputs of a type: in one go, unless rates are wanted in both frames.
 template <class T, class Sample>
-[[nodiscard]] Expected<void> fill_all(Outputs outputs, orispline_order order, const Times& times, std::size_t at_a_time,
+[[nodiscard]] Expected<void> fill_all(Outputs outputs, orispline_order order, const Times& times, Work work,
                                       Sample sample) {
   std::vector<orispline_output> of_body, of_world;
   const auto is_body_rate = [](const orispline_output& output) {
@@ -116,8 +110,8 @@ template <class T, class Sample>
   const bool turns_all = std::ranges::none_of(outputs, is_body_rate);
   for (const orispline_output& output : outputs)
     (turns_all || is_of_world(output.quantity) ? of_world : of_body).push_back(output);
-  return Blocks<T>(of_body, order, RateFrame::body).fill(times, at_a_time, sample).and_then([&] {
-    return Blocks<T>(of_world, order, RateFrame::world).fill(times, at_a_time, sample);
+  return Blocks<T>(of_body, order, RateFrame::body).fill(times, work, sample).and_then([&] {
+    return Blocks<T>(of_world, order, RateFrame::world).fill(times, work, sample);
   });
 }
 

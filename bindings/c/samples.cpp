@@ -8,7 +8,7 @@ namespace orispline::c { namespace {
 template <class T>
 Expected<void> fill(const PoseSampler& sampler, const Times& times, orispline_order order, Extrapolation beyond,
                     Work work, Outputs outputs) {
-  return fill_all<T>(outputs, order, times, samples_at_a_time(work),
+  return fill_all<T>(outputs, order, times, work,
                      [&](std::span<const double> some, const Samples<T>& samples, RateFrame frame) {
                        return sampler.sample_at<T>(some, samples, beyond, frame, work);
                      });

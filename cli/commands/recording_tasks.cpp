@@ -19,8 +19,8 @@
 #include "output/found_output.hpp"
 #include "output/gathered_output.hpp"
 #include "output/keys_file.hpp"
-#include "output/noted_output.hpp"
 #include "output/repairs_text.hpp"
+#include "output/rows_file.hpp"
 #include "output/standard_output.hpp"
 #include "output/summary.hpp"
 
@@ -32,11 +32,23 @@ constexpr std::string_view all_in_scene = "an output such as all.glb";
 
 // smooth
 
+/// What is read once only.
+Expected<void> check_times_file(const TaskArguments& arguments) {
+  const auto& list = arguments.rows.list;
+  if (!list) return {};
+  if (*list == io::standard_stream && (arguments.inputs.folder || arguments.input.path == io::standard_stream))
+    return usage_failure("--times: found '-', wanted a file, since standard input is read once only");
+  return check_output_apart(arguments.output.option, arguments.output.path,
+                            {{"INPUT", arguments.input.path}, {"that of --times", *list}});
+}
+
 Expected<TaskJob> smooth_job(const TaskArguments& arguments) {
-  if (auto agreed = check_files(arguments); !agreed) return tl::unexpected(std::move(agreed.error()));
-  const TimeOptions& times = arguments.times;
-  if (times.include_end && !times.rate) return usage_failure("--include-end: wanted --rate as well");
-  if (times.rate && is_given(arguments.fields, "sigma"))
+  if (auto agreed = check_times_file(arguments).and_then([&] { return check_files(arguments); }); !agreed)
+    return tl::unexpected(std::move(agreed.error()));
+  const bool are_samples = arguments.rows.names_times();
+  if (const auto given = first_given(arguments.rows); !are_samples && !given.empty())
+    return usage_failure(formatted("{}: wanted --rate as well", given));
+  if (are_samples && is_given(arguments.fields, "sigma"))
     return usage_failure("--sigma: found --rate as well, wanted keys: standard deviations are those of keys");
   const bool has_gyro_file = file_of(arguments, "gyro").has_value();
   FirstError checked;
@@ -44,7 +56,10 @@ Expected<TaskJob> smooth_job(const TaskArguments& arguments) {
   if (has_gyro_file && !is_given(arguments.fields, "gyro")) job.request.options.emplace_back("gyro", true);
   if (auto sound = jobs::check_task("smooth", job.request); !sound) return tl::unexpected(std::move(sound.error()));
   job.columns = checked(output_columns(arguments.output));
-  if (times.rate) job.times = checked(time_request(times));
+  if (are_samples) {
+    job.rows = checked(row_request(arguments.rows, arguments.input, arguments.output, {}));
+    job.threads = checked(threads_in(arguments.inputs.threads));
+  }
   job.names = Json({{"input", arguments.input.path}});
   const bool reads_rates = is_given(arguments.fields, "gyro") && !has_gyro_file;
   io::ReadOptions& read = job.input.read;
@@ -62,6 +77,7 @@ Expected<void> read_smoothed(const TaskArguments& arguments, TaskJob& job) {
   if (!file) return tl::unexpected(or_all_of_them(file.error(), all_in_scene));
   warn(file->warnings);
   job.columns = columns_like(*file->format, job.columns, arguments.output);
+  if (job.rows) job.rows->columns = columns_for(arguments.rows, arguments.output, {}, *file->format);
   if (is_given(arguments.fields, "sigma") && !job.columns.format->holds.settings)
     return bad_option(
         "sigma", formatted("{} has no columns for standard deviations, wanted a CSV file", job.columns.format->file));
@@ -77,24 +93,21 @@ Expected<void> read_smoothed(const TaskArguments& arguments, TaskJob& job) {
   return {};
 }
 
-/// Samples of the curve through the keys, but none between two stretches.
-Expected<std::size_t> write_curve(io::SampleWriter& writer, const orispline::Smoothing& smoothed,
-                                  const TimeRequest& request) {
-  const auto curve = make_pose_curve(smoothed.method, smoothed.track.keys);
+/// Samples of the curve that the keys have when their file is read again, but none between two stretches; how many
+/// rows there are.
+Expected<std::size_t> write_curve(const std::string& path, const TaskJob& job, const orispline::Smoothing& smoothed) {
+  const auto keys = jobs::as_read_again(smoothed.track);
+  if (!keys) return tl::unexpected(keys.error());
+  const auto curve = jobs::curve_through(smoothed.method, *keys);
   if (!curve) return tl::unexpected(curve.error());
-  const auto times = SampleTimes::make(request, smoothed.track.epoch, curve->orientation.domain());
-  if (!times) return tl::unexpected(times.error());
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < times->size(); ++k) {
-    const Instant instant = (*times)[k];
-    if (!smoothed.covers(instant.t)) continue;
-    io::Sample sample{.motion = curve->orientation.motion(instant.t)};
-    if (curve->position) sample.linear_motion = curve->position->linear_motion(instant.t);
-    if (auto written = writer.write(times->origin().plus(instant.offset), sample); !written)
-      return tl::unexpected(std::move(written.error()));
-    ++count;
-  }
-  return count;
+  const RowRequest& rows = *job.rows;
+  const auto wanted = jobs::times_on_curve(rows.times, keys->epoch, curve->orientation.domain(), rows.extrapolation);
+  if (!wanted) return tl::unexpected(wanted.error());
+  warn(wanted->warnings);
+  const RowWriting writing = row_writing(rows, keys->recipe.gap.has_value(), job.threads);
+  return write_rows(path, with_positions(rows.columns, curve->position.has_value()), *curve, wanted->times,
+                    {rows.extrapolation}, writing, Progress::Show::never)
+      .map([&](const jobs::RowCounts& counts) { return counts.rows(writing.policy); });
 }
 
 /// Samples in the place of keys, which the summary then tells.
@@ -103,24 +116,17 @@ Expected<void> write_smooth_samples(const TaskArguments& arguments, const TaskJo
     warn({{.code = "rates_not_written",
            .message = "this format holds no rates: wx,wy,wz,ax,ay,az are not written, wanted a CSV file for them"}});
   auto& smooth = std::get<jobs::SmoothOutcome>(outcome.findings.front());
-  const orispline::Smoothing& smoothed = smooth.smoothing;
-  return open_samples(arguments.output.path, job.columns, smoothed.track.keys.size())
-      .and_then([&](Noted<io::SampleWriter> output) {
-        return write_curve(output.file, smoothed, *job.times).and_then([&](std::size_t count) {
-          smooth.samples = count;
-          outcome.document = jobs::document_of(smooth);
-          outcome.line = jobs::line_of(smooth);
-          return put_in_place(std::move(output));
-        });
-      });
+  return write_curve(arguments.output.path, job, smooth.smoothing).map([&](std::size_t rows) {
+    smooth.samples = rows;
+    outcome.document = jobs::document_of(smooth);
+    outcome.line = jobs::line_of(smooth);
+  });
 }
 
 Expected<WrittenResult> write_smoothed(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
-  const Track& keys = outcome.tracks.front();
   job.columns.derivatives = job.columns.format->holds.rates ? 2 : 0;
-  job.columns.positions = !keys.keys.positions().empty();
-  return (job.times ? write_smooth_samples(arguments, job, outcome)
-                    : write_keys(arguments.output.path, keys, job.columns))
+  return (job.rows ? write_smooth_samples(arguments, job, outcome)
+                   : write_keys(arguments.output.path, outcome.tracks.front(), job.columns))
       .map([&] {
         const auto& smooth = std::get<jobs::SmoothOutcome>(outcome.findings.front());
         return WrittenResult{.text = written_text(arguments, smooth.result())};

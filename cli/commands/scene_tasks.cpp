@@ -67,12 +67,9 @@ Expected<void> write_clips(const TaskArguments& arguments, TaskJob& job, jobs::T
 // smooth
 
 Expected<TaskJob> smooth_scene_job(const TaskArguments& arguments) {
-  const auto refused = [](std::string_view option) {
+  if (const auto given = first_given(arguments.rows); !given.empty())
     return usage_failure(
-        formatted("{}: found a file of skeletons, whose keys are smoothed, wanted samples of one track", option));
-  };
-  if (arguments.times.rate) return refused("--rate");
-  if (arguments.times.include_end) return refused("--include-end");
+        formatted("{}: found a file of skeletons, whose keys are smoothed, wanted samples of one track", given));
   if (file_of(arguments, "gyro"))
     return usage_failure("--gyro-file: found a file of skeletons, wanted a recording of one track");
   return understood("smooth", arguments, Method{}).map([](TaskJob job) {

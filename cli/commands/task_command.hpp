@@ -17,7 +17,7 @@
 #include "options/method_options.hpp"
 #include "options/output_options.hpp"
 #include "options/report_options.hpp"
-#include "options/sample_times.hpp"
+#include "options/row_options.hpp"
 #include "options/several_inputs.hpp"
 #include "options/summary_options.hpp"
 
@@ -39,7 +39,7 @@ struct TaskArguments {
   std::vector<std::string> keep_every;  ///< whole numbers, or lists of them with commas between them
   std::optional<std::string> random;    ///< seed
   bool jitter = false;
-  TimeOptions times;  ///< of samples in the place of keys
+  RowOptions rows;  ///< of samples in the place of keys
   OutputOptions output;
   ReportOptions report;
   SummaryOptions summary;
@@ -62,14 +62,15 @@ inline constexpr std::string_view smallest_method = "smallest";
 /// What a command line asks of a task.
 struct TaskJob {
   InputRequest input;
-  jobs::TaskRequest request{};         ///< whose inputs are read later
-  io::SampleColumns columns{};         ///< of the output
-  std::optional<TimeRequest> times{};  ///< of samples in the place of keys
-  std::optional<Method> named{};       ///< by the user, of a task that is about one curve
-  scenes::Scene scene{};               ///< whose clips a task changes
-  scenes::SceneWriting writing{};      ///< of the scene
-  std::vector<Warning> warnings{};     ///< of reading, which are said with those of the task
-  Json names{};                        ///< of the inputs, as the document has them
+  jobs::TaskRequest request{};       ///< whose inputs are read later
+  io::SampleColumns columns{};       ///< of the output
+  std::optional<RowRequest> rows{};  ///< samples in the place of keys
+  std::size_t threads = 1;           ///< that make them
+  std::optional<Method> named{};     ///< by the user, of a task that is about one curve
+  scenes::Scene scene{};             ///< whose clips a task changes
+  scenes::SceneWriting writing{};    ///< of the scene
+  std::vector<Warning> warnings{};   ///< of reading, which are said with those of the task
+  Json names{};                      ///< of the inputs, as the document has them
 };
 
 /// What the summary of a file says behind that of the task.

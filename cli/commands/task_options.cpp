@@ -198,14 +198,11 @@ void add_smooth_options(Command& app, TaskArguments& o) {
                  "Use the rates t, wx, wy, wz of this file as those of a gyro, with a clock of its own")
       ->type_name(file_type)
       ->group("Smoothing");
-  app.add_option("--rate", o.times.rate, "Write samples at so many per second instead of keys")
-      ->type_name("HZ")
-      ->group("Output");
-  app.add_flag("--include-end", o.times.include_end,
-               "With --rate the end is a sample too where it is no multiple of the interval")
-      ->group("Output");
+  add_time_options(app, o.rows, "Samples in the place of keys (one of --rate, --count, --times)",
+                   "Write samples at so many per second instead of keys");
   o.output.scenes = scenes_written();
   add_output_options(app, o.output);
+  add_row_options(app, o.rows);
   add_report_option(app, o.report);
   add_summary_options(app, o.summary);
   app.footer = smooth_footer;

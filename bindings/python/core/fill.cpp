@@ -27,29 +27,13 @@ struct Asked {
       : frame(world ? RateFrame::world : RateFrame::body), beyond{how}, work{threads} {}
 };
 
-/// Calls `make(begin, count)` for samples that are made together.
-template <class Make>
-Expected<void> together(std::size_t size, Work work, Make make) {
-  const std::size_t most = samples_at_a_time(work);
-  for (std::size_t begin = 0; begin < size; begin += most)
-    if (auto made = make(begin, std::min(most, size - begin)); !made) return made;
-  return {};
-}
-
-template <class T>
-Expected<void> make_part(const PythonCurve& curve, std::span<const double> times, const Samples<T>& out,
-                         std::size_t begin, const Asked& asked) {
-  return curve.sampler().sample_at<T>(times, part_of(out, begin, times.size()), asked.beyond, asked.frame, asked.work);
-}
-
 /// Samples at times that are given, in any order.
 template <class T>
 Expected<void> fill(const PythonCurve& curve, std::span<const double> times, const Samples<T>& out,
                     const Asked& asked) {
-  if (asked.beyond == Extrapolation::error)  // the first time outside by its place among all
-    if (auto inside = check_inside(curve.pose().orientation, times); !inside) return inside;
-  return together(times.size(), asked.work, [&](std::size_t begin, std::size_t count) {
-    return make_part<T>(curve, times.subspan(begin, count), out, begin, asked);
+  return in_blocks(times.size(), asked.work, [&](std::size_t begin, std::size_t count) {
+    return curve.sampler().sample_at<T>(times.subspan(begin, count), part_of(out, begin, count), asked.beyond,
+                                        asked.frame, asked.work);
   });
 }
 
@@ -57,13 +41,10 @@ Expected<void> fill(const PythonCurve& curve, std::span<const double> times, con
 template <class T>
 Expected<void> fill_even(const PythonCurve& curve, const SampleGrid& grid, std::span<double> times,
                          const Samples<T>& out, const Asked& asked) {
-  if (asked.beyond == Extrapolation::error) {
-    grid.fill(0, times);
-    return fill<T>(curve, times, out, asked);
-  }
-  return together(times.size(), asked.work, [&](std::size_t begin, std::size_t count) {
-    grid.fill(begin, times.subspan(begin, count));
-    return make_part<T>(curve, times.subspan(begin, count), out, begin, asked);
+  return in_blocks(times.size(), asked.work, [&](std::size_t begin, std::size_t count) {
+    const auto some = times.subspan(begin, count);
+    grid.fill(begin, some);
+    return curve.sampler().sample_at<T>(some, part_of(out, begin, count), asked.beyond, asked.frame, asked.work);
   });
 }
 

@@ -1,35 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/sample/sample.hpp"
 
-#include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
-#include <orispline/analysis.hpp>
-#include <orispline/jobs/sample.hpp>
+#include <orispline/base/file_name.hpp>
+#include <orispline/io/key_columns.hpp>
+#include <orispline/io/key_reader.hpp>
+#include <orispline/io/track_file.hpp>
+#include <orispline/jobs/curve_clip.hpp>
+#include <orispline/jobs/sample_stream.hpp>
 
-#include "commands/sample/sample_curve_scene.hpp"
 #include "commands/sample/sample_joints.hpp"
 #include "commands/sample/sample_report.hpp"
 #include "commands/sample/sample_request.hpp"
-#include "commands/sample/sample_scene.hpp"
-#include "commands/sample/sample_stream.hpp"
-#include "commands/sample/sampling.hpp"
 #include "options/scene_input.hpp"
 #include "output/each_input.hpp"
-#include "output/gathered_output.hpp"
-#include "output/noted_output.hpp"
+#include "output/rows_file.hpp"
+#include "output/scene_output.hpp"
 #include "output/standard_output.hpp"
+#include "output/summary.hpp"
 
 namespace orispline::cli {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 /// The keys, read and turned into a curve.
 struct Source {
   io::TrackFile file;
   jobs::CurveOfKeys shaped;
-  SampleTimes times;
-  std::optional<BandInStretches> band;
+  jobs::SampleTimes times;
+  std::optional<BandInStretches> band{};
 };
 
 Expected<io::TrackFile> track_of(io::KeyReader reader, Signs signs) {
@@ -49,23 +53,13 @@ Expected<Source> open_source(const SampleRequest& request, io::KeyReader keys) {
   if (!shaped) return tl::unexpected(std::move(shaped.error()));
   warn(file->warnings);
   warn(shaped->warnings);
-  const Domain domain = shaped->curve.orientation.domain();
-  const TimeRequest wanted = anchored(request.times, track.epoch);
-  auto times = SampleTimes::make(wanted, track.epoch, domain);
-  if (!times) return tl::unexpected(std::move(times.error()));
-  warn(times->warnings());
-  if (request.extrapolation == Extrapolation::hold) warn(range_warnings(wanted, track.epoch, domain));
-  if (request.extrapolation == Extrapolation::error)
-    if (auto stray = times->outside(domain)) return tl::unexpected(std::move(*stray));
-  Source source{std::move(*file), std::move(*shaped), std::move(*times), {}};
-  if (request.band) {
-    auto band = stretches_of(source.file.track).and_then([&](const std::vector<Stretch>& stretches) {
-      return BandInStretches::make(source.shaped.method, source.file.track.keys, stretches, *request.band);
-    });
-    if (!band) return bad_option("band", band.error().message);
-    source.band = std::move(*band);
-  }
-  return source;
+  auto wanted = jobs::times_on_curve(request.rows.times, track.epoch, shaped->curve.orientation.domain(),
+                                     request.rows.extrapolation);
+  if (!wanted) return tl::unexpected(std::move(wanted.error()));
+  warn(wanted->warnings);
+  return jobs::band_of(track, shaped->method, request.band).map([&](std::optional<BandInStretches> band) {
+    return Source{std::move(*file), std::move(*shaped), std::move(wanted->times), std::move(band)};
+  });
 }
 
 /// How far the curve is from the file of --truth.
@@ -88,52 +82,145 @@ Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader 
   const auto source = open_source(request, std::move(keys));
   if (!source) return tl::unexpected(source.error());
   const auto& [file, shaped, times, band] = *source;
-  const io::SampleColumns columns = with_positions(request.columns, shaped.curve.position.has_value());
   SampleReport report{.outcome = outcome_of(file.track, request.method, shaped),
                       .input = request.input.path,
                       .output = request.output,
                       .repairs = file.repairs,
-                      .columns = columns,
+                      .columns = with_positions(request.rows.columns, shaped.curve.position.has_value()),
                       .keys_held = true};
-  report.outcome.samples = times.size();
-  report.outcome.extrapolation = request.extrapolation;
+  report.outcome.extrapolation = request.rows.extrapolation;
   report.outcome.band = request.band;
   if (request.truth) {
     auto distance = truth_distance(request, file, shaped.curve);
     if (!distance) return tl::unexpected(std::move(distance.error()));
     report.outcome.truth = std::move(*distance);
   }
-  const Sampling sampling{.curve = shaped.curve,
-                          .times = times,
-                          .columns = columns,
-                          .extrapolation = request.extrapolation,
-                          .outside = request.outside,
-                          .gaps = !file.track.recipe.gap ? GapRows::none
-                                  : request.mark_gaps    ? GapRows::empty
-                                                         : GapRows::left_out,
-                          .threads = request.threads,
-                          .band = band ? &*band : nullptr};
-  return open_samples(request.output, columns, times.size())
-      .and_then([&](Noted<io::SampleWriter> output) {
-        return write_samples(output.file, sampling, request.progress).and_then([&](const RowCounts& counts) {
-          count_rows(report.outcome, request, counts);
-          return put_in_place(std::move(output));
-        });
-      })
-      .map([&] { return report; });
+  const RowWriting writing = row_writing(request.rows, file.track.recipe.gap.has_value(), request.threads);
+  return write_rows(request.output, report.columns, shaped.curve, times,
+                    {request.rows.extrapolation, band ? &*band : nullptr}, writing, request.progress)
+      .map([&](const jobs::RowCounts& counts) {
+        count_rows(report.outcome, writing.policy, counts);
+        return report;
+      });
 }
 
-/// The curve through all keys as cubics, or its samples, in a file of skeletons.
-Expected<void> sample_into_scene(const SampleArguments& options, const SampleRequest& request, io::KeyReader keys) {
-  return open_source(request, std::move(keys)).and_then([&](const Source& source) {
-    return jobs::check_without_gaps(source.file.track).and_then([&] {
-      return write_curve_scene(options, request, {source.file.track.keys.size(), source.shaped.curve, source.times});
-    });
+/// The size of a file in bytes; absent for a pipe.
+std::optional<std::size_t> size_of_file(const std::string& path) {
+  std::error_code none;
+  const auto size = fs::file_size(path, none);
+  return path == io::standard_stream || none ? std::nullopt : std::optional(static_cast<std::size_t>(size));
+}
+
+/// Where samples go into the very file that keys are read from, all keys are read before the first sample is written.
+bool writes_into_input(const SampleRequest& request) {
+  std::error_code unknown;  // such as on systems without these names
+  const std::string input = request.input.path == io::standard_stream ? "/dev/stdin" : request.input.path;
+  return request.output == io::standard_stream && fs::equivalent(input, "/dev/stdout", unknown);
+}
+
+jobs::StreamRequest stream_request(const SampleRequest& request, const io::KeyColumns& columns) {
+  jobs::StreamRequest stream{.source = request.input.path,
+                             .method = request.method,
+                             .signs = *request.input.signs,
+                             .times = request.rows.times,
+                             .extrapolation = request.rows.extrapolation,
+                             .warn = [](std::vector<Warning> warnings) { warn(std::move(warnings)); }};
+  for (const io::ParameterColumn& column : columns.parameters) stream.settings.push_back(column.name);
+  return stream;
+}
+
+/// Whether the samples can be made while the keys are read: where nothing asks for all keys at once.
+Expected<bool> goes_in_pieces(const SampleRequest& request, io::KeyReader& keys) {
+  return keys.holds_two_tracks().map([&](bool two_tracks) {
+    const io::ReadOptions& read = request.input.read;
+    // A header that counts the rows stands before them; in a pipe that cannot be done later.
+    const bool counts_later = !request.rows.columns.format->writing.counts_rows || !io::is_stream(request.output);
+    return !two_tracks && keys.columns() && counts_later && !request.truth && !request.band && !read.sort &&
+           !read.session && !keys.recipe().gap && !writes_into_input(request) &&
+           jobs::can_stream(stream_request(request, *keys.columns()));
   });
 }
 
-Expected<void> sample_one(const SampleArguments& options) {
-  if (asks_for_stored(options)) return options.inputs.folder ? sample_joints(options) : sample_stored(options);
+/// The next keys, with what is to be said of them.
+Expected<jobs::KeyPiece> next_piece(io::KeyReader& keys, const SampleRequest& request, io::RepairReport& repairs) {
+  constexpr std::size_t keys_of_a_piece = 16384;
+  return keys.next(keys_of_a_piece).map([&](io::KeyFile file) {
+    repairs = file.repairs;
+    if (keys.is_at_end() && file.turns)
+      for (Warning& warning : file.turns->warnings(*request.input.signs, file.euler)) {
+        warning.where.file = request.input.path;
+        file.warnings.push_back(std::move(warning));
+      }
+    return jobs::KeyPiece{std::move(file.data), std::move(file.parameters), std::move(file.lines),
+                          file.epoch,           std::move(file.warnings),   keys.is_at_end()};
+  });
+}
+
+/// Reads the keys and writes the samples piece by piece, in memory that grows with neither.
+Expected<SampleReport> sample_in_pieces(const SampleRequest& request, io::KeyReader keys) {
+  SampleReport report{.input = request.input.path,
+                      .output = request.output,
+                      .columns = with_positions(request.rows.columns, keys.columns()->position.has_value())};
+  std::optional<Progress> through_file, through_samples;
+  if (const auto bytes = size_of_file(request.input.path)) through_file.emplace(*bytes, request.progress);
+  jobs::StreamRequest stream = stream_request(request, *keys.columns());
+  stream.next = [&] {
+    if (through_file) through_file->advance_to(keys.bytes_read());
+    return next_piece(keys, request, report.repairs);
+  };
+  stream.ended = [&](std::size_t samples) {
+    through_file.reset();
+    through_samples.emplace(samples, request.progress);
+  };
+  RowWriting writing = row_writing(request.rows, false, request.threads);
+  writing.written = [&](std::size_t samples) {
+    if (through_samples) through_samples->advance_to(samples);
+  };
+  jobs::StreamSamples samples(std::move(stream));
+  return write_rows(request.output, report.columns, samples, writing).map([&](const jobs::RowCounts& counts) {
+    report.outcome = samples.outcome();
+    count_rows(report.outcome, writing.policy, counts);
+    return report;
+  });
+}
+
+jobs::CurveClipRequest clip_request(const SampleRequest& request, const Source& source) {
+  const std::string_view file = file_name_of(request.input.path);
+  jobs::CurveClipRequest wanted{.name = std::string(file.substr(0, file.rfind('.'))),
+                                .source = request.input.path,
+                                .method = request.method.name,
+                                .keys = source.file.track.keys.size(),
+                                .tolerance = request.tolerance,
+                                .position_tolerance = request.position_tolerance};
+  if (!request.tolerance)
+    for (std::size_t k = 0; k < source.times.size(); ++k) wanted.sample_times.push_back(source.times[k].t);
+  return wanted;
+}
+
+/// A curve in a file of skeletons, as the motion of one joint: as cubics within the tolerance, or its samples.
+Expected<void> sample_into_scene(const SampleArguments& options, const SampleRequest& request, io::KeyReader keys) {
+  const auto source = open_source(request, std::move(keys));
+  if (!source) return tl::unexpected(source.error());
+  if (auto whole = jobs::check_without_gaps(source->file.track); !whole) return whole;
+  const auto writing = scene_writing(options.output);
+  if (!writing) return tl::unexpected(writing.error());
+  if (scenes::scene_format_of(request.output) != &scenes::gltf_format)
+    return usage_failure(
+        "-o: found a file that holds every frame, wanted glTF, such as motion.glb; 'orispline convert "
+        "--rate' makes BVH of it");
+  if (!request.tolerance)
+    if (auto fault = source->times.fault_as_keys()) return tl::unexpected(std::move(*fault));
+  CurveSceneReport report{jobs::curve_clip(clip_request(request, *source), source->shaped.curve), request.output};
+  report.outcome.written_to = destination(request.output);
+  warn(report.outcome.warnings);
+  return Skeleton::make({{.name = "body"}}).and_then([&](Skeleton skeleton) {
+    scenes::Scene scene{.skeleton = std::move(skeleton), .clips = {report.outcome.clip}};
+    return write_scene(request.output, scene, *writing).and_then([&] { return summarise(options.summary, report); });
+  });
+}
+
+/// Samples the curve through keys: while they are read where that can be done, else through all of them in memory.
+Expected<void> sample_keys(const SampleArguments& options) {
   auto request = sample_request(options);
   if (!request) return tl::unexpected(std::move(request.error()));
   auto input = io::KeyInput::open(request->input.path, request->input.read);
@@ -144,18 +231,22 @@ Expected<void> sample_one(const SampleArguments& options) {
   return io::KeyReader::open(std::move(*input), request->input.read)
       .and_then([&](io::KeyReader keys) -> Expected<void> {
         if (is_scene(request->output)) return sample_into_scene(options, *request, std::move(keys));
-        request->columns = columns_for(options, keys.format());
-        const auto two_tracks = keys.holds_two_tracks();
-        if (!two_tracks) return tl::unexpected(two_tracks.error());
-        return (!*two_tracks && goes_in_pieces(*request, keys) ? sample_in_pieces(*request, std::move(keys))
-                                                               : sample_whole(*request, std::move(keys)))
+        request->rows.columns = columns_for(options.rows, options.output, options.band, keys.format());
+        const auto in_pieces = goes_in_pieces(*request, keys);
+        if (!in_pieces) return tl::unexpected(in_pieces.error());
+        return (*in_pieces ? sample_in_pieces(*request, std::move(keys)) : sample_whole(*request, std::move(keys)))
             .and_then([&](const SampleReport& report) { return summarise(options.summary, report); });
       })
       .map_error([](Error error) { return or_all_of_them(std::move(error), "--output-folder without --method"); });
 }
 
+Expected<void> sample_one(const SampleArguments& options) {
+  if (!asks_for_stored(options)) return sample_keys(options);
+  return options.inputs.folder ? sample_joints(options) : sample_joint(options);
+}
+
 Expected<void> check_each(const SampleArguments& options) {
-  if (options.times.list == io::standard_stream || options.truth == io::standard_stream)
+  if (options.rows.list == io::standard_stream || options.truth == io::standard_stream)
     return usage_failure(
         "--output-folder: found '-' for --times or --truth, wanted a file, which is read again for each input");
   const auto request = asks_for_stored(options) ? stored_request(options) : sample_request(options);

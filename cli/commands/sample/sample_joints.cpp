@@ -10,10 +10,14 @@
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/jobs/sample.hpp>
 #include <orispline/scenes/scene_tracks.hpp>
 
-#include "commands/sample/sample_scene.hpp"
+#include "commands/sample/sample_report.hpp"
+#include "commands/sample/sample_request.hpp"
 #include "options/scene_input.hpp"
+#include "output/rows_file.hpp"
+#include "output/standard_output.hpp"
 #include "output/summary.hpp"
 
 namespace orispline::cli {
@@ -52,20 +56,8 @@ class FileNames {
   std::map<std::string, std::size_t> next_;  ///< number to try for a name
 };
 
-/// The joints that a clip moves, in the order of the skeleton: those with keys of their own, and in the world those
-/// that these carry too.
-std::vector<std::size_t> joints_of(const scenes::Scene& scene, const Clip& clip, io::SceneTrack::Space space) {
-  std::vector<bool> moves(scene.skeleton.size());
-  for (const RotationChannel& channel : clip.rotations) moves[channel.joint] = true;
-  for (const auto* const channels : {&clip.translations, &clip.scales})
-    for (const VectorChannel& channel : *channels) moves[channel.joint] = true;
-  std::vector<std::size_t> joints;
-  for (std::size_t i = 0; i < moves.size(); ++i) {
-    const std::size_t parent = scene.skeleton[i].parent;
-    if (space == io::SceneTrack::Space::world && parent != no_parent && moves[parent]) moves[i] = true;
-    if (moves[i]) joints.push_back(i);
-  }
-  return joints;
+JointSpace space_of(const SampleRequest& request) {
+  return request.input.read.scene.space == io::SceneTrack::Space::world ? JointSpace::world : JointSpace::local;
 }
 
 /// The files of samples that were written, one for each joint that moves.
@@ -99,7 +91,7 @@ std::string folder_of(const SampleArguments& options) {
 
 Expected<std::vector<JointFile>> files_of(const SampleArguments& options, const SampleRequest& request,
                                           const scenes::Scene& scene) {
-  const auto& [clips, named, space] = request.input.read.scene;
+  const auto& named = request.input.read.scene.joint;
   std::vector<JointFile> list;
   const std::string extension = std::filesystem::path(request.output).extension().string();
   FileNames folders;
@@ -107,7 +99,7 @@ Expected<std::vector<JointFile>> files_of(const SampleArguments& options, const 
     if (named && !scene.skeleton.find(*named)) return tl::unexpected(scenes::joint_in(scene, clip, named).error());
     const std::string folder = formatted("{}/{}", folder_of(options), folders.unused(clip.name));
     FileNames files;
-    for (const std::size_t joint : joints_of(scene, clip, space)) {
+    for (const std::size_t joint : jobs::moved_joints(scene.skeleton, clip, space_of(request))) {
       const std::string& name = scene.skeleton[joint].name;
       if (named.value_or(name) == name)
         list.push_back({&clip, joint, formatted("{}/{}{}", folder, files.unused(name), extension)});
@@ -117,7 +109,71 @@ Expected<std::vector<JointFile>> files_of(const SampleArguments& options, const 
   return failure(ErrorCode::bad_data, "found no joint that moves, wanted one at least", {.file = request.input.path});
 }
 
+Error located(Error error, const std::string& file) {
+  if (error.where.file.empty()) error.where.file = file;
+  return error;
+}
+
+/// The chosen clips.
+Expected<scenes::Scene> opened(const InputRequest& input) {
+  return scenes::read_scene(input.path, scene_reading(input)).and_then([&](scenes::Scene scene) {
+    warn(scene.warnings);
+    return scenes::with_clips(std::move(scene), input.read.scene.clips);
+  });
+}
+
+/// The motion of one joint, and when it is to be sampled.
+struct JointMotion {
+  PoseCurve curve;
+  jobs::TimesOnCurve on_curve;
+};
+
+Expected<JointMotion> motion_of(const SampleRequest& request, const scenes::Scene& scene, const Clip& clip,
+                                std::size_t joint) {
+  auto curve = joint_curve(scene.skeleton, clip, joint, space_of(request), request.input.read.frames);
+  if (!curve) return tl::unexpected(located(std::move(curve.error()), request.input.path));
+  return jobs::times_on_curve(request.rows.times, Decimal(), curve->orientation.domain(), request.rows.extrapolation)
+      .map([&](jobs::TimesOnCurve times) {
+        return JointMotion{std::move(*curve), std::move(times)};
+      });
+}
+
+Expected<SampleReport> write_joint(const SampleRequest& request, const JointMotion& motion) {
+  SampleReport report{.outcome = jobs::outcome_of_joint(request.input.path, motion.curve),
+                      .input = request.input.path,
+                      .output = request.output,
+                      .columns = with_positions(request.rows.columns, motion.curve.position.has_value()),
+                      .keys_held = true};
+  report.outcome.extrapolation = request.rows.extrapolation;
+  const RowWriting writing = row_writing(request.rows, false, request.threads);
+  return write_rows(request.output, report.columns, motion.curve, motion.on_curve.times, {request.rows.extrapolation},
+                    writing, request.progress)
+      .map([&](const jobs::RowCounts& counts) {
+        count_rows(report.outcome, writing.policy, counts);
+        return report;
+      });
+}
+
 }  // namespace
+
+Expected<void> sample_joint(const SampleArguments& options) {
+  const auto request = stored_request(options);
+  if (!request) return tl::unexpected(request.error());
+  const auto scene = opened(request->input);
+  if (!scene) return tl::unexpected(scene.error());
+  return scenes::only_clip(*scene)
+      .and_then([&](const Clip* clip) {
+        return scenes::joint_in(*scene, *clip, request->input.read.scene.joint).and_then([&](std::size_t joint) {
+          return motion_of(*request, *scene, *clip, joint);
+        });
+      })
+      .and_then([&](const JointMotion& motion) {
+        warn(motion.on_curve.warnings);
+        return write_joint(*request, motion);
+      })
+      .map_error([](Error error) { return or_all_of_them(std::move(error), "--output-folder FOLDER"); })
+      .and_then([&](const SampleReport& report) { return summarise(options.summary, report); });
+}
 
 Expected<void> sample_joints(const SampleArguments& options) {
   auto request = stored_request(options);
@@ -129,9 +185,9 @@ Expected<void> sample_joints(const SampleArguments& options) {
   std::vector<Warning> warnings;
   std::size_t warned = 0;
   for (const JointFile& file : *files) {
-    auto able = joint_samples(*request, *scene, *file.clip, file.joint);
+    auto able = motion_of(*request, *scene, *file.clip, file.joint);
     if (!able) return tl::unexpected(std::move(able.error()));
-    if (!able->warnings.empty() && warned++ == 0) warnings = std::move(able->warnings);
+    if (!able->on_curve.warnings.empty() && warned++ == 0) warnings = std::move(able->on_curve.warnings);
   }
   for (Warning& warning : warnings)
     if (warned > 1)
@@ -140,10 +196,9 @@ Expected<void> sample_joints(const SampleArguments& options) {
   JointsReport report{.input = request->input.path, .folder = folder_of(options), .files = files->size()};
   for (const JointFile& file : *files) {
     request->output = file.path;
-    const auto sampled =
-        joint_samples(*request, *scene, *file.clip, file.joint).and_then([&](const JointSamples& samples) {
-          return write_joint(*request, samples);
-        });
+    const auto sampled = motion_of(*request, *scene, *file.clip, file.joint).and_then([&](const JointMotion& motion) {
+      return write_joint(*request, motion);
+    });
     if (!sampled) return tl::unexpected(sampled.error());
     report.samples += sampled->outcome.samples;
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/sample/sample_options.hpp"
 
-#include "options/method_options.hpp"
-
 #include <orispline/base/formatted.hpp>
-#include <orispline/curve/extrapolation.hpp>
+#include <orispline/jobs/sample.hpp>
+
+#include "options/method_options.hpp"
 
 namespace orispline::cli {
 
@@ -41,24 +41,6 @@ the other methods and for squad-timed, shoemake and tcb, with --count, --times, 
 A NumPy file (-o motion.npy) is one array of doubles, shape (samples, columns), with the columns of the CSV.
 Without -o the samples go to standard output as CSV; summaries and warnings go to standard error.)";
 
-void add_time_options(Command& app, TimeOptions& o) {
-  const std::string group = "Times (one of --rate, --count, --times)";
-  app.add_option("--rate", o.rate,
-                 "Samples per second, such as 100 or 30000/1001, from the start up to the end; or --fps")
-      ->type_name("HZ")
-      ->group(group);
-  app.add_flag("--include-end", o.include_end, "The end is a sample too where it is no multiple of the interval")
-      ->group(group);
-  app.add_option("--count", o.count, "Number of samples, both ends included")->type_name("N")->group(group);
-  app.add_option("--times", o.list, "File with one time a line, in any order")->type_name(file_type)->group(group);
-  app.add_option(
-         "--from", o.from,
-         "Start in the time of INPUT: seconds, 12f with --fps, ISO 8601; or +T since its first key [of the curve]")
-      ->type_name("T")
-      ->group(group);
-  app.add_option("--to", o.to, "End, stated like --from [of the curve]")->type_name("T")->group(group);
-}
-
 }  // namespace
 
 void add_sample_options(Command& app, SampleArguments& o) {
@@ -67,32 +49,17 @@ void add_sample_options(Command& app, SampleArguments& o) {
   app.add_option("--method", o.method,
                  formatted("Method [the one named in INPUT; else {} of a file of skeletons, else {}]; see 'orispline "
                            "methods'",
-                           stored_method, default_method))
+                           jobs::stored_method, default_method))
       ->type_name(method_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);
   add_loop_options(app, o.shape);
-  add_time_options(app, o.times);
-  app.add_option("--extrapolate", o.extrapolate,
-                 "What samples outside the curve do: hold the end orientation, fail, be NaN, keep the rate "
-                 "of the end, or follow the formula of the end segment [hold]; or they are left out")
-      ->type_name(formatted("{}|{}", one_of(words<Extrapolation>), leave_out))
-      ->group("Times (one of --rate, --count, --times)");
-  app.add_option("--outside", o.outside, "The same as --extrapolate")
-      ->type_name(formatted("{}|{}", one_of(words<Extrapolation>), leave_out))
-      ->group("Times (one of --rate, --count, --times)");
+  add_time_options(app, o.rows, "Times (one of --rate, --count, --times)",
+                   "Samples per second, such as 100 or 30000/1001, from the start up to the end; or --fps");
   o.output.scenes = {&scenes::gltf_format};
   add_output_options(app, o.output);
   const std::string group = "Output";
-  app.add_flag("--mark-gaps", o.mark_gaps, "Write rows with a time and empty cells for samples in gaps of the keys")
-      ->group(group);
-  app.add_flag("--yes", o.times.yes, "Write any number of samples, above 1e9 too")->group(group);
-  app.add_option("--derivatives", o.derivatives, "Highest order of the rates [2 for CSV and npy, else 0]")
-      ->type_name("0|1|2|3")
-      ->group(group);
-  app.add_option("--frame", o.frame, "Frame of the angular rates [body]")
-      ->type_name(one_of(frame_choices))
-      ->group(group);
+  add_row_options(app, o.rows);
   app.add_option("--tolerance", o.tolerance,
                  "Largest angle between the curve and the cubics of a glTF file, in the place of --rate [0.01deg]")
       ->type_name("ANGLE")

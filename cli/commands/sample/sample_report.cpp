@@ -5,7 +5,7 @@
 #include <orispline/base/quoted.hpp>
 #include <orispline/io/file_json.hpp>
 
-#include "commands/sample/sample.hpp"
+#include "options/row_options.hpp"
 #include "output/repairs_text.hpp"
 #include "output/summary.hpp"
 
@@ -28,15 +28,6 @@ Json names_of(const io::SampleColumns& columns) {
 }
 
 }  // namespace
-
-void count_rows(jobs::SampleOutcome& outcome, const SampleRequest& request, const RowCounts& counts) {
-  outcome.held_samples = counts.outside;
-  outcome.leaves_out = request.outside == LeftOut::yes;
-  if (outcome.leaves_out) outcome.samples -= counts.outside;
-  outcome.gap_samples = counts.in_gaps;
-  outcome.marks_gaps = request.mark_gaps;
-  if (!outcome.marks_gaps) outcome.samples -= counts.in_gaps;
-}
 
 std::string text_of(const SampleReport& report) {
   std::string text = summary_of(in_words(report));
@@ -64,6 +55,14 @@ Json json_of(const SampleReport& report) {
   Json repairs;
   add_repairs(repairs, report.repairs);
   json.update(document_of(report.outcome, std::move(columns), std::move(repairs)));
+  return json;
+}
+
+std::string text_of(const CurveSceneReport& report) { return summary_of(report.outcome); }
+
+Json json_of(const CurveSceneReport& report) {
+  Json json{{"input", report.outcome.request.source}, {"output", report.output}};
+  json.update(document_of(report.outcome));
   return json;
 }
 

@@ -4,10 +4,10 @@
 #include <string>
 
 #include <orispline/io/key_file.hpp>
-#include <orispline/io/sample_writer.hpp>
+#include <orispline/io/sample_columns.hpp>
+#include <orispline/jobs/curve_clip.hpp>
 #include <orispline/jobs/sample.hpp>
 
-#include "commands/sample/sample_request.hpp"
 #include "output/json_document.hpp"
 
 namespace orispline::cli {
@@ -21,15 +21,20 @@ struct SampleReport {
   bool keys_held = false;  ///< all at once, in memory
 };
 
-/// Says of samples without a plain row what became of them.
-void count_rows(jobs::SampleOutcome& outcome, const SampleRequest& request, const RowCounts& counts);
+/// A curve in a file of skeletons, and the names of the files.
+struct CurveSceneReport {
+  jobs::CurveClipOutcome outcome;
+  std::string output{};
+};
 
 /// A few lines for people.
 [[nodiscard]] std::string text_of(const SampleReport& report);
+[[nodiscard]] std::string text_of(const CurveSceneReport& report);
 /// In one line, of one of several inputs.
 [[nodiscard]] std::string line_of(const SampleReport& report);
 
-/// The JSON document, described in docs/inspect-json.md.
+/// The JSON documents, described in docs/inspect-json.md.
 [[nodiscard]] Json json_of(const SampleReport& report);
+[[nodiscard]] Json json_of(const CurveSceneReport& report);
 
 }  // namespace orispline::cli

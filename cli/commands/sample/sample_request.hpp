@@ -2,11 +2,7 @@
 #pragma once
 
 #include "commands/sample/sample.hpp"
-#include "commands/sample/sample_buffer.hpp"
 #include "output/progress.hpp"
-
-#include <orispline/curve/extrapolation.hpp>
-#include <orispline/io/sample_columns.hpp>
 
 namespace orispline::cli {
 
@@ -16,11 +12,7 @@ struct SampleRequest {
   std::optional<Method> named{};  ///< by the user
   MethodOptions shape{};          ///< for the method that the file names
   Method method{};                ///< when it is known: settle_method()
-  TimeRequest times;
-  io::SampleColumns columns;
-  Extrapolation extrapolation = Extrapolation::hold;
-  LeftOut outside = LeftOut::no;  ///< samples outside the curve
-  bool mark_gaps = false;
+  RowRequest rows;
   std::size_t threads = 1;
   std::string output;
   std::optional<std::string> truth;
@@ -36,10 +28,9 @@ struct SampleRequest {
 /// Decides for a method, by the file if nobody else does, and how the keys are read for it; what is noteworthy.
 [[nodiscard]] Expected<std::vector<Warning>> settle_method(SampleRequest& request, const io::KeyInput& keys);
 
-/// The columns for INPUT of that format, of options that sample_request() has understood.
-[[nodiscard]] io::SampleColumns columns_for(const SampleArguments& options, const io::FormatInfo& input);
-
-/// The columns for keys with or without positions.
-[[nodiscard]] io::SampleColumns with_positions(io::SampleColumns columns, bool positions);
+/// Whether joints of a file of skeletons are to be sampled as the file says that they move.
+[[nodiscard]] bool asks_for_stored(const SampleArguments& options);
+/// What is then to be sampled. Error (bad_argument): what does not fit to it.
+[[nodiscard]] Expected<SampleRequest> stored_request(const SampleArguments& options);
 
 }  // namespace orispline::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 
@@ -41,5 +42,19 @@ ORISPLINE_EXPORT void turn_to_world(const Samples<T>& samples);
 /// Samples that are best made together: so many as are still in the cache of a thread when they are looked at again, or
 /// as keep all threads busy.
 [[nodiscard]] ORISPLINE_EXPORT std::size_t samples_at_a_time(Work work);
+
+/// Makes samples by `make(begin, count)`, those together that are best made together, until it fails. The time that an
+/// error of it names is then that among all of them.
+template <class Make>
+[[nodiscard]] Expected<void> in_blocks(std::size_t size, Work work, Make make) {
+  const std::size_t most = samples_at_a_time(work);
+  for (std::size_t begin = 0; begin < size; begin += most) {
+    Expected<void> made = make(begin, std::min(most, size - begin));
+    if (made) continue;
+    if (auto& index = made.error().where.time_index) *index += begin;
+    return made;
+  }
+  return {};
+}
 
 }}  // namespace orispline
