@@ -168,7 +168,7 @@ class Followed(unittest.TestCase):
 
     def test_an_experiment_is_run_by_its_name(self):
         self.assertIn("000-mine", self.printed("reproduce"))
-        self.assertIn("knots", self.printed("reproduce", "000-mine"))
+        self.assertIn("inner knot", self.printed("reproduce", "000-mine"))
 
 
 if __name__ == "__main__":
