@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes THIRD_PARTY, the notices for the code of others in what is shipped: make_third_party.py [ROOT] [--check].
 
-What is shipped stands in the table of dependencies of CONTRIBUTING.md; each package in it has to be among `NOTICES`, and no
+What is shipped stands in the table of dependencies of docs/building.md; each package in it has to be among `NOTICES`, and no
 other. With --check the file is compared only. Texts of licences are in tools/licences.
 """
 import argparse
@@ -79,10 +79,10 @@ def main():
     parser.add_argument("root", type=pathlib.Path, nargs="?", default=pathlib.Path(__file__).resolve().parents[1])
     parser.add_argument("--check", action="store_true", help="compare, and write nothing")
     options = parser.parse_args()
-    wanted = shipped((options.root / "CONTRIBUTING.md").read_text("utf-8"))
+    wanted = shipped((options.root / "docs/building.md").read_text("utf-8"))
     if wanted != set(NOTICES):
         sys.exit(f"make_third_party.py: found notices for {sorted(set(NOTICES) - wanted)} that are not shipped, and none for "
-                 f"{sorted(wanted - set(NOTICES))}, wanted those of the table in CONTRIBUTING.md")
+                 f"{sorted(wanted - set(NOTICES))}, wanted those of the table in docs/building.md")
     place, made = options.root / "THIRD_PARTY", text(options.root / "tools/licences")
     if not options.check:
         place.write_text(made, "utf-8")

@@ -1,14 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The section on Python of the README, as printed there.
-import numpy as np
-from scipy.spatial.transform import Rotation
 import orispline as ori
 
-times, rotations = [0.0, 1.0, 2.5], Rotation.from_rotvec([[0, 0, 0], [0, 0, 1], [0.5, 0, 2]])
-t = np.linspace(0.0, 2.5, 1000)
-
-curve = ori.Curve(times, rotations)               # seconds or datetime64; x, y, z, w, matrices or a SciPy Rotation
-q = curve(t)                                      # (1000, 4)
-w = curve.angular_velocity(t)                     # (1000, 3) rad/s, body frame; exact, like all rates
-motion = curve.sample(rate=100, derivatives=2)    # times, orientations, ω, α as arrays
-spline = ori.RotationSpline(times, rotations)     # SciPy's call, faster; SciPy's numbers where SciPy converges
+curve = ori.Curve([0, 1, 2.5], [[0, 0, 0, 1], [0.6, 0, 0, 0.8], [0, 0, 0.6, 0.8]])  # x, y, z, w, as in SciPy
+q, w = curve([0.5, 1.3]), curve.angular_velocity([0.5, 1.3])    # (2, 4), and (2, 3) rad/s in the body frame
+motion = curve.sample(rate=100, derivatives=2)                  # all of it as arrays

@@ -36,10 +36,11 @@ class ThirdParty(unittest.TestCase):
             root = pathlib.Path(place)
             shutil.copytree(ROOT / "tools/licences", root / "tools/licences")
             shutil.copy(ROOT / "THIRD_PARTY", root)
-            law = (ROOT / "CONTRIBUTING.md").read_text("utf-8")
-            (root / "CONTRIBUTING.md").write_text(law.replace("| NumPy | `bindings/python` | no |", "| NumPy | `bindings/python` | yes |"), "utf-8")
+            page = (ROOT / "docs/building.md").read_text("utf-8")
+            (root / "docs").mkdir()
+            (root / "docs/building.md").write_text(page.replace("| NumPy | `bindings/python` | no |", "| NumPy | `bindings/python` | yes |"), "utf-8")
             self.assertIn("none for ['NumPy']", self.check(root).stderr)
-            (root / "CONTRIBUTING.md").write_text(law, "utf-8")
+            (root / "docs/building.md").write_text(page, "utf-8")
             (root / "THIRD_PARTY").write_text("nobody", "utf-8")
             self.assertIn("found another THIRD_PARTY", self.check(root).stderr)
 
@@ -49,7 +50,7 @@ class ThirdParty(unittest.TestCase):
         for name, feature in manifest["features"].items():
             if name not in NOT_SHIPPED:
                 built_in += [package for package in feature.get("dependencies", []) if isinstance(package, str)]
-        known = {plain(name) for name in shipped((ROOT / "CONTRIBUTING.md").read_text("utf-8"))}
+        known = {plain(name) for name in shipped((ROOT / "docs/building.md").read_text("utf-8"))}
         self.assertEqual({plain(name) for name in built_in} - known, set())
         self.assertGreaterEqual(len(built_in), 6)
 
