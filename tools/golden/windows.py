@@ -1,27 +1,111 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Golden values of `measured`: tests/data/golden/measured*.csv.
-
-Keys, their rates, samples and bands are those of golden_measured.json (by default in ../shared/math beside the
-checkout), which its reference computed in double precision. What is found of the keys is computed here with 40 digits,
-by solving the models' eleven equations of docs/families/measured.md as they stand: five minutes.
-
-    tools/make_measured_golden.py [--source FOLDER]            write the tables
-    tools/make_measured_golden.py [--source FOLDER] --check    compare with the committed tables, write nothing
-"""
-import argparse
+"""What `auto` and `measured` find in their windows of keys."""
+import importlib.util
 import json
-import pathlib
 
-from golden_files import write_or_check
+import numpy as np
+from golden.exact import conjugate, doubles, norm, product, solved
 from mpmath import atan2, exp, log, mp, mpf, pi, sqrt
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-HEAD = "# Made by tools/make_measured_golden.py: see there. Quaternions: Hamilton, body to world. Rates: body frame.\n"
+mp.dps = 40
+
+# ---------------------------------------------------------------- the guard of auto
+
+def loaded(folder):
+    spec = importlib.util.spec_from_file_location("auto_reference", folder / "auto_reference.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def left_out(x, at, others):
+    """The value at a time of the polynomial through other values, and of their natural cubic spline."""
+    polynomial = sum(value * np.prod([(at - b) / (a - b) for k, b in enumerate(x) if k != j])
+                     for j, (a, value) in enumerate(zip(x, others)))
+    h, m = np.diff(x), len(x)
+    matrix, right = np.eye(m), np.zeros((m, 3))
+    secants = np.diff(others, axis=0) / h[:, None]
+    for j in range(1, m - 1):
+        matrix[j, j - 1:j + 2] = h[j - 1], 2 * (h[j - 1] + h[j]), h[j]
+        right[j] = 6 * (secants[j] - secants[j - 1])
+    second = np.linalg.solve(matrix, right)
+    if not x[0] < at < x[-1]:  # beyond its keys the spline is a line
+        end, near = (0, 1) if at < x[0] else (-1, -2)
+        slope = secants[end] - np.sign(x[near] - x[end]) * h[end] * second[near] / 6
+        return polynomial, others[end] + (at - x[end]) * slope
+    k = np.searchsorted(x, at) - 1
+    a, b = (x[k + 1] - at) / h[k], (at - x[k]) / h[k]
+    return polynomial, (a * others[k] + b * others[k + 1]
+                        + ((a**3 - a) * second[k] + (b**3 - b) * second[k + 1]) * h[k]**2 / 6)
+
+
+def guard(auto, keys, times):
+    """β of every key."""
+    found = []
+    for i in range(len(times)):
+        first = min(max(0, i - 3), len(times) - 7)
+        x, logs = times[first:first + 7] - times[i], auto.lg(auto.qm(auto.cj(keys[i]), keys[first:first + 7]))
+        errors = np.array([[np.sum((logs[j] - value)**2) for value in left_out(x[rest], x[j], logs[rest])]
+                           for j in range(7) for rest in [np.arange(7) != j]])
+        polynomial, spline = errors[1:6].sum(axis=0)
+        share = 1.0 - auto.S(np.log(polynomial / spline), np.log(0.3), 0.0)
+        if i - first != 3:
+            outer = errors[0] if i - first < 3 else errors[6]
+            share *= 1.0 - auto.S(np.log(polynomial * outer[0] / (spline * outer[1])), np.log(4.0), np.log(20.0))
+        found.append(share)
+    return np.array(found)
+
+
+def guarded_rates(auto, keys, times):
+    steps = auto.nrm(auto.lg(auto.qm(auto.cj(keys[:-1]), keys[1:])))
+    if np.convolve(steps, np.ones(6)).max() > auto.PA:
+        raise SystemExit("make_auto_golden: these keys turn so far that the windows are narrower, where the guard is another")
+    switches = auto.RA, auto.RB
+    with_polynomial = np.array(auto.rates(keys, times))
+    auto.RA, auto.RB = -2.0, -1.0  # no key is smooth
+    without = np.array(auto.rates(keys, times))
+    auto.RA, auto.RB = switches
+    return tuple(without + guard(auto, keys, times)[:, None] * (with_polynomial - without))
+
+
+def uneven_keys(auto, seed, wobble):
+    """33 keys of a smooth motion whose intervals differ by a factor of up to 8."""
+    dice = np.random.default_rng(seed)
+    times = np.concatenate([[0.0], np.cumsum(0.25 * dice.choice([1, 2, 4, 8], 32))])
+    turn = np.column_stack([0.2 * np.sin(0.31 * times), 0.25 * np.cos(0.23 * times), 0.02 * times])
+    turn[:, 0] += wobble * np.sin(1.7 * times)
+    return auto.ex(turn), times
+
+
+def auto(source):
+    """Reference values of auto where its polynomial is guarded: step (2) of docs/families/auto.md.
+
+    The rates without the guard are those of auto_reference.py, which lies with the reference; the guard is computed here as it is
+    defined, every key left out of its window in turn.
+    """
+    reference = loaded(source)
+    recorded = json.loads((source / "golden_auto.json").read_text())["cases"]["smooth25"]
+    uneven = ((2, 0.03), (3, 0.1), (4, 0.01), (6, 0.01), (131, 0.01))  # seed, wobble
+    sequences = {"smooth25": (np.array(recorded["keys"], float), np.array(recorded["times"], float)),
+                 **{f"uneven{n}": uneven_keys(reference, *how) for n, how in enumerate(uneven)}}
+    key_lines, rows = [], []
+    for name, (keys, times) in sequences.items():
+        key_lines += [",".join([name, *doubles([t], q)]) for t, q in zip(times, keys)]
+        at = np.sort(np.concatenate([times[:-1] + share * np.diff(times) for share in (0.0, 0.35, 0.8)]))
+        motions = reference.evaluate(keys, times, at, guarded_rates(reference, keys, times), deriv=True)
+        rows += [",".join([name, *doubles([t], *parts)]) for t, *parts in zip(at, *motions)]
+    head = ("# Made by tools/make_auto_golden.py from auto_reference.py, computed in double precision.\n"
+            "# Quaternions: Hamilton, body to world; the sign is that of the curve. Rates: body frame, per unit of key time.\n")
+    limits = "# Agreement to be reached, relative to max(1, |.|): q 1e-11, w 1e-09, a 1e-07.\n"
+    return {"tests/data/golden/auto_guard_keys.csv": head + "sequence,t,qw,qx,qy,qz\n" + "\n".join(key_lines) + "\n",
+            "tests/data/golden/auto_guard.csv": head + limits + "sequence,t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az\n" + "\n".join(rows) + "\n"}
+
+
+# ---------------------------------------------------------------- the models of measured
+
 NOISE = (".03", ".1", ".2", ".35", ".5", ".65", ".8")
 VELOCITY = ((1, ".7"), (1, "1.5"), (3, ".7"), (3, "1.2"))
-KEYS, DRAWS, BLOCK, HOLD, POWER, FLOOR = 9, 32, 8, mpf("1.08"), 30, mpf("1e-24")
-mp.dps = 40
+KEYS, DRAWS, BLOCK, HOLD, POWER, FLOOR = 9, 32, 8, mpf(1.08), 30, mpf(1e-24)
 
 
 def switched(x, low, high):
@@ -29,16 +113,9 @@ def switched(x, low, high):
     return t * t * (3 - 2 * t)
 
 
-def norm(v):
-    return sqrt(sum(x * x for x in v))
-
-
 def half_increment(p, q):
     """log of p⁻¹ q, half angle."""
-    w1, x1, y1, z1 = p[0], -p[1], -p[2], -p[3]
-    w2, x2, y2, z2 = q
-    w = w1 * w2 - x1 * x2 - y1 * y2 - z1 * z2
-    v = [w1 * x2 + x1 * w2 + y1 * z2 - z1 * y2, w1 * y2 + y1 * w2 + z1 * x2 - x1 * z2, w1 * z2 + z1 * w2 + x1 * y2 - y1 * x2]
+    w, *v = product(conjugate(p), q)
     n = norm(v)
     return [x * atan2(n, w) / n for x in v] if n > 0 else [mpf(0)] * 3
 
@@ -53,20 +130,6 @@ def kernel(smoothness, length):
 
 
 MODELS = ([(lambda d: d ** 3 / 8, mpf(f)) for f in ("0", *NOISE)] + [(kernel(*shape), mpf(0)) for shape in VELOCITY])
-
-
-def solved(matrix, sides):
-    """By elimination with pivots."""
-    n = len(matrix)
-    rows = [list(m) + list(s) for m, s in zip(matrix, sides)]
-    for c in range(n):
-        p = max(range(c, n), key=lambda r: abs(rows[r][c]))
-        rows[c], rows[p] = rows[p], rows[c]
-        for r in range(n):
-            if r != c and rows[r][c] != 0:
-                factor = rows[r][c] / rows[c][c]
-                rows[r] = [a - factor * b if j >= c else a for j, (a, b) in enumerate(zip(rows[r], rows[c]))]
-    return [[x / rows[i][i] for x in rows[i][n:]] for i in range(n)]
 
 
 def model_miss(model, x, p, increments):
@@ -180,30 +243,29 @@ def text(number):
     return "" if number is None else repr(float(number))
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--source", type=pathlib.Path, default=ROOT.parent / "shared" / "math")
-    parser.add_argument("--check", action="store_true")
-    source = parser.parse_args().source
+def measured(source):
+    """Golden values of `measured`.
+
+    Keys, their rates, samples and bands are those of golden_measured.json, which its reference computed in double precision. What is
+    found of the keys is computed here with 40 digits, by solving the models' eleven equations of docs/families/measured.md as they
+    stand: five minutes.
+    """
+    mp.dps = 40
     keys, rows, numbers = [], [], []
     for case in json.loads((source / "golden_measured.json").read_text())["cases"]:
         name = case["name"].replace(",", "")
         rates = [[[2 * x for x in v] for v in case[half]] for half in ("v", "s")]
-        keys += [",".join([name, *(text(x) for x in (t, *q, *v, *s))])
-                 for t, q, v, s in zip(case["t"], case["q"], *rates, strict=True)]
+        keys += [",".join([name, *doubles([t], q, v, s)]) for t, q, v, s in zip(case["t"], case["q"], *rates, strict=True)]
         bands = [case.get(b, [None] * len(case["times"])) for b in ("band50", "band90")]
-        rows += [",".join([name, *(text(x) for x in (t, *q, *w, *a, *band))])
+        rows += [",".join([name, *doubles([t], q, w, a), *map(text, band)])
                  for t, q, w, a, *band in zip(*(case[c] for c in ("times", "out", "omega", "alpha")), *bands, strict=True)]
         if case["weights"]:
             models, seven, nine = numbers_of(case)
-            numbers.append(",".join([name, " ".join(map(text, models)), text(seven), text(nine)]))
+            numbers.append(",".join([name, " ".join(doubles(models)), text(seven), text(nine)]))
     rates = "wx,wy,wz,ax,ay,az"
     tables = {"measured_keys.csv": [f"sequence,t,qw,qx,qy,qz,{rates}", *keys],
               "measured.csv": ["# band50, band90: radii [rad] that hold that share; empty: none.",
                                f"sequence,t,qw,qx,qy,qz,{rates},band50,band90", *rows],
               "measured_numbers.csv": ["sequence,models,polynomial,polynomial9", *numbers]}
-    write_or_check(ROOT / "tests" / "data" / "golden", {n: HEAD + "\n".join(lines) + "\n" for n, lines in tables.items()})
-
-
-if __name__ == "__main__":
-    main()
+    head = "# Made by tools/make_measured_golden.py: see there. Quaternions: Hamilton, body to world. Rates: body frame.\n"
+    return {f"tests/data/golden/{name}": head + "\n".join(lines) + "\n" for name, lines in tables.items()}

@@ -1,11 +1,9 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes tests/data/golden/least_keys.csv, least_energies.csv and least_motions.csv: the curves of least energy through
-some keys, by multiple shooting.
+"""The curves of least energy through some keys, by multiple shooting with SciPy.
 
-Needs SciPy (the project itself never does: the tables are committed). Between keys the optimum obeys the equations of
-Pontryagin, which are integrated here by a Runge-Kutta method of order 8; Newton's method on the state behind every key
-makes the pieces meet. So nothing is shared with the method `least`, which minimises over piecewise polynomials.
+Between keys the optimum obeys the equations of Pontryagin, which are integrated here by a Runge-Kutta method of order 8; Newton's
+method on the state behind every key makes the pieces meet. So nothing is shared with the method `least`, which minimises over
+piecewise polynomials.
 
 With momenta p of the orientation, s of ω and, for the jerk, r of α, all in the body frame:
 
@@ -14,16 +12,13 @@ With momenta p of the orientation, s of ω and, for the jerk, r of α, all in th
 
 p jumps at keys; the others are continuous and vanish at a free end.
 """
-import argparse
 import concurrent.futures
-import pathlib
 import sys
 
 import numpy
+from golden.exact import FOLDER, ROOT, doubles
 from scipy.integrate import solve_ivp
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-TARGET = ROOT / "tests" / "data" / "golden"
 SEED = 19890612
 INSTANTS = (0.13, 0.5, 0.77)  # shares of an interval, where motions are tabled
 NUDGE = 1e-6  # for the slopes of Newton's method
@@ -239,10 +234,6 @@ CASES = [  # keys, energy, inertia, ends
     ("step1", "acceleration", "none", "natural", FREE), ("step2", "acceleration", "none", "natural", FREE)]
 
 
-def text(number):
-    return repr(float(number))
-
-
 def solved(case):
     """What both tables say of a case: its energy, and rows of its motions."""
     name, energy, inertia, _, rates = case
@@ -254,29 +245,111 @@ def solved(case):
     return problem.energy(states), list(problem.motions(states, times))
 
 
-def tables():
-    sets = key_sets()
-    keys = ["sequence,t,qw,qx,qy,qz"]
-    for name, (times, orientations) in sets.items():
-        keys += [",".join([name, text(t), *map(text, q)]) for t, q in zip(times, orientations)]
+def key_rows(name, times, orientations):
+    return [",".join([name, *doubles([t], q)]) for t, q in zip(times, orientations)]
+
+
+def least(_):
+    """Keys with the energies and motions of the curves through them."""
+    keys, sets = ["sequence,t,qw,qx,qy,qz"], key_sets()
+    for name in sets:
+        keys += key_rows(name, *sets[name])
     energies, motions = ["case,sequence,energy,inertia,ends,value"], ["case,t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az"]
     with concurrent.futures.ProcessPoolExecutor() as pool:
         results = list(pool.map(solved, CASES))
     for number, ((name, energy, inertia, ends, _), (value, rows)) in enumerate(zip(CASES, results)):
         j = INERTIA[inertia]
-        tensor = " ".join(map(text, (j[0, 0], j[1, 1], j[2, 2], j[0, 1], j[0, 2], j[1, 2])))
-        energies.append(f"{number},{name},{energy},{tensor},{ends},{text(value)}")
-        motions += [",".join([str(number), text(t), *map(text, q), *map(text, omega), *map(text, alpha)])
-                    for t, q, omega, alpha in rows]
-    return {"least_keys.csv": keys, "least_energies.csv": energies, "least_motions.csv": motions}
+        tensor = " ".join(doubles((j[0, 0], j[1, 1], j[2, 2], j[0, 1], j[0, 2], j[1, 2])))
+        energies.append(f"{number},{name},{energy},{tensor},{ends},{float(value)!r}")
+        motions += [",".join([str(number), *doubles([t], q, omega, alpha)]) for t, q, omega, alpha in rows]
+    head = "# Made by tools/make_least_golden.py, by multiple shooting: see there.\n"
+    return {f"tests/data/golden/least_{name}.csv": head + "\n".join(lines) + "\n"
+            for name, lines in (("keys", keys), ("energies", energies), ("motions", motions))}
 
 
-def main():
-    argparse.ArgumentParser(description=__doc__.splitlines()[0]).parse_args()
-    for name, lines in tables().items():
-        head = "# Made by tools/make_least_golden.py, by multiple shooting: see there.\n"
-        (TARGET / name).write_text(head + "\n".join(lines) + "\n", encoding="utf-8")
+# ---------------------------------------------------------------- wide turns at uneven times
+
+PIECES = 40  # of an interval, for Runge's and Kutta's method of order 4, before the end
+ONE = {f"one{seed}": (1000 + seed, 6, 1.0) for seed in (1, 2, 3, 5, 6)}  # seed, keys, step [rad]
+TWO = {f"two{count}0{seed}": (2000 + seed, count, 2.0)
+       for count, seeds in ((4, range(1, 7)), (6, (1,))) for seed in seeds}
 
 
-if __name__ == "__main__":
-    main()
+class QuickShooting(Shooting):
+    """With all intervals and all slopes at once, in fixed steps, until `exact`."""
+    exact = False
+
+    def equations(self, states, share, slopes=True):
+        if self.exact:
+            return super().equations(states, share, slopes)
+        n, m = states.shape
+        nudges = NUDGE * numpy.maximum(1.0, numpy.abs(states))
+        z = numpy.repeat(states[:, None], m + 1, axis=1)
+        for i in range(n):
+            z[i, 1:] += numpy.diag(nudges[i])
+        keys = self.keys_at(share)
+        q, z = self.flown(numpy.repeat(keys[:-1, None], m + 1, axis=1), z)
+        missed, slope, row = numpy.zeros(n * m), numpy.zeros((n * m, n * m)), 0
+        for i in range(n):
+            off = log(product(conjugate(keys[i + 1]), q[i]))
+            values = off if i + 1 == n else numpy.concatenate([off, z[i][:, :6] - states[i + 1][:6]], axis=-1)
+            size = values.shape[1]
+            missed[row:row + size] = values[0]
+            slope[row:row + size, i * m:(i + 1) * m] = ((values[1:] - values[0]) / nudges[i][:, None]).T
+            if i + 1 < n:
+                slope[row + 3:row + size, (i + 1) * m:(i + 1) * m + 6] -= numpy.eye(6)
+            row += size
+        for entry in self.law.free_ends:
+            missed[row], slope[row, entry] = states[0][entry], 1.0
+            missed[row + 1] = z[-1][0, entry]
+            slope[row + 1, (n - 1) * m:] = (z[-1][1:, entry] - z[-1][0, entry]) / nudges[-1]
+            row += 2
+        return missed, slope
+
+    def flown(self, q, z):
+        shape, h = z.shape, (self.steps / PIECES)[:, None, None]
+
+        def slope(q, z):
+            change, _ = self.law.slope(None, z.reshape(-1, shape[-1]))
+            spin = numpy.concatenate([numpy.zeros((*shape[:2], 1)), 0.5 * z[..., :3]], axis=-1)
+            return product(q, spin), change.reshape(shape)
+
+        for _ in range(PIECES):
+            k1 = slope(q, z)
+            k2 = slope(q + 0.5 * h * k1[0], z + 0.5 * h * k1[1])
+            k3 = slope(q + 0.5 * h * k2[0], z + 0.5 * h * k2[1])
+            k4 = slope(q + h * k3[0], z + h * k3[1])
+            q, z = (x + h / 6 * (a + 2 * b + 2 * c + d) for x, a, b, c, d in zip((q, z), k1, k2, k3, k4))
+        return q / numpy.linalg.norm(q, axis=-1, keepdims=True), z
+
+
+def starts():
+    states = {}
+    for line in (FOLDER / "least_hard_starts.csv").read_text(encoding="utf-8").splitlines():
+        if line.startswith("two"):
+            name, *numbers = line.split(",")
+            states.setdefault(name, []).append(list(map(float, numbers)))
+    return {name: numpy.array(rows) for name, rows in states.items()}
+
+
+def energy(name, times, orientations):
+    problem = QuickShooting(Torque(INERTIA["none"]), times, orientations, FREE)
+    near = problem.run() if name in ONE else problem.solved(starts()[name], 1.0)
+    problem.exact = True
+    return problem.energy(problem.solved(near, 1.0))
+
+
+def least_hard(_):
+    """Curves of least acceleration through keys with wide turns at uneven times.
+
+    With SciPy's DOP853 in the end. Keys with steps of 1 rad are found by continuation from short steps. With steps of 2 rad that ends
+    at other curves than the best one, or nowhere: their shooting begins near a curve of `least`, whose states are rounded to five
+    digits.
+    """
+    keys, energies = ["sequence,t,qw,qx,qy,qz"], ["sequence,value"]
+    for name, (seed, count, step) in {**ONE, **TWO}.items():
+        times, orientations = walk(numpy.random.default_rng(seed), count, step)
+        keys += key_rows(name, times, orientations)
+        energies.append(f"{name},{float(energy(name, times, orientations))!r}")
+    head = "# Made by tools/make_least_hard_golden.py, by multiple shooting: see there.\n"
+    return {f"tests/data/golden/least_hard_{name}.csv": head + "\n".join(lines) + "\n" for name, lines in (("keys", keys), ("energies", energies))}

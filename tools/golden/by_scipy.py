@@ -1,24 +1,109 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The tensions of least energy: tests/data/golden/tuned.csv, through sequences of keys.csv there.
-
-Another way than the library's: curves of the reference (refquat.py and refmethods.py, by default of ../shared/math) with 25 digits,
-rates and
-quadrature of its own, and SciPy's least squares with differences of the residuals. Energies agree to 1e-11 of themselves. Needs NumPy, SciPy and mpmath.
-
-    tools/make_tuned_golden.py [--source FOLDER]
-"""
-import argparse
-import csv
-import pathlib
+"""What SciPy finds: Euler angles, the motions of its RotationSpline, and the tensions of least energy."""
+import itertools
 import sys
 
 import numpy as np
+import scipy
+from golden.exact import rows_of
 from scipy.optimize import least_squares, root
-from scipy.spatial.transform import Rotation
+from scipy.spatial.transform import Rotation, RotationSpline
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-FOLDER = ROOT / "tests" / "data" / "golden"
+# ---------------------------------------------------------------- Euler angles
+
+EULER_SEED, PER_ORDER = 20180101, 5
+
+
+def orders():
+    for case in ("XYZ", "xyz"):
+        for a, b, c in itertools.product(case, repeat=3):
+            if b not in (a, c):
+                yield a + b + c
+
+
+def euler(_):
+    """Euler angles and their quaternions in all 24 orders, as SciPy computes them.
+
+    Upper case: about the axes of the body; lower case: about those of the world, which is SciPy's convention too.
+    """
+    random = np.random.default_rng(EULER_SEED)
+    lines = [f"# Made by tools/make_euler_data.py (SciPy {scipy.__version__}, seed {EULER_SEED}): angles [rad] in the order of "
+             "their turns.\n", "order,e1,e2,e3,qw,qx,qy,qz\n"]
+    for order in orders():
+        for _ in range(PER_ORDER):
+            x, y, z, w = Rotation.random(random_state=random).as_quat()
+            angles = Rotation.from_quat([x, y, z, w]).as_euler(order)
+            numbers = [float(number) for number in (*angles, w, x, y, z)]
+            lines.append(order + "," + ",".join(map(repr, numbers)) + "\n")
+    return {"tests/data/euler.csv": "".join(lines)}
+
+
+# ---------------------------------------------------------------- RotationSpline
+
+SPLINE_SEED = 20030112
+KEYS = 8
+EVEN_TIMES = np.arange(KEYS, dtype=float)
+UNEVEN_TIMES = np.array([0.0, 0.5, 1.5, 1.75, 3.0, 3.2, 4.4, 6.0])
+INSTANTS = np.concatenate([[0.0], (np.arange(13) + 0.5) / 13, [1.0]])  # shares of the time; no inner key
+LARGEST_KINK = 1e-11  # of the angular acceleration at a key, relative
+
+
+class SettledSpline(RotationSpline):
+    TOL = 1e-14
+    MAX_ITER = 1000
+
+
+def smooth(times):
+    """A tumbling motion sampled at the times."""
+    angles = np.stack([0.6 * times, 0.5 * np.sin(0.9 * times), 0.4 * np.cos(0.7 * times)], axis=1)
+    return Rotation.from_euler("ZYX", angles)
+
+
+def walk(random, smallest_step, largest_step):
+    """Steps of random size [rad] about random axes."""
+    keys = [Rotation.random(random_state=random)]
+    for size in np.linspace(smallest_step, largest_step, KEYS - 1):
+        axis = random.normal(size=3)
+        keys.append(keys[-1] * Rotation.from_rotvec(size * axis / np.linalg.norm(axis)))
+    return Rotation.concatenate(keys)
+
+
+def demand_settled(name, spline, times):
+    before, after = (spline(np.nextafter(times[1:-1], side), 2) for side in (-np.inf, np.inf))
+    kink = np.abs(after - before).max() / np.abs(after).max()
+    if not kink < LARGEST_KINK:
+        sys.exit(f"{name}: the angular acceleration jumps by {kink}, wanted less than {LARGEST_KINK}")
+
+
+def lines(name, times, keys):
+    spline = SettledSpline(times, keys)
+    demand_settled(name, spline, times)
+    for t, (x, y, z, w) in zip(times, keys.as_quat()):
+        yield ",".join([name, "key", *(repr(float(number)) for number in (t, w, x, y, z)), *[""] * 6])
+    for t in times[0] + (times[-1] - times[0]) * INSTANTS:
+        x, y, z, w = spline(t).as_quat()
+        numbers = (t, w, x, y, z, *spline(t, 1), *spline(t, 2))
+        yield ",".join([name, "motion", *(repr(float(number)) for number in numbers)])
+
+
+def rotation_spline(_):
+    """Three tracks and the motions of SciPy's RotationSpline through them.
+
+    SciPy stops at a change of 1e-9 or after 10 rounds; here it goes on until the rates settle.
+    """
+    random = np.random.default_rng(SPLINE_SEED)
+    tracks = {"smooth": (EVEN_TIMES, smooth(EVEN_TIMES)), "uneven": (UNEVEN_TIMES, walk(random, 0.3, 1.2)),
+              "large_steps": (EVEN_TIMES, walk(random, 1.0, 2.5))}
+    text = [f"# Made by tools/make_scipy_data.py (SciPy {scipy.__version__}, RotationSpline with TOL "
+            f"{SettledSpline.TOL}, seed {SPLINE_SEED}): rates in the body frame [rad/s].",
+            "track,kind,t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az"]
+    for name, (times, keys) in tracks.items():
+        text.extend(lines(name, times, keys))
+    return {"tests/data/scipy_rotation_spline.csv": "\n".join(text) + "\n"}
+
+
+# ---------------------------------------------------------------- the tensions of least energy
+
 HEAD = """# Made by tools/make_tuned_golden.py from the reference's curves, by SciPy's least squares.
 # before is the energy with the parameters of the column initial, after the least one: the integral of |alpha|^2 [rad^2/s^3],
 # or that of |J alpha + omega x J omega|^2 [N^2 m^2 s] for the principal moments of inertia J.
@@ -42,8 +127,7 @@ def cases():
 
 
 def keys_of(sequence, rq):
-    with open(FOLDER / "keys.csv", encoding="utf-8") as file:
-        rows = [row for row in csv.DictReader(line for line in file if not line.startswith("#")) if row["sequence"] == sequence]
+    rows = [row for row in rows_of("keys.csv") if row["sequence"] == sequence]
     times = [rq.F(float(row["t"])) for row in rows]
     keys = [rq.qunit(tuple(rq.F(float(row[c])) for c in ("qw", "qx", "qy", "qz"))) for row in rows]
     return rq.sign_continuous(keys), times
@@ -208,17 +292,15 @@ def solved(case, rq, rm):
     return f"{family},{sequence},{objective},{moments},{' '.join(free)},{initial},{before:.13g},{2 * found.cost:.13g}"
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--source", type=pathlib.Path, default=ROOT.parent / "shared" / "math")
-    arguments = parser.parse_args()
-    sys.path.insert(0, str(arguments.source))
+def tuned(source):
+    """The tensions of least energy, through sequences of keys.csv.
+
+    Another way than the library's: curves of the reference (refquat.py and refmethods.py) with 25 digits, rates and quadrature of its
+    own, and SciPy's least squares with differences of the residuals. Energies agree to 1e-11 of themselves.
+    """
+    sys.path.insert(0, str(source))
     import refmethods
     import refquat
     refquat.mp.dps = 25
     lines = [solved(case, refquat, refmethods) for case in cases()]
-    (FOLDER / "tuned.csv").write_text(HEAD + "\n".join(lines) + "\n", "utf-8")
-
-
-if __name__ == "__main__":
-    main()
+    return {"tests/data/golden/tuned.csv": HEAD + "\n".join(lines) + "\n"}
