@@ -1,18 +1,5 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The table of docs/families/measured.md anew: recordings and simulated motion thinned to keys, and the curves through
-these beside what was left out.
-
-Needs the recordings (--data), the references auto_reference.py and measured_reference.py (--reference), both by default
-beside the checkout, numpy and SciPy. Says of each case the RMS distances over that of RotationSpline, the share inside the
-90 % band and how far the curve is from the reference's.
-
-    tools/fidelity_table.py COMMAND [--data FOLDER] [--reference FOLDER] [--fill]
-
---fill writes the table into the page.
-"""
-import argparse
-import csv
+"""Recordings and simulated motion thinned to keys, and the curves through these beside what was left out."""
 import importlib
 import math
 import pathlib
@@ -21,14 +8,11 @@ import sys
 import tempfile
 
 import numpy
+from motions.noisy_recordings import RECORDINGS, recording
+from page_block import fill_block
 from scipy.spatial.transform import Rotation, RotationSpline
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "benchmarks")]
-from noisy_recordings import RECORDINGS, recording  # noqa: E402
-from page_block import fill_block  # noqa: E402
-
-PAGE = ROOT / "docs" / "families" / "measured.md"
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs" / "families" / "measured.md"
 SEED, MOST = 20260805, 3000
 JOINTS = ("Head", "LeftUpLeg", "LeftLeg", "LeftFoot", "RightLeg", "RightFoot", "LeftArm", "LeftForeArm", "RightForeArm",
           "RightHand")
@@ -169,20 +153,19 @@ def line(label, results):
     return "| " + " | ".join(cells) + " |"
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("command")
-    parser.add_argument("--data", type=pathlib.Path, default=ROOT.parent / "shared" / "data")
-    parser.add_argument("--reference", type=pathlib.Path, default=ROOT.parent / "shared" / "math")
-    parser.add_argument("--fill", action="store_true")
-    arguments = parser.parse_args()
-    sys.path.insert(0, str(arguments.reference))
+def fidelity(options):
+    """The table of docs/families/measured.md anew.
+
+    Says of each case the RMS distances over that of RotationSpline, the share inside the 90 % band and how far the curve is from the
+    reference's.
+    """
+    sys.path.insert(0, str(options.reference))
     sys.modules["auto"] = importlib.import_module("auto_reference")
     reference = importlib.import_module("measured_reference")
     results = {}
     with tempfile.TemporaryDirectory() as folder:
-        for group, name, step, pattern, t, q, at in cases(arguments.data):
-            result = measured_case(arguments.command, pathlib.Path(folder), t, q, at, reference)
+        for group, name, step, pattern, t, q, at in cases(options.data):
+            result = measured_case(options.command, pathlib.Path(folder), t, q, at, reference)
             results.setdefault(group, {})[name, step, pattern] = result
             rms, inside, off = result
             print(f"{name:14} {step:3} {pattern:9} {len(at):4} keys " + " ".join(
@@ -196,11 +179,4 @@ def main():
              "|---|---|---|---|---|---|---|---|",
              *(line(label, list(results[group].values())) for label, group in (
                  ("PX4, BROAD, MRO, TUM fr2", "recording"), ("ten joints of a walk", "joint"), ("simulated", "simulated"))), ""]
-    print("\n".join(lines))
-    if arguments.fill:
-        fill_block(PAGE, "<!-- measured by tools/fidelity_table.py: begin -->\n",
-                   "\n<!-- measured by tools/fidelity_table.py: end -->", lines)
-
-
-if __name__ == "__main__":
-    main()
+    fill_block(PAGE, "<!-- measured by tools/measure.py fidelity: begin -->\n", "\n<!-- measured by tools/measure.py fidelity: end -->", lines)

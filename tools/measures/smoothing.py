@@ -1,15 +1,5 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The table of docs/smooth.md anew: noise on recordings, smoothed by the command, by the reference implementation and by
-what people use otherwise, against the recording. RMS angles in degrees at noise of 0.2 / 1 / 3° per axis.
-
-Needs the recordings (--data), the reference (--reference), both by default beside the checkout, numpy and SciPy.
-
-    tools/smoothing_table.py COMMAND [--data FOLDER] [--reference FOLDER] [--seeds N] [--golden]
-
---golden writes the reference's figures to tests/data/golden/smooth_recordings.csv.
-"""
-import argparse
+"""The tables of docs/smooth.md: noise is added to recordings, which are taken for the truth, and smoothed."""
 import csv
 import pathlib
 import subprocess
@@ -17,13 +7,67 @@ import sys
 import tempfile
 
 import numpy
+from motions.noisy_recordings import GYRO_NOISE, NOISES, RECORDINGS, WAYS, options_of, recording, rms_degrees, with_noise
+from motions.rotations import conjugate, times
 from scipy.interpolate import make_smoothing_spline
 from scipy.signal import savgol_filter
 
-from noisy_recordings import GYRO_NOISE, NOISES, RECORDINGS, WAYS, options_of, recording, rms_degrees, with_noise
+GOLDEN = pathlib.Path(__file__).resolve().parents[2] / "tests" / "data" / "golden" / "smooth_recordings.csv"
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-GOLDEN = ROOT / "tests" / "data" / "golden" / "smooth_recordings.csv"
+
+def smoothed_rows(command, motion, options, folder):
+    """Of the file that the command writes for a motion."""
+    motion.write(folder / "noisy.csv")
+    subprocess.run([command, "smooth", "noisy.csv", *options, "--quiet", "-o", "smooth.csv"], cwd=folder, check=True)
+    with open(folder / "smooth.csv", encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def orientation(row):
+    return tuple(float(row[c]) for c in ("qw", "qx", "qy", "qz"))
+
+
+# ---------------------------------------------------------------- how often the band holds the truth
+
+WITHIN = 1.6448536269514722  # standard deviations
+ROWS = {"nothing stated": "", "`--noise`": "--noise {}deg", "`--penalty jerk`": "--penalty jerk", "`--no-adapt`": "--no-adapt"}
+
+
+def components(found, wanted):
+    """Of the small turn from one orientation to the other [rad], body frame."""
+    w, *v = times(conjugate(found), wanted)
+    return [2 * x if w > 0 else -2 * x for x in v]
+
+
+def held(command, clean, noise, seed, options, folder):
+    """For each axis, the share of the samples within."""
+    rows = smoothed_rows(command, with_noise(clean, noise, seed), ["--sigma", *options.format(noise).split()], folder)
+    counts = [0, 0, 0]
+    for row, wanted in zip(rows, clean.orientations, strict=True):
+        turn = components(orientation(row), wanted)
+        for axis, name in enumerate(("sigma_x", "sigma_y", "sigma_z")):
+            counts[axis] += abs(turn[axis]) <= WITHIN * float(row[name])
+    return [count / len(rows) for count in counts]
+
+
+def cell(command, clean, noise, seeds, options, folder):
+    shares = [held(command, clean, noise, seed, options, folder) for seed in range(seeds)]
+    return " ".join(f"{100 * sum(axis) / seeds:.0f}" for axis in zip(*shares))
+
+
+def band(options):
+    """Counts components of the turn to the truth within 1.645 standard deviations, which nine in ten normal values are."""
+    print("| | " + " | ".join(RECORDINGS) + " |\n|" + "---|" * (len(RECORDINGS) + 1))
+    clean = {name: recording(name, options.data) for name in RECORDINGS}
+    with tempfile.TemporaryDirectory() as folder:
+        for title, words in ROWS.items():
+            cells = (" / ".join(cell(options.command, clean[name], noise, options.seeds, words, pathlib.Path(folder))
+                                for noise in NOISES) for name in RECORDINGS)
+            print(f"| {title} | " + " | ".join(cells) + " |", flush=True)
+
+
+# ---------------------------------------------------------------- how far what is smoothed is from the truth
+
 OUTLIERS = 0.02
 OWN_WAYS = ("robust", "outliers")  # without options, and not of the reference
 SCAN = [0.5 * 1.3**k for k in range(28)]  # smoothing time over the median interval
@@ -49,12 +93,8 @@ class Cell:
 
 def by_command(command, cell, way, folder):
     motion = with_noise(cell.clean, cell.noise, cell.seed, OUTLIERS) if way == "outliers" else cell.noisy
-    motion.write(folder / "noisy.csv")
     options = [] if way in OWN_WAYS else options_of(way, cell.name, cell.noise)
-    subprocess.run([command, "smooth", "noisy.csv", *options, "--quiet", "-o", "smooth.csv"], cwd=folder, check=True)
-    with open(folder / "smooth.csv", encoding="utf-8") as file:
-        rows = csv.DictReader(line for line in file if not line.startswith("#"))
-        return cell.error([[float(row[c]) for c in ("qw", "qx", "qy", "qz")] for row in rows])
+    return cell.error([orientation(row) for row in smoothed_rows(command, motion, options, folder)])
 
 
 class Reference:
@@ -163,7 +203,7 @@ def print_table(name, cells, options, folder):
     for way in (*WAYS, *OWN_WAYS):
         if way == "gyro" and name not in GYRO_NOISE:
             continue
-        print_row(name, way, cells, lambda cell: by_command(options.command.resolve(), cell, way, folder))
+        print_row(name, way, cells, lambda cell: by_command(options.command, cell, way, folder))
         if way in OWN_WAYS:
             continue
         found = {cell: reference.smoothed(cell, way) for noise in NOISES for cell in cells[noise]}
@@ -176,15 +216,11 @@ def print_table(name, cells, options, folder):
     return rows
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("command", type=pathlib.Path)
-    parser.add_argument("--data", type=pathlib.Path, default=ROOT.parent / "shared" / "data")
-    parser.add_argument("--reference", type=pathlib.Path, default=ROOT.parent / "shared" / "math")
-    parser.add_argument("--seeds", type=int, default=3)
-    parser.add_argument("--recordings", nargs="+", choices=RECORDINGS, default=list(RECORDINGS))
-    parser.add_argument("--golden", action="store_true")
-    options = parser.parse_args()
+def smoothing(options):
+    """Noise on recordings, smoothed by the command, by the reference implementation and by what people use otherwise, against the recording.
+
+    RMS angles in degrees at noise of 0.2 / 1 / 3° per axis.
+    """
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         for name in options.recordings:
@@ -193,6 +229,3 @@ def main():
         text = "".join(",".join(str(value) for value in row) + "\n" for row in rows)
         GOLDEN.write_text("# The reference implementation on tools/noisy_recordings.py.\n"
                           "recording,way,noise_deg,seed,smoothing_time_s,error_deg\n" + text, "utf-8")
-
-
-main()

@@ -4,7 +4,7 @@ import csv
 import math
 import random
 
-from rotations import conjugate, times, unit
+from motions.rotations import conjugate, times, unit
 
 COUNT = 1500  # samples of each
 BROAD_STEP = 3  # of its rows, 95 Hz
