@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The stub of the module orispline._core that is installed, by nanobind's stubgen: make_python_stub.py FILE writes it there."""
+"""The stub of the module orispline._core that is installed, by nanobind's stubgen: stub.py FILE writes it there."""
 import pathlib
 import re
 import sys

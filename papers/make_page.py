@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Puts the output of the papers' experiments into docs/papers.md, and their pictures into docs/papers.
 
-  tools/make_papers.py COMMAND    COMMAND is the built orispline
+  papers/make_page.py COMMAND    COMMAND is the built orispline
 """
 
 import re
@@ -10,7 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-DOCS = Path(__file__).resolve().parent.parent / "docs"
+DOCS = Path(__file__).resolve().parents[1] / "docs"
 BLOCK = re.compile(r"```text\n\$ orispline reproduce (\S+)\n.*?```", re.S)
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes tests/c/cases.json, what every binding of the C interface must give bit for bit: make_c_cases.py LIBORISPLINE_C.
+"""Writes tests/c/cases.json, what every binding of the C interface must give bit for bit: tests/c/make_cases.py LIBORISPLINE_C.
 
 The tests hold the interface to the library; this file holds other languages to the interface.
 """
@@ -11,7 +11,7 @@ import pathlib
 import random
 import sys
 
-CASES = pathlib.Path(__file__).resolve().parents[1] / "tests/c/cases.json"
+CASES = pathlib.Path(__file__).with_name("cases.json")
 WXYZ, DOUBLE = 1, 0
 QUANTITIES = {"orientation": 0, "angular_velocity": 1, "angular_acceleration": 2, "angular_jerk": 3, "angular_velocity_world": 4,
               "angular_acceleration_world": 5, "angular_jerk_world": 6, "position": 7, "velocity": 8, "acceleration": 9}
