@@ -16,7 +16,7 @@ define build_and_test
 endef
 
 run: build
-	tools/demo.sh build/release/orispline build/run
+	examples/demo.sh build/release/orispline build/run
 
 build:
 	tools/setup.sh build

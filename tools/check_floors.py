@@ -31,7 +31,6 @@ BELOW_JOBS = {  # header or folder below -> why a face needs it still; the exper
     "families/method_json.hpp": "methods as data",
     "families/method_text.hpp": "methods as the user types them",
     "families/method_warnings.hpp": "streams are no job",
-    "families/recipe.hpp": "what a file says its keys are for",
     "families/registry.hpp": "the list of methods",
     "batch/": "samples in bulk, which go into files and arrays without a copy",
     "online/track_sampler.hpp": "streams of keys, likewise",

@@ -7,7 +7,6 @@ import sys
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools"))
 import oldest_system  # noqa: E402
 
 LISTING = """

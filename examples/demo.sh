@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# The bundled flight from keys to a report: tools/demo.sh COMMAND FOLDER writes the motion by the default method and by
+# The bundled flight from keys to a report: examples/demo.sh COMMAND FOLDER writes the motion by the default method and by
 # others to compare into FOLDER, says how far each is from the truth and where its rates jump, tunes tensions, and ends with
 # a page that compares all methods.
 set -eu
