@@ -2,7 +2,7 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build wasm test test-more python check clang sanitizers asan ubsan tsan coverage fuzz nightly mutants random release release-parts sweep bench bench-quick bench-python bench-web site page studio web deb format tidy clean
+.PHONY: run build wasm test test-more python check clang sanitizers asan ubsan tsan coverage fuzz nightly mutants random release release-parts sweep bench bench-quick bench-python bench-web measures site page studio web deb format tidy clean
 .NOTPARALLEL:
 
 # How long the parts of `make test` take, in build/times.tsv: $(call timed,PART) COMMAND.
@@ -16,7 +16,7 @@ define build_and_test
 endef
 
 run: build
-	tools/demo.sh build/release/orispline build/run
+	examples/demo.sh build/release/orispline build/run
 
 build:
 	tools/setup.sh build
@@ -155,6 +155,14 @@ bench:
 
 bench-quick:
 	$(call build_and_measure,--sizes quick)
+
+# The tables of the documents that are measured on many keys, beside Ruckig and, where they lie beside the project, on recordings: hours.
+measures: build
+	tools/setup.sh build python
+	$(call python_package,)
+	build/python/venv/bin/python -m pip install --quiet ruckig
+	@set -e; for measure in limits retiming $(if $(wildcard ../shared/data),band smoothing fidelity); do \
+	  build/python/venv/bin/python tools/measure.py $$measure build/release/orispline; done
 
 # The npm package in build/npm, with the modules where their compiler is to be had.
 npm_package = tools/build_wasm.sh -j $(JOBS) --target orispline_npm && \

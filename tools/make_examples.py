@@ -12,9 +12,8 @@ Every machine writes the same bytes: see rotations.py.
 import sys
 from pathlib import Path
 
-from rotations import DEGREE, X, Y, Z, cross, ease, times, turn, unit
-from simulated_flight import chosen_keys, fly
-from walking_figure import recording
+from motions.rotations import DEGREE, X, Y, Z, cross, ease, times, turn, unit
+from motions.simulated import chosen_keys, fly, recording
 
 DATA = Path(__file__).resolve().parent.parent / "examples" / "data"
 

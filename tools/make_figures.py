@@ -5,26 +5,17 @@
   tools/make_figures.py COMMAND    COMMAND is the built orispline; writes docs/*.svg and docs/families/*.svg
 """
 
-import math
 import sys
 from pathlib import Path
 from typing import NamedTuple
 
-from band_figure import band_figure
-from concept_figures import concept_figures
-from gyro_figure import gyro_figure
-from mean_figure import mean_figure
-from page_figures import page_figures
-from rotations import DEGREE, conjugate, norm, times, to_world, turn
-from sampled_motion import Motion, sampled
-from skeleton_figure import skeleton_figure
-from sphere_view import sphere
-from svg_drawing import BLUE, GREEN, GREY, INK, PURPLE, RED, Plot, document, legend, line, text
-from task_figures import table, task_figures
+from figures.drawing import BLUE, DATA, GREEN, GREY, INK, PURPLE, RED, Motion, Plot, distances, document, legend, line, sampled, sphere
+from figures.drawing import table, text
+from figures.pages import concept_figures, page_figures
+from figures.tasks import task_figures
+from motions.rotations import X, norm, times, to_world, turn
 
-ROOT = Path(__file__).resolve().parent.parent
-DATA, DOCS = ROOT / "examples" / "data", ROOT / "docs"
-X_AXIS = (1.0, 0.0, 0.0)
+DOCS = Path(__file__).resolve().parent.parent / "docs"
 COLORS = [BLUE, RED, GREEN, PURPLE]
 
 
@@ -131,7 +122,7 @@ def family_figure(command, curves, handles=()):
     parts = legend(50, 16, [(c.label, color) for c, (_, color) in zip(curves, motions)])
     parts += rates_over_time((50, 52, 480, 120), "wx", "angular velocity |ω| [rad/s]", motions, keys)
     parts += rates_over_time((50, 222, 480, 120), "ax", "angular acceleration |α| [rad/s²]", motions, keys)
-    parts += sphere((700, 205), 145, motions, keys, X_AXIS, handles)
+    parts += sphere((700, 205), 145, motions, keys, X, handles)
     return document(860, 372, parts + [text(700, 44, "path of the body's x axis, keys 0 to 4")])
 
 
@@ -148,17 +139,12 @@ def beta_parameters_figure(command):
         curves = [with_value(symbol, parameter, value) for value in values]
         motions = drawn(command, curves, COLORS)
         parts += legend(left + 50, 16, [(c.label, color) for c, (_, color) in zip(curves, motions)])
-        parts += sphere((left + 215, 190), 145, motions, keys, X_AXIS)
+        parts += sphere((left + 215, 190), 145, motions, keys, X)
         parts += rates_over_time((left + 50, 382, 340, 120), "wx", f"angular velocity |ω| [rad/s] for {rest}", motions, keys)
     return document(860, 532, parts)
 
 
 # ---------------------------------------------------------------- how near auto is to the truth of the flight
-
-def distances(motion, truth):
-    """Angles between two motions sampled at the same times [degrees]."""
-    return [2 * math.asin(min(1.0, norm(times(conjugate(p), q)[1:]))) / DEGREE for p, q in zip(motion.q, truth.q)]
-
 
 def auto_distance_figure(command):
     """The distance to the flight's truth: from the bundled keys, and from a key every half second."""
@@ -285,13 +271,7 @@ def main():
                for name, curves in families(command).items()}
     figures["families/beta-parameters"] = beta_parameters_figure(command)
     figures["families/auto-distance"] = auto_distance_figure(command)
-    figures["skeletons"] = skeleton_figure(command)
-    figures |= concept_figures(command, text_of("five_keys.csv"))
-    figures |= task_figures(command)
-    figures |= page_figures(command)
-    figures["mean"] = mean_figure(command)
-    figures["families/measured"] = band_figure(command, Motion(text_of("flight_truth.csv")), table)
-    figures["gyro"] = gyro_figure(command, Motion(text_of("flight_truth.csv")))
+    figures |= concept_figures(command, text_of("five_keys.csv")) | task_figures(command) | page_figures(command)
     figures["closed"] = closed_figure(command)
     figures["flight"] = flight_figure(command)
     for name, figure in figures.items():

@@ -24,8 +24,8 @@ import tarfile
 import tempfile
 
 import abi
+import make_third_party
 import recipes
-import spdx
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 CHECKS = ("test", "clang", "sanitizers", "tsan")  # the parts of `make check`
@@ -169,7 +169,7 @@ def sums(folder):
 
 def spdx_text(root, version, commit, time):
     created = datetime.datetime.fromtimestamp(time, datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
-    return json.dumps(spdx.document(version, commit, created, spdx.versions(root)), indent=2) + "\n"
+    return json.dumps(make_third_party.spdx_document(version, commit, created, make_third_party.versions(root)), indent=2) + "\n"
 
 
 def write(root, part, version):

@@ -158,7 +158,7 @@ def main():
         sys.exit(print(f"Python package: skipped: {missing}") if options.or_skip else f"build.py: {missing}")
     wheel = installed_before(folder) if options.installed else installed(python, folder, options.prefix, options.sdist)
     if options.stub:
-        run(python, ROOT / "tools/make_python_stub.py", ROOT / "bindings/python/orispline/_core.pyi")
+        run(python, ROOT / "bindings/python/stub.py", ROOT / "bindings/python/orispline/_core.pyi")
     runs = [words for wanted, words in ((options.test, SIDE_BY_SIDE), (options.timing, ["-m", "timing"])) if wanted]
     sys.exit(max((tested(python, wheel, *words) for words in runs), default=0))
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// cases.json, which bindings of other languages are held to as well, is what this library gives: tools/make_c_cases.py.
+// cases.json, which bindings of other languages are held to as well, is what this library gives: make_cases.py.
 #include <cstring>
 #include <fstream>
 #include <map>

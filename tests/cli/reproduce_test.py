@@ -14,8 +14,8 @@ from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, main, with_pages
 from reproduced import AUTHORS, PARTS, TAKING_KEYS, TAKING_REFERENCE, Reproduced
 
 DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
-sys.path.insert(0, str(DOCS.parent / "tools"))
-import make_papers  # noqa: E402
+sys.path.insert(0, str(DOCS.parent / "papers"))
+import make_page  # noqa: E402
 
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
 
@@ -259,9 +259,9 @@ class Command(Reproduced):
 
     def test_the_page_shows_what_the_command_prints(self):
         page = (DOCS / "papers.md").read_text("utf-8")
-        blocks = make_papers.BLOCK.findall(page)
+        blocks = make_page.BLOCK.findall(page)
         self.assertEqual(blocks, PARTS)
-        for name, shown in zip(blocks, (match[0] for match in make_papers.BLOCK.finditer(page))):
+        for name, shown in zip(blocks, (match[0] for match in make_page.BLOCK.finditer(page))):
             [report] = json.loads(self.output_of(f"reproduce {name} --json --pictures drawn"))
             self.assert_shown(report, shown)
             for picture in report["pictures"]:
@@ -269,7 +269,7 @@ class Command(Reproduced):
 
     def assert_shown(self, report, block):
         """The lines of a block are those of a new run, but for times and the size of rounding errors."""
-        lines = make_papers.block(report["experiment"], self.output_of(f"reproduce {report['experiment']}")).splitlines()
+        lines = make_page.block(report["experiment"], self.output_of(f"reproduce {report['experiment']}")).splitlines()
         shown = block.splitlines()
         self.assertEqual(len(shown), len(lines), report["experiment"])
         heads = [next(i for i, line in enumerate(lines) if line == table["title"]) + 1 for table in report["tables"]]
@@ -278,7 +278,7 @@ class Command(Reproduced):
             timed = [] if head is None else [k for k, cell in enumerate(cells_of(lines[head])) if "time [ms]" in cell]
             for k, (cell, other_cell) in enumerate(zip(cells_of(line), cells_of(other), strict=True)):
                 if k not in timed and not (is_rounding(cell) and is_rounding(other_cell)):
-                    self.assertEqual(other_cell, cell, f"{report['experiment']} differs, wanted: tools/make_papers.py COMMAND")
+                    self.assertEqual(other_cell, cell, f"{report['experiment']} differs, wanted: papers/make_page.py COMMAND")
 
     def test_every_picture_of_the_page_is_the_one_that_the_command_draws(self):
         """Line by line, and so much alike that no eye sees a difference: a tenth of a pixel."""

@@ -17,8 +17,8 @@ from command import BAD_DATA, BAD_USAGE, CommandTest, main
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
-from noisy_recordings import angle, rms_degrees
-from rotations import conjugate, times
+from motions.noisy_recordings import angle, rms_degrees
+from motions.rotations import conjugate, times
 
 CASES = pathlib.Path(os.environ.get("ORISPLINE_SHARED_DATA", "shared/data")).parent / "cases/recordings"
 CLEAN_CORRECTION = (0.00134, -0.00347, -0.00707)  # of 40_clean.csv [deg/s]

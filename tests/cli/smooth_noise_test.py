@@ -15,8 +15,8 @@ from command import BAD_DATA, BAD_USAGE, CommandTest, main
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
-from noisy_recordings import rms_degrees
-from rotations import DEGREE, times, turn
+from motions.noisy_recordings import rms_degrees
+from motions.rotations import DEGREE, times, turn
 
 CASES = pathlib.Path(os.environ.get("ORISPLINE_SHARED_DATA", "shared/data")).parent / "cases/recordings"
 HALF, ALLOWED = 100, 1.15

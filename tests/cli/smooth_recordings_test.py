@@ -3,7 +3,7 @@
 """`orispline smooth` on recordings with noise, against what the reference implementation finds on the same samples.
 
 The recordings are not part of the project, for their licences differ: they are read where they lie beside it.
-tools/smoothing_table.py --golden wrote the reference's figures.
+tools/measure.py smoothing --golden wrote the reference's figures.
 """
 import csv
 import json
@@ -16,7 +16,7 @@ from command import CommandTest, main
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
-from noisy_recordings import GYRO_NOISE, NOISES, RECORDINGS, options_of, recording, rms_degrees, with_noise
+from motions.noisy_recordings import GYRO_NOISE, NOISES, RECORDINGS, options_of, recording, rms_degrees, with_noise
 
 DATA = pathlib.Path(os.environ.get("ORISPLINE_SHARED_DATA", "shared/data"))
 GOLDEN = ROOT / "tests" / "data" / "golden" / "smooth_recordings.csv"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every family against 60-digit values: tests/data/golden, made by tools/make_golden.py and, for
-// rational and biarcs, tools/make_rational_golden.py and tools/make_biarcs_golden.py.
+// Every family against 60-digit values: tests/data/golden, made by `tools/make_golden.py golden
+// rational biarcs`.
 #include <numbers>
 #include <ostream>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The curves of least energy against multiple shooting in SciPy: tests/data/golden/least_*.csv, made by
-// tools/make_least_golden.py, and what an optimum must obey.
+// tools/make_golden.py least, and what an optimum must obey.
 #include <gtest/gtest.h>
 
 #include <orispline/analysis/curve_measures.hpp>

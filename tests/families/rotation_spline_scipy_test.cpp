@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// rotation-spline is SciPy's RotationSpline: tests/data/scipy_rotation_spline.csv, made by tools/make_scipy_data.py.
+// rotation-spline is SciPy's RotationSpline: tests/data/scipy_rotation_spline.csv, which `tools/make_golden.py
+// rotation_spline` made.
 #include <gtest/gtest.h>
 
 #include <orispline/families/registry.hpp>

@@ -14,7 +14,7 @@
 
 namespace orispline::fuzz {
 
-/// How the times of keys are drawn. tools/make_fuzz_corpus.py knows the numbers.
+/// How the times of keys are drawn. make_corpus.py knows the numbers.
 enum class Steps : unsigned {
   whole,     ///< 1 s
   even,      ///< one of 2^-20 … 2^20 s

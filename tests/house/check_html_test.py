@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tools/check_html.py on a small site."""
+"""tests/site/check_html.py on a small site."""
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
 
-CHECK = pathlib.Path(__file__).resolve().parents[2] / "tools/check_html.py"
+CHECK = pathlib.Path(__file__).resolve().parents[2] / "tests/site/check_html.py"
 FRONT = '<div class="sidebar-tree"><div><a href="docs/page.html">A page</a></div></div><img src="front.svg"><a href="docs/page.html#part">b</a>'
 
 

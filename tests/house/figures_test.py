@@ -7,15 +7,14 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
-from concept_figures import concept_figures  # noqa: E402
-from page_figures import page_figures  # noqa: E402
-from task_figures import task_figures  # noqa: E402
+from figures.pages import concept_figures, page_figures  # noqa: E402
+from figures.tasks import task_figures  # noqa: E402
 
 
 class Figures(unittest.TestCase):
     def assert_current(self, figures, page_of):
         for name, figure in figures.items():
-            self.assertIn(f"]({name}.svg)", (ROOT / f"docs/{page_of(name)}.md").read_text("utf-8"))
+            self.assertIn(f"]({name.rpartition('/')[2]}.svg)", (ROOT / f"docs/{page_of(name)}.md").read_text("utf-8"))
             self.assertEqual((ROOT / f"docs/{name}.svg").read_text("utf-8"), figure, f"{name}.svg differs, wanted: tools/make_figures.py COMMAND")
 
     def test_the_pictures_of_concepts_are_current(self):

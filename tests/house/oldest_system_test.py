@@ -3,12 +3,11 @@
 """oldest_system.py finds the symbols of later systems and no others."""
 import pathlib
 import re
-import sys
 import unittest
 
+import oldest_system
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools"))
-import oldest_system  # noqa: E402
 
 LISTING = """
 0000000000000000      DF *UND*	0000000000000000 (GLIBC_2.35) hypot

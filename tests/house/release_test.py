@@ -18,9 +18,9 @@ from unittest import mock
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 sys.dont_write_bytecode = True
+import make_third_party as parts  # noqa: E402
 import recipes  # noqa: E402
 import release  # noqa: E402
-import spdx  # noqa: E402
 from make_third_party import NOTICES  # noqa: E402
 
 VERSION, DAY = "3.4.5", "2030-01-02"
@@ -232,11 +232,11 @@ class Release(unittest.TestCase):
 
 class Spdx(unittest.TestCase):
     def test_every_notice_has_a_version_or_is_within_a_part_that_has_one(self):
-        self.assertEqual(set(spdx.versions(ROOT)), set(NOTICES))
-        self.assertEqual(set(spdx.OF_DEBIAN) | set(spdx.IN_THE_PAGE) | set(spdx.OF_PYTHON) | set(spdx.WITHIN), set(NOTICES))
+        self.assertEqual(set(parts.versions(ROOT)), set(NOTICES))
+        self.assertEqual(set(parts.OF_DEBIAN) | set(parts.IN_THE_PAGE) | set(parts.OF_PYTHON) | set(parts.WITHIN), set(NOTICES))
 
     def test_the_document_has_every_part_once_and_within_something(self):
-        made = spdx.document("1.2.3", "0" * 40, "2030-01-02T00:00:00Z", {name: "7" for name in NOTICES})
+        made = parts.spdx_document("1.2.3", "0" * 40, "2030-01-02T00:00:00Z", {name: "7" for name in NOTICES})
         names = [package["name"] for package in made["packages"]]
         self.assertCountEqual(names, [*NOTICES, "orispline", "studio.html"])
         held = {relation["relatedSpdxElement"] for relation in made["relationships"]}

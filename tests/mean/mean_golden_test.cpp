@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Means and medians against golden/mean_cases.csv, made by tools/make_mean_golden.py with 120 digits.
+// Means and medians against golden/mean_cases.csv, made by tools/make_golden.py mean with 120 digits.
 #include <gtest/gtest.h>
 
 #include <support/data_table.hpp>

@@ -79,7 +79,7 @@ def test_the_reference_has_every_public_name():
 
 def test_the_stub_is_that_of_the_module():
     """Write it anew by bindings/python/build.py FOLDER PREFIX --stub."""
-    spec = importlib.util.spec_from_file_location("make_python_stub", ROOT / "tools/make_python_stub.py")
+    spec = importlib.util.spec_from_file_location("stub", ROOT / "bindings/python/stub.py")
     maker = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(maker)
     assert (PACKAGE / "_core.pyi").read_text("utf-8") == maker.stub()

@@ -19,8 +19,8 @@ OPTIONAL = {"anywidget", "traitlets", "scipy", "matplotlib", "pandas", "pyarrow"
 
 
 def oldest_system():
-    """tools/oldest_system.py, where the numbers are stated."""
-    spec = importlib.util.spec_from_file_location("oldest_system", ROOT / "tools" / "oldest_system.py")
+    """tests/house/oldest_system.py, where the numbers are stated."""
+    spec = importlib.util.spec_from_file_location("oldest_system", ROOT / "tests/house/oldest_system.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module

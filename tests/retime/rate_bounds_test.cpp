@@ -10,6 +10,7 @@
 
 #include <orispline/families/registry.hpp>
 #include <orispline/math/degrees.hpp>
+#include <orispline/retime/segment_hull.hpp>
 
 #include "retime/retimed_motion.hpp"
 #include "support/random_motion.hpp"
@@ -43,6 +44,12 @@ MotionSizes densely_sampled(const AnyCurve& curve, std::size_t segment, int step
     largest.jerk = std::max(largest.jerk, m.angular_jerk.norm());
   }
   return largest;
+}
+
+/// What the snap is nowhere above on a segment [rad/s⁴].
+std::optional<double> snap_bound(const SegmentForm& form, double duration) {
+  const auto hull = SegmentHull::of(form, duration);
+  return hull ? std::optional(hull->on(0.0, 1.0).snap) : std::nullopt;
 }
 
 void expect_tight(const CertifiedPeak& peak, double sampled, const std::string& what, double gap = 1.001e-4) {

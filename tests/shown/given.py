@@ -14,7 +14,7 @@ import sys
 from pages import ROOT, blocks
 
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests/cli")]
-from rotations import DEGREE, X, Y, Z, conjugate, times, to_body, to_world, turn  # noqa: E402
+from motions.rotations import DEGREE, X, Y, Z, conjugate, times, to_body, to_world, turn  # noqa: E402
 from small_scenes import bvh_text, gltf_document  # noqa: E402
 
 SHARED = pathlib.Path(os.environ.get("ORISPLINE_SHARED_DATA", "shared/data")).parent

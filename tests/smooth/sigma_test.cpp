@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Standard deviations of smoothed nodes: against the inverse of the whole normal matrix, golden/smooth_sigmas.csv, made
-// by tools/make_sigma_golden.py with 60 digits; and against the truth over seeded noise.
+// by tools/make_golden.py sigma with 60 digits; and against the truth over seeded noise.
 #include <cmath>
 
 #include <gtest/gtest.h>

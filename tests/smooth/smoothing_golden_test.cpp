@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Smoothing against the minimisers of the reference: tests/data/golden/smooth_*.csv, made by
-// tools/make_smooth_golden.py; and smoothing splines of positions against exact ones: position_splines.csv, made by
-// tools/make_spline_golden.py, which agrees on the cubic ones with SciPy's make_smoothing_spline to 3e-11.
+// tools/make_golden.py smooth; and smoothing splines of positions against exact ones: position_splines.csv, made by
+// tools/make_golden.py positions, which agrees on the cubic ones with SciPy's make_smoothing_spline to 3e-11.
 #include <gtest/gtest.h>
 
 #include <orispline/math/so3.hpp>

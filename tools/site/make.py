@@ -53,7 +53,7 @@ def make(python, include, folder):
     subprocess.run([python, "-m", "sphinx", "-W", "--keep-going", "-q", "-c", HERE, "-d", work / "doctrees", source, site], check=True)
     for unwanted in ("objects.inv", ".buildinfo"):
         (site / unwanted).unlink(missing_ok=True)
-    subprocess.run([sys.executable, ROOT / "tools/check_html.py", ROOT, site], check=True)
+    subprocess.run([sys.executable, ROOT / "tests/site/check_html.py", ROOT, site], check=True)
     shutil.rmtree(folder, ignore_errors=True)
     os.rename(site, folder)
     print(f"site: {folder}/index.html")

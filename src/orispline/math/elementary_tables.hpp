@@ -6,7 +6,7 @@
 
 #include <orispline/base/abi.hpp>
 
-// Made by tools/make_elementary.py (mpmath, 60 digits): change that, not this.
+// Made by tools/make_golden.py elementary (mpmath, 60 digits): change that, not this.
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace elementary {
 

@@ -369,11 +369,6 @@ bool is_of_polynomials(const PoseCurve& curve, std::span<const LimitedQuantity> 
 
 }  // namespace
 
-std::optional<double> snap_bound(const SegmentForm& form, double duration) {
-  const auto hull = SegmentHull::of(form, duration);
-  return hull ? std::optional(hull->on(0.0, 1.0).snap) : std::nullopt;
-}
-
 std::optional<std::vector<SegmentPeaks>> certified_peaks(const PoseCurve& curve, const MotionQuantities& quantities,
                                                          const QuantitySizes& floors) {
   constexpr std::size_t together = 64;  // segments

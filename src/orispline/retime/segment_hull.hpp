@@ -39,8 +39,13 @@ struct HullBounds {
   double rate, acceleration, jerk, snap, crackle;
 };
 
-/// The segment's polynomials, whose values lie in the hulls of their coefficients. Source: our own derivation,
-/// docs/retime.md.
+/// The segment's polynomials, whose values lie in the hulls of their coefficients.
+///
+/// For q = ∏ exp(X_k) of pure quaternions X_k, all exponentials are of norm 1, so that with A_n = Σ_k |X_k^(n)|,
+/// bounded by the Bernstein coefficients of the derivatives, |q^(n)| ≤ Q_n with Q_1 = A_1, Q_2 = A_2 + A_1², Q_3 = A_3
+/// + 3 A_1 A_2 + A_1³, Q_4 = A_4 + 4 A_1 A_3 + 3 A_2² + 6 A_1² A_2 + A_1⁴, and from ω = 2 q̄ q' the snap is at most 2
+/// (Q_4 + 4 Q_1 Q_3 + 3 Q_2²). A bound that does not depend on where in its turns the body is counts where it is lower.
+/// Source: our own derivation, docs/retime.md.
 class SegmentHull {
  public:
   /// Nothing for a form that is not of polynomials. `duration` [s].

@@ -9,7 +9,7 @@
 // set has its own.
 //
 // cos x = 1 + u P(u), sin x = x + x u R(u), u = x²: the coefficients interpolate at Chebyshev nodes, computed with 60
-// digits by tools/make_kernel_series.py. Errors: below 0.02 ulp in double, 0.5 ulp in float, before rounding.
+// digits by tools/make_golden.py kernel. Errors: below 0.02 ulp in double, 0.5 ulp in float, before rounding.
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace batch { namespace {
 

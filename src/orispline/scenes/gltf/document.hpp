@@ -116,6 +116,14 @@ struct Accessor {
 /// Checked against its views. Errors (bad_data) name the accessor.
 [[nodiscard]] Expected<Accessor> accessor_of(const Document& document, std::size_t index);
 
+/// All components of all elements: integers as they are or, where they are normalised, within [-1, 1].
+///
+/// Errors (bad_data): the indices of sparse elements do not rise or are too large.
+[[nodiscard]] Expected<std::vector<double>> values_of(const Document& document, const Accessor& accessor);
+
+/// That of one element. Precondition: the accessor has an offset, and no sparse elements.
+[[nodiscard]] double first_component(const Document& document, const Accessor& accessor, std::size_t element);
+
 /// Where a sampler finds its keys.
 struct SamplerPlaces {
   ChannelInterpolation interpolation = ChannelInterpolation::linear;
