@@ -194,12 +194,11 @@ site: build
 	$(call python_package,)
 	$(site)
 
-# Builds the page of the reports anew, which is part of the library, and the widget of notebooks, which is part of the Python package.
+# Builds the page of the reports anew, with the module that notebooks load too; it is part of the library.
 page:
 	tools/setup.sh build test
 	tests/page/prepare.sh $(CURDIR)/studio $(CURDIR)/build/page/studio
 	cp build/page/studio/report/dist/index.html src/orispline/report/page_template.html
-	cp build/page/studio/widget/dist/widget.* bindings/python/orispline/notebook/
 
 # The studio: build/studio/studio.html, which the command holds once it is built again, and build/studio/site for hosts of files.
 build_studio = $(call timed,the studio) tools/build_studio.sh -j $(JOBS)

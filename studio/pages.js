@@ -8,18 +8,22 @@ export const placeOf = (path) => fileURLToPath(new URL(path, import.meta.url));
 
 const licence = (name) => `${name}\n\n${readFileSync(placeOf(`node_modules/${name}/LICENSE`), 'utf8').trim()}`;
 
-/** A page with the licences of what is built in, and a policy by which the browser refuses every request. */
-export const sealed = ({ notices = [], scripts = '', workers = '' } = {}) => ({
+/** The licences of what is built into a page or a module. */
+export const licences = (kind, ...more) => [`This ${kind} contains:`, licence('three'), licence('uplot'), ...more].join('\n\n');
+
+/** A page with a policy by which the browser refuses every request. */
+export const guarded = (html, { scripts = '', workers = '' } = {}) =>
+  html.replace(
+    '<meta charset="utf-8" />',
+    `<meta charset="utf-8" />\n    <meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src 'unsafe-inline'${scripts}; style-src 'unsafe-inline'; img-src data:${workers}" />`,
+  );
+
+/** A page with that policy, and the licences of what is built in. */
+export const sealed = ({ notices, ...policy }) => ({
   name: 'sealed',
   transformIndexHtml: {
     order: 'post',
-    handler: (html) =>
-      html
-        .replace('<!doctype html>', () => `<!doctype html>\n<!--\n${['This page contains:', licence('three'), licence('uplot'), ...notices].join('\n\n')}\n-->`)
-        .replace(
-          '<meta charset="utf-8" />',
-          `<meta charset="utf-8" />\n    <meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src 'unsafe-inline'${scripts}; style-src 'unsafe-inline'; img-src data:${workers}" />`,
-        ),
+    handler: (html) => guarded(html, policy).replace('<!doctype html>', () => `<!doctype html>\n<!--\n${licences('page', ...notices)}\n-->`),
   },
 });
 

@@ -17,7 +17,7 @@ FLOORS = {  # package -> folder of its src -> what it may import besides itself;
     "editor": {
         "document": set(), "engine": {"document"}, "edits": {"document"}, "store": {"document", "engine"}, "file": {"document", "engine"},
         "scene": EDITED, "timeline": EDITED, "panels": EDITED, "frame": EDITED | {"file", "scene", "timeline", "panels"}, "style": set()}}
-PACKAGES = {"viewer": set(), "report": {"orispline-viewer"}, "widget": {"orispline-viewer"}, "editor": {"orispline-viewer", "orispline"}}  # package of the studio -> those that it may import
+PACKAGES = {"viewer": set(), "report": {"orispline-viewer", "orispline-widget"}, "widget": {"orispline-viewer"}, "editor": {"orispline-viewer", "orispline"}}  # package of the studio -> those that it may import
 GUESTS = {"three": ("viewer/src/scene/", "editor/src/scene/"), "uplot": ("viewer/src/plots/",)}  # third party -> its only rooms
 EXAMPLES = "../examples/data/"  # files that any source may take in as text
 FILE_LINES = 600

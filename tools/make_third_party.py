@@ -15,7 +15,7 @@ import subprocess
 import sys
 
 HEAD = """The library, the command and the Python package of orispline hold compiled code of the packages below. The
-library's page of the reports, the command's page of the studio and the package's widget of notebooks hold that of three.js and uPlot. The
+library's page of the reports, which is the package's widget of notebooks too, and the command's page of the studio hold that of three.js and uPlot. The
 WebAssembly of the npm package and of the studio holds that of Eigen, fmt, tl::expected, SIMDe, libc++, libc++abi, compiler-rt, wasi-libc, musl, cloudlibc and dlmalloc; where it has files, of
 fast_float and nlohmann-json too. The licences stand once, behind all packages.
 Written by tools/make_third_party.py.

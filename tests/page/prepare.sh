@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# prepare.sh SOURCE FOLDER [SCRIPT]: builds the page and the widget of SOURCE (studio), or what another script of its package builds, in FOLDER/*/dist
+# prepare.sh SOURCE FOLDER [SCRIPT]: builds the page of the reports of SOURCE (studio), or what another script of its package builds, in FOLDER/*/dist
 # with the packages of its lock file, or skips as npm_ci.sh does (exit 77). What it needs of the folder above SOURCE it puts above FOLDER.
 set -eu
 source=$1

@@ -57,7 +57,7 @@ def test_the_script_is_the_command():
 
 def test_the_files_of_the_package():
     files = {str(file) for file in importlib.metadata.files("orispline") or []}
-    assert {"orispline/py.typed", "orispline/notebook/widget.js", "orispline/notebook/widget.css", "orispline/look.json", "orispline/_core.pyi", "orispline/__init__.py", "orispline/_core.abi3.so"} <= files
+    assert {"orispline/py.typed", "orispline/look.json", "orispline/_core.pyi", "orispline/__init__.py", "orispline/_core.abi3.so"} <= files
     assert all(any(name.endswith(f"licenses/{text}") for name in files) for text in ("LICENSE", "NOTICE", "THIRD_PARTY"))
 
 

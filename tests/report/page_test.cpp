@@ -32,6 +32,16 @@ TEST(Page, KeepsTheLicencesOfWhatItContains) {
   EXPECT_GE(count_of("Permission is hereby granted, free of charge", html), 2U);
 }
 
+TEST(Page, RunsTheModuleThatANotebookLoads) {
+  const PageModule module = page_module();
+  const std::string html = document({.title = "A title"});
+  EXPECT_EQ(count_of("<script type=\"module\">" + module.script + "</script>", html), 1U);
+  EXPECT_EQ(count_of("<style id=\"viewer\">" + module.style + "</style>", html), 1U);
+  EXPECT_EQ(count_of(" as default};", module.script), 1U);
+  EXPECT_EQ(count_of("Permission is hereby granted, free of charge", module.script), 2U);
+  EXPECT_EQ(count_of("@page", module.style), 0U);  // what is for the whole page only
+}
+
 TEST(Page, NoTextEndsTheScriptOrTheString) {
   const std::string json = json_of(Page{.title = "</script> \"a\\b\"\n\x01 ω"});
   EXPECT_EQ(count_of("<", json), 0U);

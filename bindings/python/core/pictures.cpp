@@ -120,6 +120,12 @@ nb::bytes page_data(const PythonCurve& curve, const std::string& title, const st
   return bytes_of([&] { return report::data_of(made); });
 }
 
+/// The module that a notebook loads, and its style.
+nb::tuple page_module() {
+  const report::PageModule module = report::page_module();
+  return nb::make_tuple(text(module.script), text(module.style));
+}
+
 void write_bytes(const std::string& path, const nb::bytes& bytes) {
   value_of([&] {
     const std::string_view text(bytes.c_str(), bytes.size());
@@ -136,6 +142,7 @@ void add_pictures(nb::module_& module, nb::class_<PythonCurve>& curve_class) {
   module.attr("most_ghosts") = report::most_ghosts;
   module.def("drawn_errors", &drawn_errors, "times"_a, "one"_a, "other"_a);
   module.def("directions", &directions, "orientations"_a, "axis"_a);
+  module.def("page_module", &page_module);
   module.def("write_bytes", &write_bytes, "path"_a, "bytes"_a);
   curve_class.def("drawn", &drawn)
       .def("ghosts", &ghosts, "count"_a)

@@ -121,12 +121,21 @@ struct Page {
 ///
 /// Numbers of long lists are rounded to single precision, rates and errors to half of it. The text may hold any
 /// characters; what is not UTF-8 shows as U+FFFD. The content of the embedded JSON is described in
-/// studio/report/README.md. A sample takes 51 bytes beside the 750 kB of the page. Not in a build without
+/// studio/report/README.md. A sample takes 51 bytes beside the 760 kB of the page. Not in a build without
 /// ORISPLINE_PAGE; the JSON alone (page_json.hpp) is in every build.
 [[nodiscard]] ORISPLINE_EXPORT std::string document(const Page& page);
 
 /// The JSON document in it, for a viewer that is given its data.
 [[nodiscard]] ORISPLINE_EXPORT std::string data_of(const Page& page);
+
+/// What every page runs, for a notebook: an ES module, whose default export is the widget of studio/widget, and its
+/// style.
+struct PageModule {
+  std::string script, style;
+};
+
+/// That of the pages that this library makes. Not in a build without ORISPLINE_PAGE.
+[[nodiscard]] ORISPLINE_EXPORT PageModule page_module();
 
 /// A joint of the skeleton that a page shows.
 struct PageJoint {

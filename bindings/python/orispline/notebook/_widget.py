@@ -2,13 +2,13 @@
 """The widget: what it shares with the page, and what it does with an edit."""
 from __future__ import annotations
 
-import pathlib
 from typing import TYPE_CHECKING, Any
 
 import anywidget
 import numpy as np
 import traitlets
 
+from .. import _core
 from .._checks import text, whole, wrong_type
 from .._errors import ArgumentError, Error
 from .._keys import Keys
@@ -19,15 +19,13 @@ if TYPE_CHECKING:
     from .._curve import Curve
 
 CURVE = Keys._curve_class  # its module knows this one
-HERE = pathlib.Path(__file__).parent
 CLOSE = 1e-9  # [s] times nearer to each other are the same: dates have whole nanoseconds
 
 
 class Page(anywidget.AnyWidget):
     """What Python and the page share. It is not the widget itself, since every widget of Jupyter has `keys` of another kind."""
 
-    _esm = HERE / "widget.js"
-    _css = HERE / "widget.css"
+    _esm, _css = _core.page_module()
     document = traitlets.Bytes().tag(sync=True)  # that the viewer shows, JSON
     rows = traitlets.Bytes().tag(sync=True)  # float64: of each key t, qw, qx, qy, qz, and px, py, pz where they have positions
     width = traitlets.Int(5).tag(sync=True)  # numbers in a row
