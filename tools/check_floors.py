@@ -39,8 +39,9 @@ C_LEAST = {"base/", "batch/pose_sampler.hpp", "curve/", "families/method_text.hp
 C_PARTS = {  # and those beside, of which a package for the web takes as many as it needs: source -> likewise
     "bake": {"batch/"}, "json_text": {"fields/"}, "lists": {"families/", "fields/"},
     "analysis": {"analysis.hpp", "families/", "fields/"}, "tasks": {"fields/", "jobs/"},
-    "files": {"families/", "fields/", "files.hpp", "scenes/"}}
-GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/options/command.cpp", "nlohmann/": ("cli/output/json_document.cpp", "src/orispline/io/blending_file.cpp", "src/orispline/scenes/gltf/", "tests/c/"),
+    "files": {"families/", "fields/", "files.hpp", "scenes/"}, "written": {"fields/"},
+    "values": {"fields/", "files.hpp", "jobs/", "math/euler.hpp", "scenes/"}}
+GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/options/command.cpp", "nlohmann/": ("cli/output/json_document.cpp", "src/orispline/io/blending_file.cpp", "src/orispline/scenes/gltf/", "tests/c/", "tests/bindings/"),
           "assimp/": "src/orispline/scenes/assimp.cpp", "benchmark/": "benchmarks/", "glm/": "benchmarks/",
           "smooth/so3": "benchmarks/", "smooth/spline/": "benchmarks/", "sophus/": "benchmarks/", "basalt/": "benchmarks/"}  # third party -> its only room
 ROOMS = ("src", "cli", "papers", "tests", "examples", "tools", "bindings", "benchmarks")

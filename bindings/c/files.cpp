@@ -13,6 +13,7 @@
 #include "json_text.hpp"
 #include "keys.hpp"
 #include "options.hpp"
+#include "written.hpp"
 
 namespace orispline::c { namespace {
 
@@ -57,16 +58,6 @@ Expected<Keys> read(std::string name, std::string bytes, const io::StatedOptions
       })
       .map_error(by_stated_names);
 }
-
-struct FreeText {
-  void operator()(char* text) const noexcept { orispline_text_free(text); }
-};
-using OwnedText = std::unique_ptr<char, FreeText>;
-
-struct Written {
-  std::string bytes;
-  std::vector<Warning> warnings;
-};
 
 Expected<Written> written(const Track& track, const std::string& name, const io::StatedOptions& stated) {
   io::OutputFile file = io::OutputFile::in_memory(name);
@@ -129,11 +120,6 @@ orispline_code orispline_keys_write(const orispline_keys* keys, const char* name
           join_scenes();
           return written(*(*body)->track, name, stated);
         })
-        .map([&](const Written& file) {
-          OwnedText told(warnings ? text_of_c(json_text(warnings_json(file.warnings))) : nullptr);
-          *bytes = text_of_c(file.bytes);
-          *size = file.bytes.size();
-          if (warnings) *warnings = told.release();
-        });
+        .map([&](const Written& file) { give(file, bytes, size, warnings); });
   });
 }

@@ -14,7 +14,7 @@
 
 namespace orispline::c {
 
-enum class Kind : std::uint32_t { none, error, keys, curve, baked, outcome };
+enum class Kind : std::uint32_t { none, error, keys, curve, baked, outcome, value };
 
 /// What a handle points to. Shells are kept for good and used again, so that a handle that was freed is known for one.
 struct Shell {

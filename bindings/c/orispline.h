@@ -369,7 +369,74 @@ typedef struct orispline_input {
 
 typedef struct orispline_outcome orispline_outcome;
 
-/// Runs a task: `smooth`, `tune`, `reduce`, `retime`, `bake`, `mean`, `align` or `compare`, and what else there is.
+/// What a task takes or makes: keys, the rates of a gyro on a clock of its own, or a skeleton with its clips.
+typedef struct orispline_value orispline_value;
+
+typedef int32_t orispline_kind;
+enum { ORISPLINE_KEYS = 1, ORISPLINE_RATES = 2, ORISPLINE_SKELETON = 3 };
+
+/// Keys as a value, which shares them.
+ORISPLINE_C_API orispline_code orispline_value_of_keys(const orispline_keys *keys, orispline_value **value,
+                                                       orispline_error **error);
+
+/// The rates of a gyro, which are copied.
+///
+/// `times`: `count` of them [s], of the gyro's own clock, increasing. `rates`: 3 * `count` numbers [rad/s] in the frame
+/// of the gyro, x, y, z one after another. `epoch`: what the times count from [s] as a decimal number, which is exact,
+/// such as the `epoch` of the keys; null: 0. Error: ORISPLINE_BAD_ARGUMENT for an epoch that is no number. Times and
+/// rates are checked by the task.
+ORISPLINE_C_API orispline_code orispline_value_of_rates(const double *times, const double *rates, size_t count,
+                                                        const char *epoch, orispline_value **value,
+                                                        orispline_error **error);
+
+/// The skeleton with its clips of a file that is in memory, of glTF (.gltf, .glb) or BVH.
+///
+/// `name`: that it would have, for messages, and whose extension names the format. `options`: `clip=NAME` for some of
+/// the clips, once for each; `drop_duplicates` keeps the first of keys at equal times. Errors: ORISPLINE_BAD_DATA;
+/// ORISPLINE_BAD_ARGUMENT for a name of no such format, and with the option.
+ORISPLINE_C_API orispline_code orispline_value_of_skeleton(const void *bytes, size_t size, const char *name,
+                                                           const char *const *options, size_t option_count,
+                                                           orispline_value **value, orispline_error **error);
+
+/// What it is; 0 of null and of what is no value.
+ORISPLINE_C_API orispline_kind orispline_value_kind(const orispline_value *value);
+/// How many keys, rates or clips it has; 0 of null and of what is no value.
+ORISPLINE_C_API size_t orispline_value_count(const orispline_value *value);
+
+/// JSON of what it is: `kind`, `count`, of keys and rates their `epoch` [s] as a text, of keys and skeletons their
+/// `name`, of skeletons also `format`, the names of the `joints` and the `clips`, and the `warnings` of reading.
+ORISPLINE_C_API orispline_code orispline_value_json(const orispline_value *value, char **json,
+                                                    orispline_error **error);
+
+/// Its keys, as a handle of the caller. Error: ORISPLINE_BAD_ARGUMENT where it has none.
+ORISPLINE_C_API orispline_code orispline_value_keys(const orispline_value *value, orispline_keys **keys,
+                                                    orispline_error **error);
+
+/// Copies its rates: `count` times [s] since its epoch, and 3 * `count` numbers [rad/s] in the frame of the gyro.
+/// `count` must be that of the rates. Error: ORISPLINE_BAD_ARGUMENT where it has none.
+ORISPLINE_C_API orispline_code orispline_value_rates(const orispline_value *value, double *times, double *rates,
+                                                     size_t count, orispline_error **error);
+
+/// The bytes of a file of its skeleton and clips, `size` of them, to be freed as a text is. What the file that it was
+/// read from held besides is passed on where the format is the same.
+///
+/// `name`: as of orispline_value_of_skeleton(). `options`: of BVH, `output_euler=ZYX` and `rate=30`, frames per second
+/// for keys at uneven times. `warnings`: null, or where their JSON goes: what the format has no room for is left out,
+/// and they say so. Errors: ORISPLINE_BAD_ARGUMENT; ORISPLINE_BAD_DATA for what the format cannot hold.
+ORISPLINE_C_API orispline_code orispline_value_write(const orispline_value *value, const char *name,
+                                                     const char *const *options, size_t option_count, char **bytes,
+                                                     size_t *size, char **warnings, orispline_error **error);
+
+ORISPLINE_C_API void orispline_value_free(orispline_value *value);
+
+/// A value for a task, by the name that the task has for it.
+typedef struct orispline_named_value {
+  const char *name;
+  const orispline_value *value;
+} orispline_named_value;
+
+/// Runs a task on keys: `smooth`, `tune`, `reduce`, `retime`, `bake`, `mean`, `align`, `compare` or `inspect`, and what
+/// else there is. orispline_task_run_with() runs it on rates of a gyro and on skeletons too.
 ///
 /// `options`: texts, `tolerance=0.1deg`; what stands in none is at its default. `progress` may be null. Errors:
 /// ORISPLINE_BAD_ARGUMENT for a task, an input or an option that there is not, with the option; those of the task.
@@ -378,19 +445,34 @@ ORISPLINE_C_API orispline_code orispline_task_run(const char *task, const orispl
                                                   orispline_progress progress, void *context,
                                                   orispline_outcome **outcome, orispline_error **error);
 
+/// Runs a task on values of any kind: what orispline_tasks_json() lists as `kinds` of an input. All else as above.
+/// `difference` compares the motions of two skeletons; a gyro beside the recording of `smooth` is its input `gyro`.
+ORISPLINE_C_API orispline_code orispline_task_run_with(const char *task, const orispline_named_value *inputs,
+                                                       size_t input_count, const char *const *options,
+                                                       size_t option_count, orispline_progress progress, void *context,
+                                                       orispline_outcome **outcome, orispline_error **error);
+
 /// JSON, described in docs/inspect-json.md, but for the names of files and the warnings. Null of what is no outcome, as
-/// of the two below.
+/// of the three below.
 ORISPLINE_C_API const char *orispline_outcome_document(const orispline_outcome *outcome);
 /// Sentences for people, in lines.
 ORISPLINE_C_API const char *orispline_outcome_summary(const orispline_outcome *outcome);
+/// They in one line, without an end; empty where a task has none.
+ORISPLINE_C_API const char *orispline_outcome_line(const orispline_outcome *outcome);
 /// JSON: the list of warnings, as of orispline_curve_warnings().
 ORISPLINE_C_API const char *orispline_outcome_warnings(const orispline_outcome *outcome);
-/// How many tracks there are: 1 of most tasks, as many as recordings of `reduce`, 0 of `compare` and `bake`.
+/// How many tracks there are: 1 of most tasks, as many as recordings of `reduce`, 0 of `bake`, `compare`, `difference`
+/// and `inspect`, and where gyros or skeletons were made.
 ORISPLINE_C_API size_t orispline_outcome_track_count(const orispline_outcome *outcome);
 /// One of them, from 0, as keys of the caller. Where it is for the curve of a method it names it, so that
 /// orispline_curve_make() with a null method makes this curve.
 ORISPLINE_C_API orispline_code orispline_outcome_track(const orispline_outcome *outcome, size_t index,
                                                        orispline_keys **keys, orispline_error **error);
+/// How many values it made: its tracks first, then rates of a gyro and skeletons.
+ORISPLINE_C_API size_t orispline_outcome_value_count(const orispline_outcome *outcome);
+/// One of them, from 0, as a value of the caller, which another task may take.
+ORISPLINE_C_API orispline_code orispline_outcome_value(const orispline_outcome *outcome, size_t index,
+                                                       orispline_value **value, orispline_error **error);
 ORISPLINE_C_API void orispline_outcome_free(orispline_outcome *outcome);
 
 // ---- Files in memory ------------------------------------------------------------------------------------------------

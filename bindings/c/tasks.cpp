@@ -8,6 +8,7 @@
 #include "keys.hpp"
 #include "options.hpp"
 #include "progress.hpp"
+#include "values.hpp"
 
 namespace orispline::c {
 
@@ -15,14 +16,25 @@ namespace {
 
 /// What a task made, and what there is to say of it as texts.
 struct Outcome {
-  std::string document, summary, warnings;
+  std::string document, summary, line, warnings;
   std::vector<std::shared_ptr<const Track>> tracks{};
+  std::vector<Value> others{};  ///< rates and skeletons
 
-  explicit Outcome(jobs::TaskOutcome outcome)
+  /// `file`: of the skeleton that the task took; null where it took none.
+  Outcome(jobs::TaskOutcome outcome, const std::shared_ptr<const scenes::Scene>& file)
       : document(json_text(outcome.document)),
         summary(std::move(outcome.summary)),
+        line(std::move(outcome.line)),
         warnings(json_text(warnings_json(outcome.warnings))) {
     for (Track& track : outcome.tracks) tracks.push_back(std::make_shared<const Track>(std::move(track)));
+    for (GyroTrack& gyro : outcome.gyros) others.push_back({std::make_shared<const GyroTrack>(std::move(gyro))});
+    for (jobs::MotionFile& scene : outcome.scenes)
+      others.push_back({std::make_shared<const jobs::MotionFile>(std::move(scene)), file});
+  }
+
+  [[nodiscard]] std::size_t size() const noexcept { return tracks.size() + others.size(); }
+  [[nodiscard]] Value value(std::size_t index) const {
+    return index < tracks.size() ? Value{tracks[index]} : others[index - tracks.size()];
   }
 };
 
@@ -37,23 +49,45 @@ struct HandleOf<orispline_outcome> {
 
 namespace {
 
-Expected<jobs::TaskRequest> request_of(const orispline_input* inputs, std::size_t input_count,
-                                       const char* const* options, std::size_t option_count) {
+/// What a task is asked for, and the file of the first skeleton among its inputs.
+struct Asked {
+  jobs::TaskRequest request{};
+  std::shared_ptr<const scenes::Scene> file{};
+};
+
+Expected<Value> value_of(const orispline_input& input) {
+  return checked(input.keys).map([](const Keys* keys) { return Value{keys->track}; });
+}
+Expected<Value> value_of(const orispline_named_value& input) {
+  return checked(input.value).map([](const Value* value) { return *value; });
+}
+
+template <class Input>
+Expected<Asked> asked_by(const Input* inputs, std::size_t input_count, const char* const* options,
+                         std::size_t option_count) {
   auto stated = stated_options(options, option_count);
   if (!stated) return tl::unexpected(std::move(stated.error()));
-  jobs::TaskRequest request{.inputs = {}, .options = std::move(*stated)};
-  if (input_count == 0) return request;
+  Asked asked;
+  for (auto& [name, text] : *stated) asked.request.options.emplace_back(std::move(name), std::move(text));
+  if (input_count == 0) return asked;
   if (auto there = check_pointer(inputs, "inputs"); !there) return tl::unexpected(std::move(there.error()));
-  for (const orispline_input& input : std::span(inputs, input_count)) {
+  for (const Input& input : std::span(inputs, input_count)) {
     if (!input.name) return bad_option("inputs", "found one without a name, wanted one");
-    const auto keys = checked(input.keys).map_error([&](Error error) {
-      error.option = input.name;
-      return error;
-    });
-    if (!keys) return tl::unexpected(keys.error());
-    request.inputs.emplace_back(input.name, (*keys)->track);
+    auto value = value_of(input);
+    if (!value) {
+      value.error().option = input.name;
+      return tl::unexpected(std::move(value.error()));
+    }
+    if (!asked.file) asked.file = value->file;
+    asked.request.inputs.emplace_back(input.name, std::move(value->value));
   }
-  return request;
+  return asked;
+}
+
+Expected<Outcome> outcome_of(const char* task, const Asked& asked, const Progress& progress) {
+  return jobs::run_task(task, asked.request, progress).map([&](jobs::TaskOutcome made) {
+    return Outcome(std::move(made), asked.file);
+  });
 }
 
 const char* text_of(const orispline_outcome* outcome, std::string Outcome::*text) {
@@ -79,11 +113,21 @@ orispline_code orispline_task_run(const char* task, const orispline_input* input
   return guarded(error, [&] {
     return cleared(outcome, "outcome")
         .and_then([&] { return check_pointer(task, "task"); })
-        .and_then([&] { return request_of(inputs, input_count, options, option_count); })
-        .and_then([&](const jobs::TaskRequest& request) {
-          return jobs::run_task(task, request, progress_by(progress, context));
-        })
-        .map([&](jobs::TaskOutcome made) { *outcome = handle_of<orispline_outcome>(Outcome(std::move(made))); });
+        .and_then([&] { return asked_by(inputs, input_count, options, option_count); })
+        .and_then([&](const Asked& asked) { return outcome_of(task, asked, progress_by(progress, context)); })
+        .map([&](Outcome made) { *outcome = handle_of<orispline_outcome>(std::move(made)); });
+  });
+}
+
+orispline_code orispline_task_run_with(const char* task, const orispline_named_value* inputs, size_t input_count,
+                                       const char* const* options, size_t option_count, orispline_progress progress,
+                                       void* context, orispline_outcome** outcome, orispline_error** error) {
+  return guarded(error, [&] {
+    return cleared(outcome, "outcome")
+        .and_then([&] { return check_pointer(task, "task"); })
+        .and_then([&] { return asked_by(inputs, input_count, options, option_count); })
+        .and_then([&](const Asked& asked) { return outcome_of(task, asked, progress_by(progress, context)); })
+        .map([&](Outcome made) { *outcome = handle_of<orispline_outcome>(std::move(made)); });
   });
 }
 
@@ -93,6 +137,7 @@ const char* orispline_outcome_document(const orispline_outcome* outcome) {
 const char* orispline_outcome_summary(const orispline_outcome* outcome) {
   return c::text_of(outcome, &Outcome::summary);
 }
+const char* orispline_outcome_line(const orispline_outcome* outcome) { return c::text_of(outcome, &Outcome::line); }
 const char* orispline_outcome_warnings(const orispline_outcome* outcome) {
   return c::text_of(outcome, &Outcome::warnings);
 }
@@ -111,6 +156,25 @@ orispline_code orispline_outcome_track(const orispline_outcome* outcome, size_t 
           if (index >= body->tracks.size())
             return bad_option("index", formatted("found {}, wanted one of {} tracks", index, body->tracks.size()));
           *keys = handle_of<orispline_keys>({body->tracks[index]});
+          return {};
+        });
+  });
+}
+
+size_t orispline_outcome_value_count(const orispline_outcome* outcome) {
+  const Outcome* const body = body_of(outcome);
+  return body ? body->size() : 0;
+}
+
+orispline_code orispline_outcome_value(const orispline_outcome* outcome, size_t index, orispline_value** value,
+                                       orispline_error** error) {
+  return guarded(error, [&] {
+    return cleared(value, "value")
+        .and_then([&] { return checked(outcome); })
+        .and_then([&](const Outcome* body) -> Expected<void> {
+          if (index >= body->size())
+            return bad_option("index", formatted("found {}, wanted one of {} values", index, body->size()));
+          *value = handle_of<orispline_value>(body->value(index));
           return {};
         });
   });

@@ -351,6 +351,13 @@ TEST(ErrorsOfC, SayThatMemoryRanOut) {
     const orispline_output output{ORISPLINE_ANGULAR_JERK_WORLD, ORISPLINE_DOUBLE, numbers.data(), 0};
     return orispline_sample_even(curve.get(), 0.0, 0.1, 10, ORISPLINE_WXYZ, nullptr, 1, &output, 1, error);
   });
+  expect_no_memory_alone("rates", [&](orispline_error** error) {
+    const std::array<double, 3> numbers{};
+    orispline_value* made = nullptr;
+    const auto code = orispline_value_of_rates(numbers.data(), numbers.data(), 1, "0.5", &made, error);
+    orispline_value_free(made);
+    return code;
+  });
   expect_no_memory_alone("task", [&](orispline_error** error) {
     const orispline_input input{"keys", keys.get()};
     orispline_outcome* made = nullptr;

@@ -51,12 +51,16 @@ const std::vector<Case> cases{{"smooth", {"recording"}, {}, "noise_rad"},
                               {"bake", {"keys"}, {"tolerance=1e-4deg"}, "pieces"},
                               {"mean", {"rows"}, {}, "qw"},
                               {"align", {"moved", "fixed"}, {}, "distance_rms_deg"},
-                              {"compare", {"keys"}, {"methods=slerp,auto", "keep_every=8"}, "method"}};
+                              {"compare", {"keys"}, {"methods=slerp,auto", "keep_every=8"}, "method"},
+                              {"inspect", {"keys"}, {"methods=slerp,auto"}, "span_s"}};
+
+const std::vector<std::string_view> trackless{"bake", "compare", "inspect"};
 
 TEST(TasksOfC, AreAllOfTheList) {
   const auto list = nlohmann::json::parse(text_by(orispline_tasks_json));
-  ASSERT_EQ(list.size(), cases.size());
-  for (std::size_t i = 0; i < list.size(); ++i) EXPECT_EQ(list[i]["task"], cases[i].task);
+  ASSERT_EQ(list.size(), cases.size() + 1);
+  for (std::size_t i = 0; i < cases.size(); ++i) EXPECT_EQ(list[i]["task"], cases[i].task);
+  EXPECT_EQ(list.back()["task"], "difference") << "which takes skeletons: value_test.cpp";
 }
 
 TEST(TasksOfC, GiveDocumentsSentencesAndTracks) {
@@ -70,7 +74,7 @@ TEST(TasksOfC, GiveDocumentsSentencesAndTracks) {
     EXPECT_TRUE((document.is_array() ? document[0] : document).contains(one.member)) << document.dump(1);
     EXPECT_GT(std::string(orispline_outcome_summary(done.outcome.get())).size(), 20u) << one.task;
     EXPECT_TRUE(nlohmann::json::parse(orispline_outcome_warnings(done.outcome.get())).is_array());
-    const bool has_track = std::string(one.task) != "compare" && std::string(one.task) != "bake";
+    const bool has_track = std::ranges::find(trackless, std::string_view(one.task)) == trackless.end();
     ASSERT_EQ(orispline_outcome_track_count(done.outcome.get()), has_track ? 1u : 0u) << one.task;
     if (has_track) {
       EXPECT_GT(orispline_keys_count(done.track().get()), 0u);

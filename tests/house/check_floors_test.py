@@ -121,7 +121,7 @@ class CheckFloors(unittest.TestCase):
 
     def test_finds_a_guest_in_the_wrong_room(self):
         self.assert_breach("src/orispline/math/so3.hpp", HEADER + "#include <nlohmann/json.hpp>\n",
-                           "nlohmann/json.hpp is for cli/output/json_document.cpp or src/orispline/io/blending_file.cpp or src/orispline/scenes/gltf/ or tests/c/ only")
+                           "nlohmann/json.hpp is for cli/output/json_document.cpp or src/orispline/io/blending_file.cpp or src/orispline/scenes/gltf/ or tests/c/ or tests/bindings/ only")
 
     def test_finds_an_include_with_quotes(self):
         self.assert_breach("src/orispline/io/csv.cpp", SPDX + '#include "csv.hpp"\n', "found one with quotes")

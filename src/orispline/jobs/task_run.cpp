@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
 #include <limits>
 #include <numbers>
@@ -98,6 +99,16 @@ Expected<std::optional<std::vector<LabelledMethod>>> methods_in(const TaskReques
     methods.push_back({text, std::move(*method)});
   }
   return methods;
+}
+
+/// Error (bad_argument, of the option): one of these is set, which inputs of another kind take.
+Expected<void> check_unset(const TaskRequest& request, std::initializer_list<std::string_view> names,
+                           std::string_view message) {
+  for (const std::string_view name : names) {
+    const FieldValue* const value = request.stated(name);
+    if (value && !is_absent(*value) && text_of(*value) != "false") return bad_option(name, std::string(message));
+  }
+  return {};
 }
 
 /// Null where no skeleton is stated under that name.
@@ -280,9 +291,11 @@ Expected<ReduceSceneRequest> reduce_scene_request_in(const MotionFile& file, con
   if (request.inputs.size() > 1)
     return bad_option("recording",
                       formatted("found {} inputs with a skeleton among them, wanted it alone", request.inputs.size()));
+  constexpr std::string_view smooth_first = "found the clips of a skeleton, wanted the task `smooth` first";
   for (const FieldInfo& field : fields_of<SmoothOptions>())
-    if (is_stated(request, field.name))
-      return bad_option(field.name, "found the clips of a skeleton, wanted the task `smooth` first");
+    if (is_stated(request, field.name)) return bad_option(field.name, std::string(smooth_first));
+  if (auto fits = check_unset(request, {"smooth", "cutoff"}, smooth_first); !fits)
+    return tl::unexpected(std::move(fits.error()));
   FirstError checked;
   ReduceSceneRequest job{.file = {file.name, file.format, file.has_no_unit, file.is_single_precise},
                          .options = checked(options_in<ClipReduceOptions>(request)),
@@ -317,6 +330,10 @@ const MotionFile* any_scene_in(const TaskRequest& request) {
 
 /// All but the recordings.
 Expected<ReduceRequest> reduce_request_in(const TaskRequest& request) {
+  if (auto fits = check_unset(request, {"closed", "position_scale"},
+                              "found orientations at times, wanted the clips of a skeleton");
+      !fits)
+    return tl::unexpected(std::move(fits.error()));
   FirstError checked;
   ReduceRequest job{.recordings = {},
                     .options = checked(options_in<ReduceOptions>(request)),
@@ -483,7 +500,9 @@ Expected<TaskOutcome> run_compare(const TaskRequest& request, const Progress& pr
 
 Expected<TaskOutcome> run_inspect(const TaskRequest& request, const Progress&) {
   if (const MotionFile* const scene = scene_in(request, "keys"))
-    return told(inspect_scene({.file = *scene, .format = scene->title}));
+    return check_unset(request, {"methods"}, "found the clips of a skeleton, wanted orientations at times").map([&] {
+      return told(inspect_scene({.file = *scene, .format = scene->title}));
+    });
   return methods_in(request)
       .and_then([&](const auto& methods) {
         InspectRequest job{.keys = request.input("keys"), .faults = request.reading.faults};
