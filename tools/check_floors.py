@@ -20,21 +20,9 @@ FLOORS = {  # folder of src/orispline -> what it may include besides itself
     "jobs": GROUND | TASKS | {"families", "batch", "online", "analysis", "report", "clip", "pages"}}
 CLI_FLOORS = {"options": set(), "output": {"options"}, "papers": {"options", "output"},
               "commands": {"options", "output"}}  # folder of cli -> likewise; each folder of commands is one for itself
-FACES, FACE_FLOORS = ("cli/", "bindings/"), {"jobs", "io", "scenes"}  # who compose nothing, and what they include besides public headers
-BELOW_JOBS = {  # header or folder below -> why a face needs it still; the experiments of papers are no face
-    "base/": "errors, texts, numbers and threads, which everything is said and done with",
-    "math/": "units and vectors",
-    "fields/": "options as the user states them, results as data",
-    "curve/": "what keys, methods and curves are",
-    "families/blending/blending_family.hpp": "methods as the user states them",
-    "families/method_json.hpp": "methods as data",
-    "families/method_text.hpp": "methods as the user types them",
-    "families/method_warnings.hpp": "what is noteworthy about a curve, which C asks for by itself",
-    "families/registry.hpp": "the list of methods",
-    "batch/": "samples in bulk, which go into files and arrays without a copy",
-    "report/": "pages and pictures as files",
-    "pages/": "the head of pages, and those of one curve in Python",
-}
+# The command and the bindings, who compose nothing: what they may include besides the public headers and what these name.
+BINDINGS, BINDING_LAYERS = ("cli/", "bindings/"), GROUND | {"report", "jobs", "io", "scenes"}
+METHOD_LISTS = {"families/registry.hpp", "families/method_text.hpp", "families/method_json.hpp"}  # the list of methods, their texts, and both as data
 C_LEAST = {"base/", "batch/pose_sampler.hpp", "curve/", "families/method_text.hpp", "jobs/curve_of_keys.hpp"}  # what any source of bindings/c may include of the library
 C_PARTS = {  # and those beside, of which a package for the web takes as many as it needs: source -> likewise
     "bake": {"batch/"}, "json_text": {"fields/"}, "lists": {"families/", "fields/"},
@@ -63,16 +51,19 @@ def floor_of(include):
     return folder
 
 
-def is_for_faces(name):
-    inside, floor = name.removeprefix("orispline/"), floor_of(name)
-    return not floor or floor.partition("/")[0] in FACE_FLOORS or any(inside.startswith(entry) for entry in BELOW_JOBS)
+def public_headers(sources):
+    """Those beside the folders of the library, and what they include."""
+    public = {path: text for path, text in sources.items() if re.fullmatch(r"src/orispline/\w+\.hpp", path)}
+    named = {name for text in public.values() for name in re.findall(r"#include <(orispline/[^>]+)>", text)}
+    return named | {path.removeprefix("src/") for path in public}
 
 
-def face_breaches(path, names):
-    """A face includes what is composed."""
-    if path.startswith(FACES):
-        yield from (f"{path}: a face must not include {name}, wanted jobs, io, scenes or a public header"
-                    for name in names if name.startswith("orispline/") and not is_for_faces(name))
+def binding_breaches(path, names, public):
+    """The command and the bindings include what is composed."""
+    if path.startswith(BINDINGS):
+        yield from (f"{path}: the command and the bindings must not include {name}, wanted jobs, io, scenes or a public header" for name in names
+                    if (floor := floor_of(name)) and name not in public and floor.partition("/")[0] not in BINDING_LAYERS
+                    and name.removeprefix("orispline/") not in METHOD_LISTS)
 
 
 def c_breaches(path, names):
@@ -106,7 +97,7 @@ def cli_breaches(path, names):
 
 
 def include_breaches(sources):
-    graph = {}
+    graph, public = {}, public_headers(sources)
     for path, text in sources.items():
         names = re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)', text, re.M)
         quoted = re.findall(r'^\s*#\s*include\s*"([^"]+)', text, re.M)
@@ -118,7 +109,7 @@ def include_breaches(sources):
         if path.startswith(("cli/", "papers/")):
             graph[path] |= {name if name.startswith("papers/") else f"cli/{name}" for name in quoted}
             yield from cli_breaches(path, quoted)
-        yield from face_breaches(path, names)
+        yield from binding_breaches(path, names, public)
         yield from c_breaches(path, names)
         if path.startswith("examples/"):
             yield from (f"{path}: wanted a public header, <orispline/NAME.hpp>, found {name}" for name in names
@@ -201,7 +192,7 @@ def dropped_result_breaches(path, text):
 
 def bits_breaches(path, text):
     """What the system's library rounds in one way on one processor and in another way on the next."""
-    if path.startswith(("src/", *FACES)) and not path.endswith(".py"):
+    if path.startswith(("src/", *BINDINGS)) and not path.endswith(".py"):
         code = quiet(text)
         for found in SYSTEM_MATH.finditer(code):
             yield f"{path}: line {code.count(chr(10), 0, found.start()) + 1}: {found[0]}() has other bits elsewhere, wanted that of math/number.hpp"

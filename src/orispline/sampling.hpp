@@ -10,3 +10,4 @@
 #include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/batch/pose_sampler.hpp>
 #include <orispline/batch/sample.hpp>
+#include <orispline/batch/sample_grid.hpp>
