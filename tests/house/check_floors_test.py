@@ -90,7 +90,7 @@ class CheckFloors(unittest.TestCase):
                            "floor jobs must not include orispline/io/csv.hpp")
 
     def test_finds_a_face_that_composes(self):
-        for path in ("cli/commands/retime/retime.cpp", "bindings/python/core/tasks_retime.cpp"):
+        for path in ("cli/commands/retime/retime.cpp", "bindings/python/core/tasks.cpp"):
             for name in ("retime/retime.hpp", "online/online_curve.hpp"):
                 self.assert_breach(path, SPDX + f"#include <orispline/{name}>\n", f"{path}: a face must not include orispline/{name}")
             for name in ("jobs/retime.hpp", "io/formats/csv.hpp", "retime.hpp", "base/formatted.hpp"):
