@@ -16,6 +16,7 @@ SOUND = {
     "src/orispline/families/slerp.hpp": HEADER + "#include <orispline/curve/knots.hpp>\n",
     "src/orispline/io/csv.cpp": SPDX + "#include <fast_float/fast_float.h>\n#include <orispline/curve/knots.hpp>\n",
     "src/orispline/orispline.hpp": HEADER + "#include <orispline/families/slerp.hpp>\n",
+    "src/orispline/sampling.hpp": HEADER + "#include <orispline/batch/sample.hpp>\n",
     "src/orispline/pages/page.hpp": HEADER + "#include <orispline/curve/knots.hpp>\n",
     "cli/options/text.hpp": HEADER + "#include <orispline/orispline.hpp>\n",
     "cli/output/summary.hpp": HEADER + '#include "options/text.hpp"\n',
@@ -90,7 +91,7 @@ class CheckFloors(unittest.TestCase):
                            "floor jobs must not include orispline/io/csv.hpp")
 
     def test_finds_a_binding_that_composes(self):
-        for path in ("cli/commands/retime/retime.cpp", "bindings/python/core/tasks_retime.cpp"):
+        for path in ("cli/commands/retime/retime.cpp", "bindings/python/core/tasks.cpp"):
             for name in ("retime/retime.hpp", "online/online_curve.hpp"):
                 self.assert_breach(path, SPDX + f"#include <orispline/{name}>\n", f"{path}: the command and the bindings must not include orispline/{name}")
             for name in ("jobs/retime.hpp", "io/formats/csv.hpp", "retime.hpp", "base/formatted.hpp", "families/registry.hpp", "families/slerp.hpp"):

@@ -7,7 +7,7 @@
 #include <nanobind/stl/vector.h>
 
 #include "errors.hpp"
-#include "tasks.hpp"
+#include "keys.hpp"
 
 namespace nb = nanobind;
 
@@ -15,8 +15,9 @@ namespace orispline::python {
 
 namespace {
 
-/// What Python states, where it is no text; nothing where it is of another type.
+/// What Python states; nothing where it is of another type.
 std::optional<FieldValue> value_of_object(const nb::handle& object) {
+  if (nb::isinstance<nb::str>(object)) return nb::cast<std::string>(object);
   if (nb::isinstance<nb::bool_>(object)) return nb::cast<bool>(object);
   std::uint64_t count = 0;
   double number = 0.0;
@@ -29,25 +30,8 @@ std::optional<FieldValue> value_of_object(const nb::handle& object) {
   return std::nullopt;
 }
 
-/// Whole numbers are numbers too.
-bool set(const FieldInfo& field, void* options, const FieldValue& value) {
-  if (field.set(options, value)) return true;
-  const std::uint64_t* count = std::get_if<std::uint64_t>(&value);
-  return count && field.set(options, static_cast<double>(*count));
-}
-
-void take(const FieldInfo& field, void* options, const nb::handle& stated) {
-  if (nb::isinstance<nb::str>(stated)) {
-    const auto words = nb::cast<std::string>(stated);
-    field.set(options, value_of(typed_value(field, words)));
-    return;
-  }
-  const auto value = value_of_object(stated);
-  if (value && set(field, options, *value)) return;
-  raise({ErrorCode::bad_argument,
-         "found " + nb::cast<std::string>(nb::repr(stated)) + ", wanted " + wanted_of(field),
-         {},
-         std::string(field.name)});
+std::string found_and_wanted(const FieldInfo& field, const std::string& found) {
+  return "found " + found + ", wanted " + wanted_of(field);
 }
 
 struct Attribute {
@@ -106,11 +90,41 @@ void put_infos(nb::dict& all, const char* name, std::span<const FieldInfo> field
 
 }  // namespace
 
-void take_options(std::span<const FieldInfo> fields, void* options, const nb::dict& stated) {
-  for (const auto& [name, value] : stated) {
-    const FieldInfo& field = *value_of(find_field(fields, nb::cast<std::string>(name)));
-    if (!value.is_none()) take(field, options, value);
+StatedOptions options_in(const nb::dict& stated) {
+  StatedOptions options;
+  for (const auto& [key, object] : stated) {
+    if (object.is_none()) continue;
+    const auto name = nb::cast<std::string>(key);
+    auto value = value_of_object(object);
+    if (!value)
+      raise({ErrorCode::bad_argument,
+             "found " + nb::cast<std::string>(nb::repr(object)) + ", wanted a text or numbers",
+             {},
+             name});
+    options.emplace_back(name, *std::move(value));
   }
+  return options;
+}
+
+StatedOptions options_in(const nb::dict& stated, std::span<const FieldInfo> fields) {
+  for (const auto& [name, object] : stated) value_of(find_field(fields, nb::cast<std::string>(name)));
+  return options_in(stated);
+}
+
+Error of_another_type(const FieldInfo& field, const nb::handle& object) {
+  return {ErrorCode::bad_argument,
+          found_and_wanted(field, nb::cast<std::string>(nb::repr(object))),
+          {},
+          std::string(field.name)};
+}
+
+Error as_shown(Error error, const nb::dict& stated, std::span<const FieldInfo> fields) {
+  const auto field = find_field(fields, error.option);
+  if (!field || !stated.contains(error.option.c_str())) return error;
+  const nb::object object = stated[error.option.c_str()];
+  const auto value = value_of_object(object);
+  if (value && error.message == found_and_wanted(**field, text_of(*value))) return of_another_type(**field, object);
+  return error;
 }
 
 nb::dict attributes_of(std::span<const FieldInfo> fields, const void* result) {

@@ -3,6 +3,8 @@
 
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <nanobind/nanobind.h>
 
@@ -16,16 +18,17 @@
 
 namespace orispline::python {
 
-/// Options by name: texts, as on the command line, or numbers in the units of the library. Raises ArgumentError.
-void take_options(std::span<const FieldInfo> fields, void* options, const nanobind::dict& stated);
+/// Options by name: texts, as on the command line, or numbers in the units of the library. None states nothing.
+using StatedOptions = std::vector<std::pair<std::string, FieldValue>>;
+[[nodiscard]] StatedOptions options_in(const nanobind::dict& stated);
+/// Raises ArgumentError for a name that is none of the fields.
+[[nodiscard]] StatedOptions options_in(const nanobind::dict& stated, std::span<const FieldInfo> fields);
 
-/// The options that are stated, all others at their defaults.
-template <class Options>
-Options options_in(const nanobind::dict& stated) {
-  Options options{};
-  take_options(fields_of<Options>(), &options, stated);
-  return options;
-}
+/// Of a value that is not of the field's type, as Python shows it.
+[[nodiscard]] Error of_another_type(const FieldInfo& field, const nanobind::handle& object);
+
+/// The library's error about options, in which such a value is shown as Python shows it.
+[[nodiscard]] Error as_shown(Error error, const nanobind::dict& stated, std::span<const FieldInfo> fields);
 
 /// Values by name, in the units of the library; a sample is its index.
 nanobind::dict attributes_of(std::span<const FieldInfo> fields, const void* result);

@@ -26,5 +26,8 @@ void add_online(nanobind::module_& module);
 void add_stack(nanobind::module_& module);
 void add_tracks(nanobind::module_& module);
 void add_files(nanobind::module_& module);
+void add_fields(nanobind::module_& module);
+void add_tasks(nanobind::module_& module);
+void add_scenes(nanobind::module_& module);
 
 }  // namespace orispline::python

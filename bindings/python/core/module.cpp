@@ -4,7 +4,6 @@
 #include <orispline/base/version.hpp>
 
 #include "keys.hpp"
-#include "tasks.hpp"
 #include "text.hpp"
 
 NB_MODULE(_core, module) {
@@ -18,13 +17,6 @@ NB_MODULE(_core, module) {
   orispline::python::add_tracks(module);
   orispline::python::add_files(module);
   orispline::python::add_fields(module);
-  orispline::python::add_smooth(module);
-  orispline::python::add_reduce(module);
-  orispline::python::add_retime(module);
-  orispline::python::add_tune(module);
-  orispline::python::add_mean(module);
-  orispline::python::add_compare(module);
-  orispline::python::add_align(module);
-  orispline::python::add_align_rates(module);
   orispline::python::add_scenes(module);
+  orispline::python::add_tasks(module);
 }

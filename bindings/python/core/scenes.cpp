@@ -8,14 +8,13 @@
 
 #include <nanobind/stl/optional.h>
 
-#include <orispline/jobs.hpp>
 #include <orispline/scenes.hpp>
 
 #include "arrays.hpp"
 #include "errors.hpp"
 #include "files.hpp"
-#include "interruption.hpp"
-#include "tasks.hpp"
+#include "keys.hpp"
+#include "scenes.hpp"
 #include "text.hpp"
 
 namespace nb = nanobind;
@@ -24,13 +23,6 @@ using namespace nanobind::literals;
 namespace orispline::python {
 
 namespace {
-
-/// A scene as Python holds it: shared, for it never changes.
-struct SharedScene {
-  std::shared_ptr<const scenes::Scene> scene;
-
-  explicit SharedScene(scenes::Scene made) : scene(std::make_shared<const scenes::Scene>(std::move(made))) {}
-};
 
 nb::tuple read_scene(const std::string& path, bool drop_duplicates, const std::optional<nb::bytes>& bytes) {
   const io::Input input = input_of(path, bytes);
@@ -127,142 +119,25 @@ nb::list clips_of(const SharedScene& shared) {
   return all;
 }
 
-/// Value, clip, joint and time of what is largest; without names where all is 0.
-nb::tuple worst_of(const jobs::ReduceSceneOutcome& outcome, const ClipReduction* reduction,
-                   ClipReduction::Worst ClipReduction::*which, double unit = 1.0) {
-  if (!reduction || (reduction->*which).largest.value == 0.0) return nb::make_tuple(0.0, "", "", 0.0);
-  const ClipReduction::Worst& worst = reduction->*which;
-  return nb::make_tuple(worst.largest.value * unit, text(reduction->clip.name),
-                        text(outcome.request.skeleton[worst.joint].name), worst.largest.time);
-}
-
-nb::dict attributes_of_reduction(const jobs::ReduceSceneOutcome& outcome) {
-  const ClipTotals totals = outcome.totals();
-  nb::dict attributes;
-  attributes["rotation_keys"] = totals.rotation_keys;
-  attributes["rotation_keys_before"] = totals.rotation_keys_before;
-  attributes["rotation_tracks"] = totals.rotation_tracks;
-  attributes["open_tracks"] = totals.open_tracks;
-  attributes["translation_keys"] = totals.translation_keys;
-  attributes["translation_keys_before"] = totals.translation_keys_before;
-  attributes["angle"] = worst_of(outcome, totals.angle, &ClipReduction::angle);
-  attributes["translation"] = worst_of(outcome, totals.translation, &ClipReduction::translation, outcome.metres());
-  attributes["distance"] = worst_of(outcome, totals.distance, &ClipReduction::distance, outcome.metres());
-  attributes["from_smooth"] = worst_of(outcome, totals.from_smooth, &ClipReduction::from_smooth);
-  attributes["from_stored"] = worst_of(outcome, totals.from_stored, &ClipReduction::from_stored);
-  return attributes;
-}
-
-nb::bytes page_of_reduction(const jobs::ReduceSceneOutcome& outcome, const std::string& date) {
-  return bytes_of(
-      [&] { return report::skeleton_document(page_of(outcome, "reduced", pages::PageHead{.date = date})); });
-}
-
-jobs::ClipFile file_of(const scenes::Scene& scene) {
-  if (!scene.format) return {.name = scene.name};
-  return {.name = scene.name,
-          .format = scene.format->file,
-          .has_no_unit = scene.format->has_no_unit,
-          .is_single_precise = scene.format->holds_floats};
-}
-
-nb::tuple reduce_scene(const SharedScene& shared, const MethodText& method, const nb::dict& stated, bool closed,
-                       std::optional<double> position_scale, unsigned threads) {
+/// With one clip alone.
+SharedScene with_clip(const SharedScene& shared, std::size_t clip) {
   scenes::Scene scene = *shared.scene;
-  jobs::ReduceSceneRequest request{.file = file_of(scene),
-                                   .skeleton = scene.skeleton,
-                                   .clips = std::exchange(scene.clips, {}),
-                                   .options = options_in<ClipReduceOptions>(stated),
-                                   .position_scale = position_scale,
-                                   .threads = threads};
-  request.options.method = method.words == cubicspline_method ? Method{method.words} : method.method();
-  request.options.closed = closed;
-  auto outcome = value_of(interruptible([&](const Progress&) { return jobs::reduce_scene(std::move(request)); }));
-  scene.clips = outcome.clips();
-  return nb::make_tuple(SharedScene(std::move(scene)), std::move(outcome));
-}
-
-bool has_no_unit(const scenes::Scene& scene) { return scene.format && scene.format->has_no_unit; }
-
-nb::tuple smooth_scene(const SharedScene& shared, const nb::dict& stated, unsigned threads) {
-  scenes::Scene scene = *shared.scene;
-  jobs::SmoothClipsRequest request{.name = scene.name,
-                                   .skeleton = scene.skeleton,
-                                   .clips = std::exchange(scene.clips, {}),
-                                   .options = options_in<SmoothOptions>(stated),
-                                   .threads = threads,
-                                   .has_no_unit = has_no_unit(scene)};
-  auto outcome = value_of(interruptible([&](const Progress&) { return jobs::smooth_clips(std::move(request)); }));
-  for (const ClipSmoothing& smoothed : outcome.clips) scene.clips.push_back(smoothed.clip);
-  return nb::make_tuple(SharedScene(std::move(scene)), std::move(outcome));
-}
-
-/// Clip, joint and what was found of every rotation that was smoothed.
-nb::list joints_of(const jobs::SmoothClipsOutcome& outcome) {
-  nb::list all;
-  for (const ClipSmoothing& clip : outcome.clips)
-    for (const auto& [joint, found, change, at] : clip.joints)
-      all.append(nb::make_tuple(text(clip.clip.name), text(outcome.request.skeleton[joint].name), found.smoothing_time,
-                                found.noise, found.rejected.size(), change, at));
-  return all;
-}
-
-/// How many rotations were left as they were, and how many of them since they could not be smoothed.
-nb::tuple left_by(const jobs::SmoothClipsOutcome& outcome) {
-  std::size_t left = 0, refused = 0;
-  for (const ClipSmoothing& clip : outcome.clips) {
-    left += clip.left + clip.refused.size();
-    refused += clip.refused.size();
-  }
-  return nb::make_tuple(left, refused);
-}
-
-nb::bytes page_of_smoothing(const jobs::SmoothClipsOutcome& outcome, const std::string& date) {
-  return bytes_of([&] { return report::skeleton_document(page_of(outcome, "smooth", pages::PageHead{.date = date})); });
-}
-
-jobs::MotionFile motion_of(const SharedScene& shared) {
-  const scenes::Scene& scene = *shared.scene;
-  return {.name = scene.name, .skeleton = scene.skeleton, .clips = scene.clips, .has_no_unit = has_no_unit(scene)};
-}
-
-/// Of all clips, or of one.
-nb::bytes page_of_scene(const SharedScene& shared, const std::string& date, std::optional<std::size_t> clip) {
-  return bytes_of([&] {
-    jobs::MotionFile file = motion_of(shared);
-    if (clip) file.clips = {clip_of(shared, *clip)};
-    const auto outcome = jobs::inspect_scene({.file = std::move(file)});
-    return report::skeleton_document(page_of(outcome, pages::PageHead{.date = date}));
-  });
-}
-
-/// By the names of clips and joints of the first scene, all of whose clips are compared; of equal names the largest.
-/// Beside it the warnings.
-nb::tuple shell_distances(const SharedScene& first, const SharedScene& second, double shell) {
-  nb::dict distances;
-  if (first.scene->clips.empty()) return nb::make_tuple(distances, nb::list());
-  const auto outcome = value_of(interruptible([&](const Progress&) {
-    return jobs::difference({.first = motion_of(first), .second = motion_of(second), .shell = shell});
-  }));
-  if (!outcome.only_in_first.empty())
-    raise({ErrorCode::bad_data,
-           "found no clip '" + outcome.only_in_first.front() + "', wanted every clip of a",
-           {},
-           "b"});
-  for (const jobs::ClipDifference& clip : outcome.clips) {
-    const nb::str name = text(outcome.name_of(clip));
-    if (!distances.contains(name)) distances[name] = nb::dict();
-    nb::dict joints = nb::borrow<nb::dict>(distances[name]);
-    for (std::size_t i = 0; i < clip.joints.size(); ++i) {
-      const nb::str joint = text(first.scene->skeleton[clip.joints[i]].name);
-      const double before = joints.contains(joint) ? nb::cast<double>(joints[joint]) : 0.0;
-      joints[joint] = std::max(before, clip.worst[i].distance.value);
-    }
-  }
-  return nb::make_tuple(distances, told(outcome.warnings));
+  scene.clips = {clip_of(shared, clip)};
+  return SharedScene(std::move(scene));
 }
 
 }  // namespace
+
+jobs::MotionFile motion_of(const SharedScene& shared) {
+  const scenes::Scene& scene = *shared.scene;
+  jobs::MotionFile file{.name = scene.name, .skeleton = scene.skeleton, .clips = scene.clips};
+  if (!scene.format) return file;
+  file.has_no_unit = scene.format->has_no_unit;
+  file.format = scene.format->file;
+  file.title = scene.format->title;
+  file.is_single_precise = scene.format->holds_floats;
+  return file;
+}
 
 void add_scenes(nb::module_& module) {
   scenes::join_formats();
@@ -271,19 +146,8 @@ void add_scenes(nb::module_& module) {
       .def_prop_ro("skeleton", &skeleton_of)
       .def_prop_ro("clips", &clips_of)
       .def("channels", &channels_of, "clip"_a)
-      .def("page", &page_of_scene, "date"_a, "clip"_a = nb::none())
-      .def("shell_distances", &shell_distances, "second"_a, "shell"_a)
-      .def("reduced", &reduce_scene, "method"_a, "options"_a, "closed"_a, "position_scale"_a.none(), "threads"_a)
-      .def("smoothed", &smooth_scene, "options"_a, "threads"_a)
+      .def("with_clip", &with_clip, "clip"_a)
       .def("written", &written_scene, "path"_a, "euler"_a.none(), "rate"_a.none(), "bones"_a);
-  auto outcome_class = nb::class_<jobs::ReduceSceneOutcome>(module, "SceneReduction");
-  outcome_class.def("attributes", &attributes_of_reduction).def("page", &page_of_reduction, "date"_a);
-  add_words(outcome_class);
-  auto smoothing_class = nb::class_<jobs::SmoothClipsOutcome>(module, "SceneSmoothing");
-  smoothing_class.def_prop_ro("joints", &joints_of)
-      .def_prop_ro("left", &left_by)
-      .def("page", &page_of_smoothing, "date"_a);
-  add_words(smoothing_class);
   module.def("read_scene", &read_scene, "path"_a, "drop_duplicates"_a, "bytes"_a.none());
 }
 

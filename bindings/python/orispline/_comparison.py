@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _core
 from ._checks import flag, wrong_type
-from ._errors import ArgumentError, tell
+from ._errors import ArgumentError
 from ._html import table
 from ._keys import Keys
 from ._methods import method_words
 from ._options import checked_keys, checked_threads, new_keys, plain, reference_of
+from ._request import Request
 from ._results import Alignment
 from ._view import Viewed, now
 
@@ -34,7 +34,7 @@ class Comparison(Viewed):
 
     measures: tuple[dict[str, str], ...]
     _given: Keys
-    _arguments: tuple[Any, ...]
+    _request: Request
     _reference: Keys | None
     _is_aligned: bool
     _rows: list[dict[str, Any]]
@@ -57,7 +57,8 @@ class Comparison(Viewed):
         """With `align=True` what brought the keys onto the reference; else None."""
         if not self._is_aligned or self._reference is None:
             return None
-        return Alignment._of(self._task().alignment, self._given, (self._reference, {}))
+        request = Request("align", {"moved": self._given, "fixed": self._reference}, {})
+        return Alignment._of(self._task().attributes()["alignment"], self._given, request)
 
     def keys(self, row: int = 0) -> Keys:
         """The keys that the method of a row was given; with `align=True` as they lie beside the reference."""
@@ -65,7 +66,7 @@ class Comparison(Viewed):
 
     def curve(self, row: int = 0) -> Curve:
         """The curve of a row."""
-        return self.keys(row).curve(self._task().texts()[self._row(row)])
+        return self.keys(row).curve(self._task().attributes()["texts"][self._row(row)])
 
     def _page(self) -> bytes:
         return bytes(self._task().page(now()))
@@ -79,7 +80,7 @@ class Comparison(Viewed):
 
     def _task(self) -> Any:
         if self._core is None:  # after pickling
-            object.__setattr__(self, "_core", _work(self._given, self._reference, self._is_aligned, *self._arguments))
+            object.__setattr__(self, "_core", self._request.run()[0])
         return self._core
 
     def __len__(self) -> int:
@@ -103,11 +104,6 @@ class Comparison(Viewed):
         return f"Comparison({len(self)} row{'' if len(self) == 1 else 's'}{best})"
 
 
-def _work(keys: Keys, reference: Keys | None, align: bool, *arguments: Any) -> Any:
-    beside = reference._core if reference is not None and align else reference_of(keys, reference)
-    return _core.compare(keys._core, beside, align, *arguments)
-
-
 def _decimations(keep_every: Any, jitter: bool, random: int | None, reference: Keys | None) -> list[dict[str, Any]]:
     if reference is not None:
         if jitter or random is not None:
@@ -122,9 +118,9 @@ def _decimations(keep_every: Any, jitter: bool, random: int | None, reference: K
     return [plain({"keep_every": step, "spacing": spacing, "seed": random}) for step in steps]
 
 
-def _texts(methods: Sequence[Method] | Method | None) -> list[str] | None:
+def _texts(methods: Sequence[Method] | Method | None) -> list[str]:
     if methods is None:
-        return None
+        return []
     given: Any = [methods] if isinstance(methods, str) or hasattr(methods, "method") else methods
     if not isinstance(given, Iterable):
         raise wrong_type("methods", methods, "a method, or a list of them")
@@ -194,8 +190,11 @@ def compare(keys: Keys, methods: Sequence[Method] | Method | None = None, *, ref
     if not isinstance(sort, str):
         raise TypeError(f"sort: found {type(sort).__name__}, wanted a word")
     is_aligned = flag("align", align)
-    arguments = (_decimations(keep_every, jitter, random, reference), _texts(methods), flag("tune", tune), sort,
-                 plain({"inertia": inertia, "leave_out": leave_out, "least_energy": least_energy}), checked_threads(threads))
-    core = _work(keys, reference, is_aligned, *arguments)
-    tell(core.warnings)
-    return Comparison(tuple(core.measures()), keys, arguments, reference, is_aligned, core.members(), core.summary(), core)
+    decimations, texts = _decimations(keep_every, jitter, random, reference), _texts(methods)
+    settings = {"align": is_aligned, "tune": flag("tune", tune), "sort": sort, "threads": checked_threads(threads)}
+    options = plain({"inertia": inertia, "leave_out": leave_out, "least_energy": least_energy})
+    beside = {"reference": reference} if reference is not None and is_aligned else reference_of(keys, reference)
+    request = Request("compare", {"keys": keys, **beside}, options, settings, methods=texts, decimations=decimations)
+    core, = request.told()
+    measures = tuple(core.attributes()["measures"])
+    return Comparison(measures, keys, request, reference, is_aligned, core.members(), core.summary(), core)

@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 from . import _core
 from ._arrays import numbers
 from ._checks import flag
-from ._errors import ArgumentError, DataError, tell
+from ._errors import ArgumentError, DataError
 from ._html import table
 from ._keys import Keys, orientations_of
 from ._options import FIELDS, plain, states, takes
+from ._request import Request
 from ._told import Told
 
 if TYPE_CHECKING:
@@ -145,10 +146,10 @@ def mean(rotations: Any, *, every: float | str | None = None, weights: Any = Non
     else:
         orientations, positions = orientations_of(rotations, positions, flag("scalar_first", scalar_first), euler, angle_unit)
         several = [_set_of(orientations, positions, normalize=normalize, normalise=normalise)]
-    core = _core.mean([keys._core for keys in several], None if weights is None else _weights(weights), plain({"every": every, **options}))
-    tell(core.warnings)
+    rows = several if weights is None else _weighted(several, numbers("weights", weights, (None,)))
+    core, = Request("mean", {"rows": list(rows)}, plain({"every": every, **options})).told()
     members = core.members()
-    found = core.windows()
+    found = core.attributes()["windows"]
     windows = members.get("windows", [members])
     kind, is_single = members["kind"], "windows" not in members
     made = [_made(one, scalar_first, kind, None if is_single else several[0]._clock.time(one["time"]), of_it,
@@ -179,8 +180,12 @@ def _set_of(orientations: Vector, positions: Any, **norms: Any) -> Keys:
     return Keys(np.arange(float(len(orientations))), orientations, positions=positions, **norms)
 
 
-def _weights(weights: Any) -> Vector:
-    return numbers("weights", weights, (None,))
+def _weighted(several: list[Keys], weights: Vector) -> list[_core.Keys]:
+    """Each with its part of the weights."""
+    *ends, count = np.cumsum([len(keys) for keys in several])
+    if ends and len(weights) != count:
+        raise DataError(f"found {len(weights)} weights of {count} orientations, wanted one of each")
+    return [_core.weighted(keys._core, part) for keys, part in zip(several, np.split(weights, ends))]
 
 
 def _made(found: dict[str, Any], scalar_first: bool, kind: str, time: Any, members: dict[str, Any], summary: str) -> Mean:

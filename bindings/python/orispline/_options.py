@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import inspect
-import math
 from typing import Any, Callable, Mapping, Sequence, TypeVar
 
 import numpy as np
@@ -48,10 +47,10 @@ def plain(options: Mapping[str, Any]) -> dict[str, Any]:
     return {name: _plain(name, value) for name, value in options.items()}
 
 
-def with_cutoff(cutoff: Any, options: dict[str, Any]) -> dict[str, Any]:
-    """Options with the smoothing time of a cut-off frequency."""
+def checked_cutoff(cutoff: Any, options: Mapping[str, Any]) -> dict[str, Any]:
+    """A cut-off frequency [Hz] as a setting, beside the options of smoothing; none where it is None."""
     if cutoff is None:
-        return options
+        return {}
     beside = [name for name in ("noise", "smoothing_time") if options.get(name) is not None]
     if beside:
         raise ArgumentError(f"cutoff: found it beside {beside[0]}, wanted one of them: each says how smooth")
@@ -63,7 +62,7 @@ def with_cutoff(cutoff: Any, options: dict[str, Any]) -> dict[str, Any]:
             hertz = None
     if hertz is None or not 1e-300 < real("cutoff", hertz) < 1e300:
         raise ArgumentError(f"cutoff: found {cutoff!r}, wanted a number greater than 0, or a text with its unit such as '8Hz'")
-    return {**options, "smoothing_time": 1 / (2 * math.pi * float(hertz))}
+    return {"cutoff": float(hertz)}
 
 
 def checked_keys(keys: Any, name: str = "keys") -> Keys:
@@ -80,14 +79,14 @@ def checked_threads(threads: Any) -> int:
     return int(threads)
 
 
-def reference_of(keys: Keys, reference: Keys | None) -> Any:
-    """A reference as the library takes it, which brings its times and those of the keys together by their epochs."""
+def reference_of(keys: Keys, reference: Keys | None) -> dict[str, Any]:
+    """A reference as an input beside the keys, where there is one. The library brings their times together by their epochs."""
     if reference is None:
-        return None
+        return {}
     times = checked_keys(reference, "reference").times
     if reference._clock.kind != keys._clock.kind or keys._clock.kind:  # else the library says what is to be said
         keys._clock.check_met(keys._clock.seconds("reference", times), tuple(keys._core.times[[0, -1]]))
-    return reference._core
+    return {"reference": reference}
 
 
 def new_keys(core: Any, like: Keys, clock_of: Keys | None = None) -> Keys:

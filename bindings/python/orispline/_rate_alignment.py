@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._clock import Clock, SecondsSince, times_of_keys
-from ._errors import tell
 from ._html import table
 from ._keys import Keys
 from ._options import FIELDS, states
 from ._rates import Rates
+from ._request import Request
 from ._told import Told
 
 Vector = NDArray[np.float64]
@@ -87,8 +87,7 @@ class RateAlignment(Told):
 def aligned_by_rates(a: Keys | Rates, b: Keys | Rates, stated: dict[str, Any]) -> RateAlignment:
     """One of them at least is of a gyro."""
     moved, fixed = _side("a", a), _side("b", b)
-    core = _core.align_rates(moved.core, fixed.core, stated)
-    tell(core.warnings)
+    core, = Request("align", {"moved": moved.core, "fixed": fixed.core}, stated).told()
     found, members = core.attributes(), core.members()
     values = found | {name: np.array(found[name]) for name in ("body_sigma", "bias", "bias_sigma")}
     for name, side in (("rejected_moved", moved), ("rejected_fixed", fixed)):
@@ -97,7 +96,7 @@ def aligned_by_rates(a: Keys | Rates, b: Keys | Rates, stated: dict[str, Any]) -
     scalar_first = any(isinstance(one, Keys) and one._scalar_first for one in (a, b))
     values["body"] = np.array(found["body"])[[3, 0, 1, 2] if scalar_first else [0, 1, 2, 3]]
     values["open"] = tuple(OpenRateDirection(np.array(body), offset, np.array(bias)) for body, offset, bias in found["open"])
-    rates = core.rates
+    rates = values.pop("rates")
     aligned = Keys._of(core.keys, fixed.clock, scalar_first=scalar_first) if rates is None else Rates(fixed.times(rates[0]), rates[1])
     return RateAlignment(aligned=aligned, _members=members, _summary=core.summary(), **values)
 

@@ -14,6 +14,7 @@ from . import _core
 from ._html import table
 from ._keys import Keys
 from ._options import FIELDS, checked_keys, new_keys, states
+from ._request import Request
 from ._told import Told
 from ._view import Viewed, now
 
@@ -30,34 +31,31 @@ class Result(Told):
 
     keys: Keys
     _given: Keys
-    _arguments: tuple[Any, ...]
+    _request: Request
     _members: dict[str, Any]
     _summary: str
-    _core: Any
+    _core: _core.TaskOutcome | None
     _table: ClassVar[str]
 
-    def _task(self) -> Any:
+    def _task(self) -> _core.TaskOutcome:
         """The library's own result; after pickling the work is done again, with the same numbers."""
-        if self._core is None:
-            object.__setattr__(self, "_core", self._work(self._given, *self._arguments))
-        return self._core
+        core = self._core
+        if core is None:
+            object.__setattr__(self, "_core", core := self._request.run()[0])
+        return core
 
     @classmethod
-    def _work(cls, given: Keys, *arguments: Any) -> Any:
-        raise NotImplementedError
+    def _found(cls: type[Found], request: Request, given: Keys) -> Found:
+        """What a task finds of keys."""
+        return cls._of(request.told()[0], given, request)
 
     @classmethod
-    def _of(cls: type[Found], core: Any, given: Keys, arguments: tuple[Any, ...]) -> Found:
+    def _of(cls: type[Found], core: _core.TaskOutcome, given: Keys, request: Request) -> Found:
         kinds = {field["name"]: field["type"] for field in FIELDS[cls._table]} | {"samples": "samples"}
         values = {name + "_" * keyword.iskeyword(name): _as_python(kinds.get(name, ""), value, given)
                   for name, value in core.attributes().items() if name != "keys"}
-        return cls(_given=given, _arguments=arguments, _members=core.members(), _summary=core.summary(), _core=core,
-                   **cls._made(core, given, arguments), **values)
-
-    @classmethod
-    def _made(cls, core: Any, given: Keys, arguments: tuple[Any, ...]) -> dict[str, Any]:
-        """What the task made of the keys."""
-        return {"keys": new_keys(core.keys, given)}
+        return cls(keys=new_keys(core.keys, given, clock_of=request.inputs.get("fixed")), _given=given, _request=request,
+                   _members=core.members(), _summary=core.summary(), _core=core, **values)
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: None if name == "_core" else value for name, value in self.__dict__.items() if name != "curve"}
@@ -102,10 +100,6 @@ class CurveResult(Result):
     def curve(self) -> Curve:
         """The curve of `method` through `keys`, for which the result holds."""
         return self.keys.curve(self.method)
-
-    @classmethod
-    def _made(cls, core: Any, given: Keys, arguments: tuple[Any, ...]) -> dict[str, Any]:
-        return {**super()._made(core, given, arguments), "method": core.method}
 
     def _title(self) -> str:
         return f"{self.keys!r}, {self.method!r}"
@@ -179,21 +173,17 @@ class Smoothing(Reported):
     retained_position_runs: Indices | None
     _table: ClassVar[str] = "Smoothing"
 
-    @classmethod
-    def _work(cls, given: Keys, *arguments: Any) -> Any:
-        return _core.smooth(given._core, *arguments)
-
     @property
     def sigma(self) -> NDArray[np.float64] | None:
         """One standard deviation of every orientation along the axes of the body [rad], of the shape (n, 3); with the option."""
-        found: NDArray[np.float64] | None = self._task().sigma
-        return found
+        sigmas = self._task().sigmas()
+        return None if sigmas is None else sigmas[0]
 
     @property
     def sigma_of_rates(self) -> NDArray[np.float64] | None:
         """One standard deviation of every angular velocity along the axes of the body [rad/s], likewise."""
-        found: NDArray[np.float64] | None = self._task().sigma_of_rates
-        return found
+        sigmas = self._task().sigmas()
+        return None if sigmas is None else sigmas[1]
 
     def covers(self, t: Any) -> NDArray[np.bool_]:
         """Whether the curve stands for the recording at times of any shape: neither over a gap nor beside it."""
@@ -235,16 +225,11 @@ class Reduction(Reported):
     smoothing: Smoothing | None = None
     _table: ClassVar[str] = "Reduction"
 
-    @classmethod
-    def _of(cls: type[Found], core: Any, given: Keys, arguments: tuple[Any, ...]) -> Found:
-        found = super()._of(core, given, arguments)
-        if core.smoothing is not None:
-            object.__setattr__(found, "smoothing", Smoothing._of(core.smoothing, given, (arguments[2],)))
-        return found
-
-    @classmethod
-    def _work(cls, given: Keys, *arguments: Any) -> Any:
-        return _core.reduce([given._core], *arguments)[0]
+    def __post_init__(self) -> None:
+        if self.smoothing is not None:
+            stated = {name: value for name, value in self._request.settings.items() if name not in ("smooth", "threads")}
+            request = Request("smooth", self._request.inputs, {}, stated)
+            object.__setattr__(self, "smoothing", Smoothing._of(self.smoothing, self._given, request))  # type: ignore[arg-type]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -298,10 +283,6 @@ class Retiming(Reported):
     def __post_init__(self) -> None:
         named = {name: Certificate(*row) for name, row in self.certificates.items()}  # type: ignore[misc]
         object.__setattr__(self, "certificates", named)
-
-    @classmethod
-    def _work(cls, given: Keys, *arguments: Any) -> Any:
-        return _core.retime(given._core, *arguments)
 
 
 @states("Tuning")
@@ -405,16 +386,7 @@ class Alignment(Result):
         """
         checked_keys(keys)
         self._given._clock.seconds("keys", keys.times[:1])
-        return new_keys(self._task().apply(keys._core), keys, clock_of=self._arguments[0])
-
-    @classmethod
-    def _work(cls, given: Keys, *arguments: Any) -> Any:
-        fixed, stated = arguments
-        return _core.align(given._core, fixed._core, stated)
-
-    @classmethod
-    def _made(cls, core: Any, given: Keys, arguments: tuple[Any, ...]) -> dict[str, Any]:
-        return {"keys": new_keys(core.keys, given, clock_of=arguments[0])}
+        return new_keys(self._task().aligned(keys._core), keys, clock_of=self._request.inputs["fixed"])
 
     def _rows(self) -> list[tuple[str, Any, str]]:
         rotations = [(side, " ".join(f"{value:.6g}" for value in self._members[side].values()),

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ._checks import flag, real
 from ._errors import ArgumentError, tell
 from ._files import Target, target_of, write_bytes
+from ._request import Request
 from ._told import Told
 from ._view import Viewed, now
 
@@ -118,7 +119,7 @@ class Clip(Viewed):
 
     def _page(self) -> bytes:
         """The skeleton as this clip moves it."""
-        return bytes(self._core.page(now(), self._index))
+        return page_of_scene(self._core.with_clip(self._index))
 
     def __repr__(self) -> str:
         return f"Clip({self.name!r}, {self.start:g} … {self.end:g} s)"
@@ -162,7 +163,7 @@ class Scene(Viewed):
 
     def _page(self) -> bytes:
         """The skeleton as the clips move it."""
-        return bytes(self._core.page(now()))
+        return page_of_scene(self._core)
 
     def write(self, path: Target, *, output_euler: str | None = None, rate: float | None = None, bones: bool = True) -> None:
         """Writes the scene in the format of the path's extension: .glb, .gltf or .bvh.
@@ -231,14 +232,14 @@ class _DoneToScene(Told, Viewed):
     """What a task did to a scene: its document, its summary and its page."""
 
     _core: Any
-    _task: ClassVar[tuple[str, str]]  # what it is, and the function that gives it
+    _task: ClassVar[tuple[str, str, str]]  # what it is, the function that gives it, and what its page calls the clips afterwards
 
     def _page(self) -> bytes:
         """Both skeletons, before and after."""
         if self._core is None:
-            what, task = self._task
+            what, task, _ = self._task
             raise ArgumentError(f"found a {what} that was copied or pickled, wanted the one that {task} gave: it alone has the clips of its page")
-        return bytes(self._core.page(now()))
+        return bytes(self._core.page(now(), self._task[2]))
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_core": None}
@@ -282,7 +283,7 @@ class SceneReduction(_DoneToScene):
     _members: dict[str, Any] = dataclasses.field(repr=False, compare=False)
     _summary: str = dataclasses.field(repr=False, compare=False)
     _core: Any = dataclasses.field(repr=False, compare=False)
-    _task: ClassVar[tuple[str, str]] = "reduction", "reduce_scene"
+    _task: ClassVar[tuple[str, str]] = "reduction", "reduce_scene", "reduced"
 
     @classmethod
     def _of(cls, core: Any) -> SceneReduction:
@@ -340,12 +341,18 @@ class SceneSmoothing(_DoneToScene):
     _members: dict[str, Any] = dataclasses.field(repr=False, compare=False)
     _summary: str = dataclasses.field(repr=False, compare=False)
     _core: Any = dataclasses.field(repr=False, compare=False)
-    _task: ClassVar[tuple[str, str]] = "smoothing", "smooth_scene"
+    _task: ClassVar[tuple[str, str]] = "smoothing", "smooth_scene", "smooth"
 
     @classmethod
     def _of(cls, core: Any) -> SceneSmoothing:
-        left, refused = core.left
-        return cls(tuple(SmoothedJoint(*found) for found in core.joints), left, refused, core.members(), core.summary(), core)
+        found = core.attributes()
+        return cls(tuple(SmoothedJoint(*joint) for joint in found["joints"]), found["left"], found["refused"], core.members(), core.summary(), core)
+
+
+def page_of_scene(core: Any) -> bytes:
+    """The skeleton as the clips of a scene of the library move it."""
+    outcome, = Request("inspect", {"keys": core}, {}).run()
+    return outcome.page(now())
 
 
 def _ordered(rows: Array | None, scalar_first: bool) -> Any:

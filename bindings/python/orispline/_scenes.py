@@ -6,10 +6,11 @@ from typing import Any
 
 from . import _core
 from ._checks import flag
-from ._errors import ArgumentError, tell
+from ._errors import ArgumentError, DataError, tell
 from ._files import Source, source_of
 from ._methods import method_words
-from ._options import checked_threads, plain, takes, with_cutoff
+from ._options import checked_cutoff, checked_threads, plain, takes
+from ._request import Request
 from ._scene import Scene, SceneReduction, SceneSmoothing, positive
 
 TOLERANCES = ("tolerance", "position_tolerance", "world_tolerance")
@@ -103,15 +104,16 @@ def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspl
     >>> small, report = ori.reduce_scene(scene, world_tolerance=0.002)  # doctest: +SKIP
     >>> small.write("small.glb")  # doctest: +SKIP
     """
-    core = _checked(scene)._core
+    _checked(scene)
     stated = plain({"tolerance": tolerance, **options})
     if all(stated.get(name) is None for name in TOLERANCES):
         raise ArgumentError(f"tolerance: found none, wanted one of {', '.join(TOLERANCES)}")
     words = method_words(method)
     scale = None if position_scale is None else positive("position_scale", position_scale)
-    reduced, found = core.reduced(words, stated, flag("closed", closed), scale, checked_threads(threads))
-    tell(found.warnings)
-    return Scene._of(reduced, scene._scalar_first), SceneReduction._of(found)
+    settings = {"closed": flag("closed", closed), "position_scale": scale, "threads": checked_threads(threads)}
+    methods = [] if words == "cubicspline" else [words]  # which is the library's own, of skeletons alone
+    found, = Request("reduce", {"recording": scene}, stated, settings, methods=methods).told()
+    return Scene._of(found.scene(scene._core), scene._scalar_first), SceneReduction._of(found)
 
 
 @takes("SmoothOptions", without=("gyro", "gyro_noise", "gyro_offset", "gyro_bias", "sigma"))
@@ -156,10 +158,9 @@ def smooth_scene(scene: Scene, *, cutoff: float | str | None = None, threads: in
     'LeftHand'
     >>> smooth.write("smooth.bvh")  # doctest: +SKIP
     """
-    core = _checked(scene)._core
-    smoothed, found = core.smoothed(plain(with_cutoff(cutoff, options)), checked_threads(threads))
-    tell(found.warnings)
-    return Scene._of(smoothed, scene._scalar_first), SceneSmoothing._of(found)
+    settings = {**checked_cutoff(cutoff, options), "threads": checked_threads(threads)}
+    found, = Request("smooth", {"recording": _checked(scene)}, plain(options), settings).told()
+    return Scene._of(found.scene(scene._core), scene._scalar_first), SceneSmoothing._of(found)
 
 
 def shell_distance(a: Scene, b: Scene, shell: float = 0.03) -> dict[str, dict[str, float]]:
@@ -192,11 +193,22 @@ def shell_distance(a: Scene, b: Scene, shell: float = 0.03) -> dict[str, dict[st
         Clips or joints of one name that only their order tells apart.
     """
     first, second = _checked(a, "a"), _checked(b, "b")
-    length = positive("shell", shell)
-    found: dict[str, dict[str, float]]
-    found, warnings = first._core.shell_distances(second._core, length)
-    tell(warnings)
-    return found
+    request = Request("difference", {"first": first, "second": second}, {"shell": positive("shell", shell)})
+    distances: dict[str, dict[str, float]] = {}
+    if not first.clips:
+        return distances
+    outcome, = request.run()
+    found = outcome.attributes()
+    for name in found["only_in_first"]:
+        error = DataError(f"b: found no clip '{name}', wanted every clip of a")
+        error.argument = "b"
+        raise error
+    tell(outcome.warnings)
+    for clip, joints in found["clips"]:
+        of_clip = distances.setdefault(clip, {})
+        for joint, distance in joints:
+            of_clip[joint] = max(of_clip.get(joint, 0.0), distance)
+    return distances
 
 
 def _checked(scene: Any, name: str = "scene") -> Scene:

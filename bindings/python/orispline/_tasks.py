@@ -2,6 +2,7 @@
 """Tasks: recordings and keys in, better keys out."""
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterable, Sequence
 from typing import Any, overload
 
@@ -10,12 +11,13 @@ import numpy as np
 from . import _core
 from ._checks import flag, wrong_type
 from ._clock import SecondsSince
-from ._errors import ArgumentError, DataError, tell
+from ._errors import ArgumentError, DataError
 from ._keys import Keys
 from ._methods import method_words
-from ._options import checked_keys, checked_threads, plain, reference_of, takes, with_cutoff
+from ._options import checked_cutoff, checked_keys, checked_threads, plain, reference_of, takes
 from ._rate_alignment import RateAlignment, aligned_by_rates
 from ._rates import Rates
+from ._request import Request
 from ._results import Alignment, Reduction, Retiming, Smoothing, Tuning
 
 SMOOTHNESS = ("noise", "smoothing_time", "position_noise")  # options of smoothing that reducing takes too
@@ -68,16 +70,15 @@ def smooth(keys: Keys, *, gyro: bool | Rates = False, cutoff: float | str | None
     >>> smoothing.curve.angular_velocity(1.0).shape
     (3,)
     """
-    checked_keys(keys)
-    rates = _finite_rates(keys, gyro) if isinstance(gyro, Rates) else ()
-    stated = plain(with_cutoff(cutoff, {**options, "gyro": bool(rates) or gyro}))
-    core = _core.smooth(keys._core, stated, *rates)
-    tell(core.warnings)
-    return Smoothing._of(core, keys, (stated, *rates))
+    inputs: dict[str, Any] = {"recording": checked_keys(keys)}
+    if isinstance(gyro, Rates):
+        inputs["gyro"], gyro = _finite_rates(keys, gyro), True
+    settings = checked_cutoff(cutoff, options)
+    return Smoothing._found(Request("smooth", inputs, plain({**options, "gyro": gyro}), settings), keys)
 
 
-def _finite_rates(keys: Keys, gyro: Rates) -> tuple[Any, Any]:
-    """Times [s] since those of the keys, and rates, of the rows that are whole."""
+def _finite_rates(keys: Keys, gyro: Rates) -> tuple[Any, ...]:
+    """Times [s] since those of the keys, and rates, of the rows that are whole; and what these times count from."""
     if isinstance(gyro.times, SecondsSince):
         seconds = np.asarray(gyro.times) + float(gyro.epoch - keys.epoch)
     else:
@@ -86,30 +87,21 @@ def _finite_rates(keys: Keys, gyro: Rates) -> tuple[Any, Any]:
     seconds, rates = np.ascontiguousarray(seconds[whole], dtype=np.float64), np.ascontiguousarray(gyro.rates[whole], dtype=np.float64)
     if len(unordered := np.flatnonzero(np.diff(seconds) <= 0)):
         raise DataError(f"gyro: time {unordered[0] + 1} does not come after the one before it, wanted strictly increasing times")
-    return seconds, rates
-
-
-def _smoothing_wanted(smooth: bool, cutoff: Any, options: dict[str, Any]) -> dict[str, Any] | None:
-    """The options of smoothing, taken out of all; None where nothing is to be smoothed."""
-    stated = with_cutoff(cutoff, {name: value for name in SMOOTHNESS if (value := options.pop(name, None)) is not None})
-    return plain(stated) if flag("smooth", smooth) or stated else None
+    return seconds, rates, _core.epoch_of_keys(keys._core), False
 
 
 def _reduced(tracks: Sequence[Keys], tolerance: Any, method: Any, smooth: bool, cutoff: Any, threads: int,
              options: dict[str, Any]) -> list[Reduction]:
-    smoothing = _smoothing_wanted(smooth, cutoff, options)
-    methods = None
-    if method is not None:
-        several = method if isinstance(method, (list, tuple)) else [method]
-        methods = [method_words(one) for one in several]
-    if methods == []:
+    smoothing = {name: options.pop(name, None) for name in SMOOTHNESS}
+    settings = {"smooth": flag("smooth", smooth), **plain(smoothing), **checked_cutoff(cutoff, smoothing)}
+    several = method if isinstance(method, (list, tuple)) else [] if method is None else [method]
+    methods = [method_words(one) for one in several]
+    if method is not None and not methods:
         raise ArgumentError("method: found none, wanted one at least")
     stated = plain({"tolerance": tolerance, **options})
-    arguments = (methods, stated, smoothing, checked_threads(threads))
-    cores = _core.reduce([keys._core for keys in tracks], *arguments)
-    for core in cores:
-        tell(core.warnings)
-    return [Reduction._of(core, keys, arguments) for core, keys in zip(cores, tracks)]
+    request = Request("reduce", {"recording": list(tracks)}, stated, {**settings, "threads": checked_threads(threads)}, methods=methods)
+    return [Reduction._of(core, keys, dataclasses.replace(request, inputs={"recording": keys}))
+            for core, keys in zip(request.told(), tracks)]
 
 
 @takes("ReduceOptions", also={"SmoothOptions": SMOOTHNESS})
@@ -248,10 +240,8 @@ def retime(keys: Keys, *, method: Any = None, per_interval: bool = False, fastes
         if options.get("slowing", word) != word:
             raise ArgumentError(f"slowing: found {options['slowing']!r} with {name}=True, wanted one of them")
         options["slowing"] = word
-    arguments = (None if method is None else method_words(method), plain(options))
-    core = _core.retime(keys._core, *arguments)
-    tell(core.warnings)
-    return Retiming._of(core, keys, arguments)
+    words = None if method is None else method_words(method)
+    return Retiming._found(Request("retime", {"keys": keys}, plain(options), method=words), keys)
 
 
 @takes("TuneOptions")
@@ -295,11 +285,9 @@ def tune(keys: Keys, method: Any, *, reference: Keys | None = None, **options: A
     >>> tuning.energy_after < tuning.energy_before, list(tuning.parameters)
     (True, ['tension'])
     """
-    checked_keys(keys)
-    arguments = (method_words(method), reference_of(keys, reference), plain(options))
-    core = _core.tune(keys._core, *arguments)
-    tell(core.warnings)
-    return Tuning._of(core, keys, ())
+    words = method_words(method)
+    inputs = {"keys": checked_keys(keys), **reference_of(keys, reference)}
+    return Tuning._found(Request("tune", inputs, plain(options), method=words), keys)
 
 
 @overload
@@ -362,7 +350,5 @@ def align(a: Keys | Rates, b: Keys | Rates, **options: Any) -> Alignment | RateA
     """
     if isinstance(a, Rates) or isinstance(b, Rates):
         return aligned_by_rates(a, b, plain(options))
-    arguments = (checked_keys(b, "b"), plain(options))
-    core = _core.align(checked_keys(a, "a")._core, b._core, arguments[1])
-    tell(core.warnings)
-    return Alignment._of(core, a, arguments)
+    fixed = checked_keys(b, "b")
+    return Alignment._found(Request("align", {"moved": checked_keys(a, "a"), "fixed": fixed}, plain(options)), a)

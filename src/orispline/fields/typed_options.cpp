@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/fields/typed_options.hpp>
 
+#include <variant>
+
 #include <orispline/base/formatted.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -24,7 +26,7 @@ Expected<void> take_stated(std::span<const FieldInfo> fields, const StatedValue&
       const auto typed = typed_value(field, *text);
       if (!typed) return tl::unexpected(typed.error());
       field.set(options, *typed);
-    } else if (!is_absent(*value) && !set(field, options, *value)) {
+    } else if (!std::holds_alternative<std::monostate>(*value) && !set(field, options, *value)) {
       return bad_option(field.name, formatted("found {}, wanted {}", text_of(*value), wanted_of(field)));
     }
   }

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include <orispline/jobs/difference.hpp>
+#include <orispline/scenes.hpp>
+
+namespace orispline::python {
+
+/// A scene as Python holds it: shared, for it never changes.
+struct SharedScene {
+  std::shared_ptr<const scenes::Scene> scene;
+
+  explicit SharedScene(scenes::Scene made) : scene(std::make_shared<const scenes::Scene>(std::move(made))) {}
+};
+
+/// The clips of a scene, as tasks take them.
+[[nodiscard]] jobs::MotionFile motion_of(const SharedScene& shared);
+
+}  // namespace orispline::python
