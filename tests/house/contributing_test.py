@@ -26,7 +26,7 @@ MODELS = {
     "Add a format of skeletons": Model({"my_format": "bvh"}, r"(?i)bvh", r"scenes/bvh/bvh\b"),
     "Add an option": Model({}, r"\bpenalty\b", r"\bpenalty\b", ("cli", "bindings"), ("tools/make_field_tables.py",)),
     "Add a result": Model({}, r"\bsamples_in_short_stretches\b", r"\bsamples_in_short_stretches\b", ("cli", "bindings"), ("tools/make_field_tables.py",)),
-    "Add a task": Model({}, r"(?i)mean", r"\bmean_info\b|\brun_mean\b|\badd_mean\b|jobs/mean\.cpp|tasks_mean", without=("tools/make_python_stub.py",)),
+    "Add a task": Model({}, r"(?i)mean", r"\bmean_info\b|\brun_mean\b|\badd_mean\b|jobs/mean\.cpp|tasks_mean", without=("bindings/python/stub.py",)),
     "Add a measure": Model({}, r"\bmedian_deg\b", r"\bmedian_deg\b", without=("src/orispline/analysis/comparison.cpp",)),
     "Add an experiment of a paper": Model({"my_experiment": "sudden_turn"}, r"sudden_turn|003-figure7", r"\bsudden_turn\b", ("cli", "papers"), ("tools/make_papers.py",)),
 }
