@@ -66,6 +66,7 @@ constexpr auto completion_footer = R"(Examples:
 constexpr auto help_footer = R"(Examples:
   orispline help
   orispline help sample
+  orispline help sample --all
   orispline help --manual-pages man/man1)";
 
 Program program() {

@@ -42,6 +42,7 @@ void add_inspect_options(Command& app, TaskArguments& o) {
          "--report", o.report.path,
          "Write a page to look at in a browser: the motion of the clips in space, or that of curves through keys")
       ->type_name(file_type);
+  app.usual = {"--euler", "--drop-duplicates", "--drop-invalid", "--closed"};
   app.footer = inspect_footer;
 }
 
@@ -140,6 +141,7 @@ void add_compare_options(Command& app, TaskArguments& o) {
   app.add_flag("--csv", o.csv, "Print one CSV table")->group(output);
   add_report_option(app, o.report);
   app.add_flag("--quiet", o.summary.quiet, "No progress bar")->group(output);
+  app.usual = {"--keep-every", "--reference", "--align", "--methods", "--tune", "--sort", "--csv"};
   app.footer = compare_footer;
 }
 
@@ -170,6 +172,7 @@ void add_align_options(Command& app, TaskArguments& o) {
       app, o.output, o.summary,
       "File to write INPUT into as it is beside REFERENCE; it appears complete or not at all [what was found is "
       "printed]");
+  app.usual = {"--no-world-turn", "--no-body-turn", "--offset", "--no-scale", "--no-translation"};
   app.footer = align_footer;
 }
 
@@ -205,6 +208,7 @@ void add_smooth_options(Command& app, TaskArguments& o) {
   add_row_options(app, o.rows);
   add_report_option(app, o.report);
   add_summary_options(app, o.summary);
+  app.usual = {"--noise", "--smoothing-time", "--cutoff", "--gap", "--gyro", "--gyro-file", "--sigma", "--rate"};
   app.footer = smooth_footer;
 }
 
@@ -232,6 +236,7 @@ void add_mean_options(Command& app, TaskArguments& o) {
       "File to write the mean into, one row, or one for each window; it appears complete or not at all [the mean is "
       "printed]");
   add_input_threads(app, o.inputs);
+  app.usual = {"--kind", "--every"};
   app.footer = mean_footer;
 }
 
@@ -259,6 +264,7 @@ void add_tune_options(Command& app, TaskArguments& o) {
     add_field(app, field.type == FieldType::recording ? o.files : o.fields, field, "Tuning");
   add_output_file(app, o.output.path);
   add_summary_options(app, o.summary);
+  app.usual = {"--objective", "--reference", "--bounds", "--inertia"};
   app.footer = tune_footer;
 }
 
@@ -316,6 +322,7 @@ void add_reduce_options(Command& app, TaskArguments& o) {
       ->type_name("N")
       ->group("Output");
   add_summary_options(app, o.summary);
+  app.usual = {"--tolerance", "--position-tolerance", "--world-tolerance", "--refit", "--smooth", "--closed"};
   app.footer = reduce_footer;
 }
 
@@ -352,6 +359,8 @@ void add_retime_options(Command& app, TaskArguments& o) {
   add_output_options(app, o.output);
   add_report_option(app, o.report);
   add_summary_options(app, o.summary);
+  app.usual = {"--max-rate", "--max-acceleration", "--max-jerk",     "--max-speed",
+               "--duration", "--per-interval",     "--constant-rate"};
   app.footer = retime_footer;
 }
 
@@ -376,6 +385,7 @@ void add_bake_options(Command& app, TaskArguments& o) {
       ->type_name(file_type)
       ->group("Output");
   add_summary_options(app, o.summary);
+  app.usual = {"--tolerance", "--closed"};
   app.footer = bake_footer;
 }
 

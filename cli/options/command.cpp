@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "options/command.hpp"
 
+#include <array>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
@@ -31,12 +32,34 @@ struct Definition {
   }
 };
 
-void define(CLI::App& app, const Command& command, const Command*& chosen) {
-  app.footer(command.footer);
+/// Which options the help shows.
+enum class Shown { usual, all };
+
+/// Whether most people use it: by its name, or in every command.
+bool is_usual(const Command& command, const Option& option) {
+  constexpr std::array everywhere{"INPUT",    "-o,--output", "--output-folder", "--columns",
+                                  "--method", "--tension",   "--json",          "--report"};
+  return command.usual.empty() || option.is_required ||
+         std::ranges::find(everywhere, option.names) != everywhere.end() ||
+         std::ranges::find(command.usual, option.names) != command.usual.end();
+}
+
+/// Behind the options: how to see the others, and what the command says.
+std::string footer_of(const Command& command, Shown shown) {
+  const auto hidden =
+      std::ranges::count_if(command.options, [&](const Option& option) { return !is_usual(command, option); });
+  if (shown == Shown::all || hidden == 0) return command.footer;
+  return formatted("'orispline help {} {}' shows {} more options.\n\n{}", command.name, all_options, hidden,
+                   command.footer);
+}
+
+void define(CLI::App& app, const Command& command, Shown shown, const Command*& chosen) {
+  app.footer(footer_of(command, shown));
   app.final_callback([&chosen, &command] { chosen = &command; });
   for (const Option& option : command.options) {
     CLI::Option& defined = *std::visit(Definition{app, option}, option.typed);
-    if (!option.section.empty()) defined.group(option.section);
+    if (shown == Shown::usual && !is_usual(command, option)) defined.group("");  // which is not shown
+    else if (!option.section.empty()) defined.group(option.section);
     if (!option.is_flag()) defined.type_name(option.argument);
     if (option.is_required) defined.required();
     if (option.is_repeated) defined.allow_extra_args(false);
@@ -112,9 +135,12 @@ Expected<Wanted> parsed(const std::deque<Command>& commands, const Program& prog
   app.footer(program.footer);
   app.require_subcommand(1);
   app.set_version_flag("--version", program.version);
+  const bool asks_for_help = std::ranges::any_of(words, [](std::string_view word) { return word == "--help" || word == "-h"; });
+  const bool asks_for_all = asks_for_help && std::erase(words, all_options) > 0;
   const Command* chosen = nullptr;
   for (const Command& command : commands)
-    define(*app.add_subcommand(command.name, command.description), command, chosen);
+    define(*app.add_subcommand(command.name, command.description), command,
+           asks_for_help && !asks_for_all ? Shown::usual : Shown::all, chosen);
   try {
     std::ranges::reverse(words);  // as CLI11 takes them
     app.parse(std::move(words));

@@ -23,6 +23,8 @@ inline constexpr auto method_type = "METHOD", methods_type = "METHOD,...", ends_
 
 /// The command that prints the help of another one: `help sample` is `sample --help`.
 inline constexpr std::string_view help_command = "help";
+/// Behind such a word: the help shows all options, also those that few people use.
+inline constexpr std::string_view all_options = "--all";
 
 /// Where the text goes that the user types behind an option; of a flag, that it was given.
 using Typed = std::variant<bool*, std::string*, std::optional<std::string>*, std::vector<std::string>*>;
@@ -49,7 +51,8 @@ struct Option {
 struct Command {
   std::string name, description, footer{};
   std::function<Expected<void>()> run{};
-  std::deque<Option> options{};  // which stay where they are
+  std::deque<Option> options{};           // which stay where they are
+  std::vector<std::string_view> usual{};  ///< names of those that most people use; none: all of them are shown
 
   /// One that was added.
   Option& option(std::string_view names) { return *std::ranges::find(options, names, &Option::names); }

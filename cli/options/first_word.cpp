@@ -59,7 +59,8 @@ Expected<void> check_no_option_is_a_value(const std::deque<Command>& commands, c
 Expected<std::vector<std::string>> understood_words(const std::deque<Command>& commands,
                                                     std::vector<std::string> words) {
   const bool asks_for_help = words.front() == help_command && (words.size() == 1 || !words[1].starts_with('-'));
-  if (asks_for_help && words.size() > 2)
+  const bool is_about_all = words.size() == 3 && words.back() == all_options;
+  if (asks_for_help && words.size() > 2 && !is_about_all)
     return usage_failure(formatted("help: found {} words, wanted one command", words.size() - 1));
   if (asks_for_help) {
     words.erase(words.begin());

@@ -44,7 +44,7 @@ class Manual(CommandTest):
 
     def test_every_option_and_argument_of_the_help_is_explained_likewise(self):
         for command in self.commands:
-            said, page = self.output_of(["help", command]), self.page(command)
+            said, page = self.output_of(["help", command, "--all"]), self.page(command)
             for term, sentence in self.options_of(said):
                 names, _, argument = term.removesuffix(" REQUIRED").partition(" ")
                 wanted = " ".join(filter(None, (names.replace(",", ", "), argument)))
@@ -53,6 +53,18 @@ class Manual(CommandTest):
             self.assertIn(".TP\n-h, --help\n", page)
             for argument in re.findall(r"^  ([A-Z]+) \S", said.partition("\nOptions:")[0], re.M):
                 self.assertRegex(page, rf"\.SH \"ARGUMENTS\"\n(.*\n)*\.TP\n{argument}\b")
+
+    def test_the_help_shows_what_most_people_use_and_how_to_see_the_rest(self):
+        for command in self.commands:
+            short, whole = (self.output_of(["help", command, *all_]) for all_ in ([], ["--all"]))
+            shown, all_ = self.options_of(short), self.options_of(whole)
+            self.assertLessEqual(set(shown), set(all_), command)
+            self.assertLessEqual(len(shown), 19, command)
+            hidden = re.findall(rf"^'orispline help {command} --all' shows (\d+) more options\.$", short, re.M)
+            self.assertEqual(hidden, [str(len(all_) - len(shown))] if len(all_) > len(shown) else [], command)
+            self.assertNotIn("--all'", whole)
+        self.assertEqual(self.output_of("sample -h --all"), self.output_of("help sample --all"))
+        self.assert_fails("sample keys.csv --all", BAD_USAGE, "sample: unknown option '--all'; did you mean '--all-or-none'?")
 
     def test_examples_remarks_and_exit_codes_are_there(self):
         for command in self.commands:

@@ -19,7 +19,7 @@ class Tasks(CommandTest):
 
     def test_every_option_is_one_of_the_command(self):
         for name, task in self.tasks.items():
-            text = self.output_of(f"{name} --help")
+            text = self.output_of(f"help {name} --all")
             for option in task["options"]:
                 flag = OTHERWISE.get(option["name"], "--" + option["name"].replace("_", "-"))
                 self.assertRegex(text, rf"(?m)^ +{flag}\b", name)

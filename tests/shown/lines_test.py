@@ -132,7 +132,7 @@ class Lines(CommandTest):
 
     def test_options_within_sentences_are_there(self):
         commands = re.findall(r"^  ([a-z]+)  ", self.output_of("help"), re.M)
-        helps = {command: options_in(self.output_of(f"help {command}")) for command in commands} | {"": options_in(self.output_of("help"))}
+        helps = {command: options_in(self.output_of(f"help {command} --all")) for command in commands} | {"": options_in(self.output_of("help"))}
         anywhere = set().union(*helps.values()) | OF_OTHERS
         for page in (page for page in PAGES if page.name != "CHANGELOG.md"):
             for code in re.findall(r"`([^`]+)`", FENCE.sub("", page.read_text("utf-8"))):

@@ -29,6 +29,8 @@ void add_convert_options(Command& app, ConvertArguments& o) {
   app.add_flag("--no-bones", o.no_bones, "Leave out the bones that show a skeleton without a mesh, in a glTF file")
       ->group("Output");
   add_summary_options(app, o.summary);
+  app.usual = {"--euler",     "--angle-unit",    "--conjugate",         "--world-axes",
+               "--body-axes", "--output-format", "--output-orientation"};
   app.footer = convert_footer;
 }
 

@@ -39,6 +39,7 @@ void add_plot_options(Command& app, PlotArguments& o) {
   app.add_option("--ghosts", o.ghosts, "Draw the body at N even times too, a row per method [none]")
       ->type_name("N")
       ->group(group);
+  app.usual = {"--axis", "--ghosts"};
   app.footer = plot_footer;
 }
 

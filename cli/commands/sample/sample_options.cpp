@@ -84,6 +84,7 @@ void add_sample_options(Command& app, SampleArguments& o) {
       ->group(group);
   app.add_flag("--json", o.summary.json, "Print the summary as JSON on standard output; needs -o")->group(group);
   app.add_flag("--quiet", o.summary.quiet, "No summary, no progress bar")->group(group);
+  app.usual = {"--rate", "--count", "--times", "--from", "--to", "--include-end", "--derivatives"};
   app.footer = sample_footer;
 }
 

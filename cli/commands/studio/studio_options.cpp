@@ -38,6 +38,7 @@ void add_studio_options(Command& app, StudioArguments& o) {
       ->type_name(file_type)
       ->group(output);
   app.add_flag("--no-open", o.no_open, "Do not open the page in the browser")->group(output);
+  app.usual = {"--beside", "--no-open"};
   app.footer = studio_footer;
 }
 
