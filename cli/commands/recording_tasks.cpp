@@ -74,7 +74,7 @@ Expected<TaskJob> smooth_job(const TaskArguments& arguments) {
 
 Expected<void> read_smoothed(const TaskArguments& arguments, TaskJob& job) {
   auto file = io::read_track(job.input.path, job.input.read, job.input.signs);
-  if (!file) return tl::unexpected(or_all_of_them(file.error(), all_in_scene));
+  if (!file) return tl::unexpected(with_output_for_all(file.error(), all_in_scene));
   warn(file->warnings);
   job.columns = columns_like(*file->format, job.columns, arguments.output);
   if (job.rows) job.rows->columns = columns_for(arguments.rows, arguments.output, {}, *file->format);
@@ -186,7 +186,7 @@ Expected<TaskJob> reduce_job(const TaskArguments& arguments) {
 
 Expected<void> read_reduced(const TaskArguments& arguments, TaskJob& job) {
   auto file = io::read_track(job.input.path, job.input.read, job.input.signs);
-  if (!file) return tl::unexpected(or_all_of_them(std::move(file.error()), all_in_scene));
+  if (!file) return tl::unexpected(with_output_for_all(std::move(file.error()), all_in_scene));
   warn(file->warnings);
   job.columns = columns_like(*file->format, job.columns, arguments.output);
   job.request.reading.mended = text_of(file->repairs);

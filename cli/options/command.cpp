@@ -135,7 +135,8 @@ Expected<Wanted> parsed(const std::deque<Command>& commands, const Program& prog
   app.footer(program.footer);
   app.require_subcommand(1);
   app.set_version_flag("--version", program.version);
-  const bool asks_for_help = std::ranges::any_of(words, [](std::string_view word) { return word == "--help" || word == "-h"; });
+  const bool asks_for_help =
+      std::ranges::any_of(words, [](std::string_view word) { return word == "--help" || word == "-h"; });
   const bool asks_for_all = asks_for_help && std::erase(words, all_options) > 0;
   const Command* chosen = nullptr;
   for (const Command& command : commands)

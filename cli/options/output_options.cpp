@@ -57,7 +57,7 @@ const scenes::SceneFormat* scene_format_in(const std::string& word) {
   return named ? named : scenes::scene_format_of("x." + word);
 }
 
-Expected<void> check_format_is_of_rows(const OutputOptions& options) {
+Expected<void> check_no_skeleton_format(const OutputOptions& options) {
   const auto typed = options.writing.find(format_option);
   if (typed == options.writing.end() || !typed->second) return {};
   const std::string& word = *typed->second;
@@ -108,7 +108,7 @@ Expected<void> check_times_are_kept(const io::FormatInfo& format, std::string_vi
 Expected<std::optional<const io::FormatInfo*>> output_format(const OutputOptions& options) {
   const auto typed = options.writing.find(format_option);
   if (typed == options.writing.end()) return std::nullopt;
-  if (auto fits = check_format_is_of_rows(options); !fits) return tl::unexpected(std::move(fits.error()));
+  if (auto fits = check_no_skeleton_format(options); !fits) return tl::unexpected(std::move(fits.error()));
   return if_given("--output-format", typed->second, [](OptionText o) { return format_in(o, io::formats_written()); });
 }
 
@@ -117,7 +117,7 @@ io::SampleColumns columns_like(const io::FormatInfo& input, io::SampleColumns co
 }
 
 Expected<io::SampleColumns> output_columns(const OutputOptions& options) {
-  return check_format_is_of_rows(options).and_then([&] {
+  return check_no_skeleton_format(options).and_then([&] {
     return io::columns_of_output(options.path, stated_in(options)).map_error([&](Error error) {
       return said_of_output(options, std::move(error));
     });

@@ -32,7 +32,7 @@ struct OutputOptions {
 [[nodiscard]] const scenes::SceneFormat* scene_format_in(const std::string& word);
 
 /// Error (bad_argument): --output-format names a format of skeletons, which go by their names.
-[[nodiscard]] Expected<void> check_format_is_of_rows(const OutputOptions& options);
+[[nodiscard]] Expected<void> check_no_skeleton_format(const OutputOptions& options);
 
 /// The format of the output and the form of its orientations; the rest of the columns is left to the command.
 [[nodiscard]] Expected<io::SampleColumns> output_columns(const OutputOptions& options);

@@ -174,8 +174,7 @@ std::string_view first_given(const RowOptions& o) {
 void add_time_options(Command& app, RowOptions& o, const std::string& group, const std::string& rate) {
   o.command = app.name;
   app.add_option("--rate", o.rate, rate)->type_name("HZ")->group(group);
-  app.add_flag("--include-end", o.include_end, "Also write a sample at the end time")
-      ->group(group);
+  app.add_flag("--include-end", o.include_end, "Also write a sample at the end time")->group(group);
   app.add_option("--count", o.count, "Number of samples, both ends included")->type_name("N")->group(group);
   app.add_option("--times", o.list, "File with one time a line, in any order")->type_name(file_type)->group(group);
   app.add_option(

@@ -59,7 +59,7 @@ Expected<scenes::Scene> open_scene(const InputRequest& input) {
   });
 }
 
-Error or_all_of_them(Error error, std::string_view output) {
+Error with_output_for_all(Error error, std::string_view output) {
   if (error.remedy == "clip" || error.remedy == "joint") error.message += formatted("; {} takes all of them", output);
   return error;
 }

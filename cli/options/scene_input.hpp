@@ -30,7 +30,7 @@ namespace orispline::cli {
 
 /// An error that asks for one clip or one joint, with the output that takes all of them, such as `-o all.glb`; any
 /// other as it is.
-[[nodiscard]] Error or_all_of_them(Error error, std::string_view output);
+[[nodiscard]] Error with_output_for_all(Error error, std::string_view output);
 
 /// How a scene is to be written, by the options of the output. Error: bad_argument.
 [[nodiscard]] Expected<scenes::SceneWriting> scene_writing(const OutputOptions& options);

@@ -20,7 +20,7 @@ struct Noted {
 /// What io::OutputFile::open() gives, noted before an interruption can come between.
 [[nodiscard]] Expected<Noted<io::OutputFile>> open_output(const std::string& path);
 
-/// What io::SampleWriter::open() gives, noted likewise.
+/// What io::SampleWriter::open() gives, noted in the same way.
 [[nodiscard]] Expected<Noted<io::SampleWriter>> open_samples(const std::string& path, const io::SampleColumns& columns,
                                                              std::size_t rows);
 

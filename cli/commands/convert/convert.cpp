@@ -92,7 +92,7 @@ Expected<void> convert(const ConvertArguments& options) {
   if (auto fits = check_summary(options.summary, options.output.path, "keys"); !fits) return fits;
   if (auto apart = check_output_apart("-o", options.output.path, {{"INPUT", options.input.path}}); !apart) return apart;
   auto source = open_source(std::move(*request), columns.form);
-  if (!source) return tl::unexpected(or_all_of_them(source.error(), "an output such as all.glb"));
+  if (!source) return tl::unexpected(with_output_for_all(source.error(), "an output such as all.glb"));
   warn(source->warnings);
   columns = columns_like(*source->format, columns, options.output);
   columns.positions = !source->track.keys.positions().empty();

@@ -237,7 +237,7 @@ Expected<void> sample_keys(const SampleArguments& options) {
         return (*in_pieces ? sample_in_pieces(*request, std::move(keys)) : sample_whole(*request, std::move(keys)))
             .and_then([&](const SampleReport& report) { return summarise(options.summary, report); });
       })
-      .map_error([](Error error) { return or_all_of_them(std::move(error), "--output-folder without --method"); });
+      .map_error([](Error error) { return with_output_for_all(std::move(error), "--output-folder without --method"); });
 }
 
 Expected<void> sample_one(const SampleArguments& options) {

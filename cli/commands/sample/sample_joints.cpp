@@ -171,7 +171,7 @@ Expected<void> sample_joint(const SampleArguments& options) {
         warn(motion.on_curve.warnings);
         return write_joint(*request, motion);
       })
-      .map_error([](Error error) { return or_all_of_them(std::move(error), "--output-folder FOLDER"); })
+      .map_error([](Error error) { return with_output_for_all(std::move(error), "--output-folder FOLDER"); })
       .and_then([&](const SampleReport& report) { return summarise(options.summary, report); });
 }
 

@@ -36,7 +36,7 @@ Expected<double> measured_in(OptionText option, std::span<const Unit> units) {
 
 /// What a file of skeletons has no room for.
 Expected<void> check_into_scene(const SampleArguments& options) {
-  if (!is_scene(options.output.path)) return check_format_is_of_rows(options.output);
+  if (!is_scene(options.output.path)) return check_no_skeleton_format(options.output);
   const bool cubics = !options.rows.names_times();
   if (cubics && (options.rows.from || options.rows.to || options.rows.include_end))
     return usage_failure("--from and --to: found cubics of the whole curve, wanted --rate or --count as well");
