@@ -222,7 +222,8 @@ const std::array reading_list{
         .member = "world_rotation"},
     ReadingOption{
         .name = "body_rotation",
-        .sentence = "Rotation that takes coordinates in the body into those wanted, after its axes, likewise",
+        .sentence =
+            "Rotation that takes coordinates in the body into those wanted, after its axes, stated in the same way",
         .argument = rotation_argument,
         .take = [](Reading& r,
                    std::string_view text) { return take_rotation<&FrameChange::body>("body_rotation", r, text); },

@@ -149,8 +149,10 @@ constexpr std::array of_orientations{
                                                .sentence = "The least σ by which samples are weighed, stated or found",
                                                .quantity = &quantities::angle,
                                                .absent = "all samples count the same"}),
-    field<&Smoothing::largest_noise_of_samples>(
-        {.name = "largest_noise", .sentence = "The largest one", .quantity = &quantities::angle, .absent = "likewise"}),
+    field<&Smoothing::largest_noise_of_samples>({.name = "largest_noise",
+                                                 .sentence = "The largest one",
+                                                 .quantity = &quantities::angle,
+                                                 .absent = "all samples count the same"}),
     field<&Smoothing::degrees_of_freedom>(
         {.name = "degrees_of_freedom",
          .sentence = "Effective number of the curve's parameters, out of three for each key",
@@ -200,7 +202,7 @@ constexpr std::array of_orientations{
     field<&risk<&GyroFinding::Risk::without>>({.name = "error_without_gyro",
                                                .sentence = "Likewise without it",
                                                .quantity = &quantities::angle,
-                                               .absent = "likewise"}),
+                                               .absent = "without a gyro, or where it counts turns"}),
     field<&rms_distance>({.name = "rms_distance",
                           .sentence = "Root mean square of the angles to the samples",
                           .quantity = &quantities::angle}),
@@ -236,7 +238,7 @@ constexpr std::array of_their_positions{
     field<&position_cutoff>({.name = "position_cutoff",
                              .sentence = "Cut-off frequency 1/(2πτ) of the positions",
                              .quantity = &quantities::frequency,
-                             .absent = "likewise"}),
+                             .absent = "no positions, or none with noise: they are as they were"}),
     field<&optional_of_positions<&PositionSmoothing::criterion>>(
         {.name = "position_criterion",
          .sentence = "How τ of the positions was chosen",
@@ -275,7 +277,7 @@ constexpr std::array of_their_positions{
         {.name = "rejected_positions", .sentence = "Samples whose positions were rejected", .absent = "no positions"}),
     field<&of_positions<&PositionSmoothing::retained_outlier_runs>>(
         {.name = "retained_position_runs",
-         .sentence = "Samples whose positions are as far away and were kept likewise",
+         .sentence = "Samples whose positions are as far away and were kept all the same",
          .absent = "no positions"}),
 };
 
