@@ -28,7 +28,7 @@ C_PARTS = {  # and those beside, of which a package for the web takes as many as
     "bake": {"batch/"}, "json_text": {"fields/"}, "lists": {"families/", "fields/"},
     "analysis": {"analysis.hpp", "families/", "fields/"}, "tasks": {"fields/", "jobs/"},
     "files": {"families/", "fields/", "files.hpp", "scenes/"}, "written": {"fields/"},
-    "values": {"fields/", "files.hpp", "jobs/", "math/euler.hpp", "scenes/"}}
+    "skeletons": {"fields/", "files.hpp", "math/euler.hpp", "scenes/"}, "values": {"fields/", "jobs/", "scenes/scene_file.hpp"}}
 GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/options/command.cpp", "nlohmann/": ("cli/output/json_document.cpp", "src/orispline/io/blending_file.cpp", "src/orispline/scenes/gltf/", "tests/c/", "tests/bindings/"),
           "assimp/": "src/orispline/scenes/assimp.cpp", "benchmark/": "benchmarks/", "glm/": "benchmarks/",
           "smooth/so3": "benchmarks/", "smooth/spline/": "benchmarks/", "sophus/": "benchmarks/", "basalt/": "benchmarks/"}  # third party -> its only room

@@ -2,56 +2,31 @@
 #include "values.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <span>
-#include <string>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/base/suggestion.hpp>
-#include <orispline/fields/typed_numbers.hpp>
-#include <orispline/files.hpp>
-#include <orispline/math/euler.hpp>
-#include <orispline/scenes/scene_tracks.hpp>
+#include <orispline/fields/warning_json.hpp>
 
 #include "errors.hpp"
 #include "json_text.hpp"
 #include "keys.hpp"
-#include "options.hpp"
-#include "written.hpp"
 
 namespace orispline::c { namespace {
 
 using SharedTrack = std::shared_ptr<const Track>;
 using SharedGyro = std::shared_ptr<const GyroTrack>;
 using SharedMotion = std::shared_ptr<const jobs::MotionFile>;
-using Stated = io::StatedOptions;
 
 /// More rates than that have no room in memory.
 constexpr std::size_t most_rates = std::numeric_limits<std::size_t>::max() / (4 * sizeof(double));
 
-auto of_option(std::string_view name) {
-  return [name](Error error) {
-    error.code = ErrorCode::bad_argument;
-    error.option = name;
-    return error;
-  };
-}
-
-/// Error (bad_argument): an option that is none of these.
-template <std::size_t Count>
-Expected<void> check_names(const Stated& stated, const std::array<std::string_view, Count>& known) {
-  for (const auto& [name, text] : stated)
-    if (std::ranges::find(known, name) == known.end()) return bad_option(name, unknown_word("option", name, known));
-  return {};
-}
-
 Expected<Value> rates_of(std::span<const double> times, const double* rates, const char* epoch) {
   GyroTrack gyro;
   if (epoch) {
-    auto zero = Decimal::parse(epoch).map_error(of_option("epoch"));
-    if (!zero) return tl::unexpected(std::move(zero.error()));
+    const auto zero = Decimal::parse(epoch);
+    if (!zero) return bad_option("epoch", zero.error().message);
     gyro.epoch = *zero;
   }
   gyro.rates.clock = GyroRates::Clock::own;
@@ -59,64 +34,6 @@ Expected<Value> rates_of(std::span<const double> times, const double* rates, con
   gyro.rates.rates.reserve(times.size());
   for (std::size_t k = 0; k < times.size(); ++k) gyro.rates.rates.emplace_back(rates + 3 * k);
   return Value{std::make_shared<const GyroTrack>(std::move(gyro))};
-}
-
-Value skeleton_of(scenes::Scene scene) {
-  const scenes::SceneFormat& format = *scene.format;
-  jobs::MotionFile motion{.name = scene.name,
-                          .skeleton = std::exchange(scene.skeleton, {}),
-                          .clips = std::exchange(scene.clips, {}),
-                          .has_no_unit = format.has_no_unit,
-                          .format = format.file,
-                          .title = format.title,
-                          .is_single_precise = format.holds_floats};
-  return {std::make_shared<const jobs::MotionFile>(std::move(motion)),
-          std::make_shared<const scenes::Scene>(std::move(scene))};
-}
-
-Expected<Value> read_skeleton(std::string name, std::string bytes, const Stated& stated) {
-  io::Reading reading;
-  return check_names(stated, std::array<std::string_view, 2>{"clip", "drop_duplicates"})
-      .and_then([&] { return io::take_options(reading, stated); })
-      .and_then([&] {
-        return scenes::read_scene(io::Input::in_memory(std::move(name), std::move(bytes)),
-                                  {.drop_duplicates = reading.options.drop_duplicates});
-      })
-      .and_then([&](scenes::Scene scene) { return scenes::with_clips(std::move(scene), reading.options.scene.clips); })
-      .map(skeleton_of);
-}
-
-Expected<scenes::SceneWriting> writing_in(const Stated& stated) {
-  scenes::SceneWriting writing;
-  if (auto known = check_names(stated, std::array<std::string_view, 2>{"output_euler", "rate"}); !known)
-    return tl::unexpected(std::move(known.error()));
-  for (const auto& [name, text] : stated) {
-    if (name == "rate") {
-      const auto rate = typed::positive(text).map_error(of_option(name));
-      if (!rate) return tl::unexpected(rate.error());
-      writing.rate = *rate;
-      continue;
-    }
-    writing.euler = euler_order_of(text);
-    if (!writing.euler || writing.euler->is_proper())
-      return bad_option(name, formatted("found '{}', wanted three different axes, such as ZYX", text));
-  }
-  return writing;
-}
-
-Expected<Written> written(const Value& value, const std::string& name, const Stated& stated) {
-  const auto* const motion = std::get_if<SharedMotion>(&value.value);
-  if (!motion) return bad_option("value", "found no skeleton, wanted one");
-  return writing_in(stated)
-      .and_then([&](const scenes::SceneWriting& writing) {
-        scenes::Scene scene = *value.file;
-        scene.skeleton = (*motion)->skeleton;
-        scene.clips = (*motion)->clips;
-        return scenes::written_scene(scene, name, writing);
-      })
-      .map([](scenes::SceneWritten file) {
-        return Written{std::move(file.bytes), std::move(file.warnings)};
-      });
 }
 
 template <class List>
@@ -190,20 +107,6 @@ orispline_code orispline_value_of_rates(const double* times, const double* rates
   });
 }
 
-orispline_code orispline_value_of_skeleton(const void* bytes, size_t size, const char* name, const char* const* options,
-                                           size_t option_count, orispline_value** value, orispline_error** error) {
-  return guarded(error, [&] {
-    return cleared(value, "value")
-        .and_then([&] { return check_pointer(name, "name"); })
-        .and_then([&] { return size == 0 ? Expected<void>() : check_pointer(bytes, "bytes"); })
-        .and_then([&] { return stated_options(options, option_count, ""); })
-        .and_then([&](const Stated& stated) {
-          return read_skeleton(name, std::string(static_cast<const char*>(bytes), size), stated);
-        })
-        .map([&](Value made) { *value = handle_of<orispline_value>(std::move(made)); });
-  });
-}
-
 orispline_kind orispline_value_kind(const orispline_value* value) {
   const Value* const body = body_of(value);
   return body ? static_cast<orispline_kind>(body->value.index()) + ORISPLINE_KEYS : 0;
@@ -245,22 +148,6 @@ orispline_code orispline_value_rates(const orispline_value* value, double* times
     return check_pointer(times, "times").and_then([&] { return check_pointer(rates, "rates"); }).and_then([&] {
       return copy_rates(**gyro, times, rates, count);
     });
-  });
-}
-
-orispline_code orispline_value_write(const orispline_value* value, const char* name, const char* const* options,
-                                     size_t option_count, char** bytes, size_t* size, char** warnings,
-                                     orispline_error** error) {
-  return guarded(error, [&]() -> Expected<void> {
-    if (warnings) *warnings = nullptr;
-    if (auto there = cleared(bytes, "bytes"); !there) return there;
-    const auto body = checked(value);
-    if (!body) return tl::unexpected(body.error());
-    return check_pointer(size, "size")
-        .and_then([&] { return check_pointer(name, "name"); })
-        .and_then([&] { return stated_options(options, option_count, ""); })
-        .and_then([&](const Stated& stated) { return written(**body, name, stated); })
-        .map([&](const Written& file) { give(file, bytes, size, warnings); });
   });
 }
 

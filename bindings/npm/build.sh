@@ -12,6 +12,10 @@ work=$3
 package=$4
 
 "$root/tests/npm_ci.sh" "$source" "$work"
+"$command" tasks --json | node "$source/tasks.mjs" | cmp -s - "$source/src/task_types.ts" || {
+  echo "found src/task_types.ts of other tasks, wanted that of: orispline tasks --json | node bindings/npm/tasks.mjs >bindings/npm/src/task_types.ts" >&2
+  exit 1
+}
 rm -rf "$work/src" "$package"
 mkdir -p "$package"
 cp -R "$source/src" "$source/tsconfig.json" "$work"

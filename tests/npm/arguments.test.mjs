@@ -13,6 +13,13 @@ const positioned = { ...keys, positions: [0, 0, 0, 1, 2, 3, 4, 5, 6] };
 const [curve, track] = [ori.curve('auto', positioned), ori.read(csv, 'a.csv')], smallCurve = small.curve('auto', positioned);
 const turns = () => new THREE.QuaternionKeyframeTrack('.quaternion', keys.times, keys.orientations);
 
+const gyro = { times: Array.from({ length: 200 }, (_, k) => 0.01 * k), rates: Array.from({ length: 600 }, (_, k) => Math.sin(0.05 * k)), epoch: '0' };
+const walk = {
+  bytes: 'HIERARCHY\nROOT hip\n{\n OFFSET 0 0 0\n CHANNELS 3 Zrotation Xrotation Yrotation\n End Site\n {\n  OFFSET 0 1 0\n }\n}\nMOTION\nFrames: 4\nFrame Time: 0.5\n0 0 0\n0 10 0\n0 90 0\n5 90 0\n',
+  name: 'a.bvh', clips: [], dropDuplicates: false,
+};
+const [skeleton] = ori.run('smooth', { recording: walk }, { noise: '1deg' }).skeletons;
+
 const bare = Object.create(null), frozen = Object.freeze([0, 0, 0, 1]);
 const odd = [undefined, null, 0, -1, NaN, 1e300, '', 'abc', true, 1n, Symbol('x'), [], {}, [null], [Symbol('x')], [1n], bare, frozen, () => 1, new Date(0), new Map(), new BigInt64Array(4), { length: 2 ** 40 }, { length: -1 }, { byteLength: -1 }];
 
@@ -47,6 +54,10 @@ const functions = {
     read: [[csv, 'a.csv', { sort: true, signs: 'shortest' }], (...given) => ori.read(...given).dispose()],
     write: [[keys, 'a.csv', { outputOrientation: 'euler' }], (...given) => ori.write(...given)],
     run: [['reduce', { recording: keys }, { tolerance: '1deg', methods: 'auto' }, { progress: () => false }], (...given) => ori.run(...given)],
+    'run on values': [['smooth', { recording: walk, gyro: undefined }, { noise: '1deg' }], (name, ...given) => ori.run(name, ...given)],
+    'a gyro': [[gyro], (one) => ori.run('align', { moved: one, fixed: gyro })],
+    'a skeleton': [[walk], (one) => ori.run('inspect', { keys: one })],
+    'write a skeleton': [['a.bvh', { outputEuler: 'ZYX' }], (...given) => skeleton.write(...given)],
     column: [['times', 'xyzw'], (...given) => track.column(...given)],
     data: [['xyzw'], (...given) => track.data(...given)],
   },

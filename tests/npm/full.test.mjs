@@ -13,6 +13,19 @@ const folder = mkdtempSync(join(tmpdir(), 'orispline-full-'));
 after(() => rmSync(folder, { recursive: true }));
 const text = readFileSync(keysFile, 'utf8'), truth = readFileSync(join(keysFile, '../flight_truth.csv'));
 
+/** A glTF file with its data: nine keys of an even turn about z. */
+const turn = () => {
+  const times = Float32Array.from({ length: 9 }, (_, k) => k), turns = Float32Array.from({ length: 36 }, (_, k) => [0, 0, Math.sin(0.1 * (k >> 2)), Math.cos(0.1 * (k >> 2))][k % 4]);
+  const data = Buffer.concat([Buffer.from(times.buffer), Buffer.from(turns.buffer)]), floats = { componentType: 5126, count: 9 };
+  return JSON.stringify({
+    asset: { version: '2.0' }, extras: { made: 'by a test' }, nodes: [{ name: 'arm' }],
+    animations: [{ name: 'walk', samplers: [{ input: 0, output: 1 }], channels: [{ sampler: 0, target: { node: 0, path: 'rotation' } }] }],
+    accessors: [{ bufferView: 0, type: 'SCALAR', min: [0], max: [8], ...floats }, { bufferView: 1, type: 'VEC4', ...floats }],
+    bufferViews: [{ buffer: 0, byteLength: 36 }, { buffer: 0, byteOffset: 36, byteLength: 144 }],
+    buffers: [{ byteLength: 180, uri: `data:application/octet-stream;base64,${data.toString('base64')}` }],
+  });
+};
+
 test('it gives what the cases of the C interface say, bit for bit', () => assert.deepEqual(differencesFrom(cases, ori, true), []));
 
 test('a file that is read has the keys of the file and what it says of them', () => {
@@ -46,6 +59,51 @@ test('a task finds what the command finds', () => {
   assert.equal(curve.start, 0);
 });
 
+/** A body that turns about z, and what a gyro on it says: noisy orientations at 50 Hz, rates at 200 Hz on a clock that began 100 s earlier. */
+const turning = () => {
+  const at = (count, step) => Array.from({ length: count }, (_, k) => step * k), angle = (t) => 0.8 * Math.sin(2 * t), noise = (k) => 0.004 * Math.sin(12.9898 * (k + 1) ** 1.5);
+  const times = at(150, 0.02), own = at(600, 0.005);
+  const orientations = times.flatMap((t, k) => [0, 0, Math.sin((angle(t) + noise(k)) / 2), Math.cos((angle(t) + noise(k)) / 2)]);
+  const rates = own.flatMap((t, k) => [noise(3 * k), noise(3 * k + 1), 1.6 * Math.cos(2 * t) + noise(3 * k + 2)]);
+  return { recording: { times, orientations, order: 'xyzw' }, gyro: { times: own.map((t) => t + 100), rates, epoch: '-100' } };
+};
+
+test('a recording is smoothed with a gyro that has a clock of its own', () => {
+  const { recording, gyro } = turning(), { document, tracks, line } = ori.run('smooth', { recording, gyro });
+  assert.equal(document.gyro_used, true);
+  assert.ok(line.length > 20 && !line.includes('\n'), line);
+  const [z] = ori.curve('auto', tracks[0].data('xyzw')).motion(1).angularVelocity.slice(2);
+  assert.ok(Math.abs(z - 1.6 * Math.cos(2)) < 0.02, `${z}`);
+  assert.equal(ori.run('smooth', { recording, gyro: undefined }).document.gyro_used, null);
+});
+
+test('a gyro is aligned, and what comes of it is taken again', () => {
+  const { recording, gyro } = turning(), late = { ...gyro, times: gyro.times.map((t) => t + 0.03) };
+  const { document, rates, tracks } = ori.run('align', { moved: late, fixed: gyro }, { offset: '0.03s' });
+  assert.deepEqual([document.compared > 0, rates.length, tracks.length], [true, 1, 0]);
+  assert.deepEqual([rates[0].times.length, rates[0].rates.length, typeof rates[0].epoch], [600, 1800, 'string']);
+  assert.equal(ori.run('smooth', { recording, gyro: rates[0] }).tracks.length, 1);
+});
+
+test('a glTF file is reduced, written with what else it held, and compared with what it was', () => {
+  const bytes = Buffer.from(turn()), walk = { bytes, name: 'turn.gltf' };
+  const { skeletons: [small], tracks } = ori.run('reduce', { recording: walk }, { tolerance: '0.1deg' });
+  assert.deepEqual([small.info.format, small.info.joints, small.info.clips, tracks], ['gltf', ['arm'], ['walk'], []]);
+  const file = JSON.parse(new TextDecoder().decode(small.write('small.gltf').bytes));
+  assert.equal(file.extras.made, 'by a test');
+  assert.ok(file.accessors.some(({ count, type }) => type === 'SCALAR' && count === 2));
+  const apart = ori.run('difference', { first: walk, second: small }, { rate: 24 });
+  assert.ok(apart.summary.length > 20);
+  assert.deepEqual(ori.run('inspect', { keys: small }).document.joints, ori.run('inspect', { keys: walk }).document.joints);
+  small.dispose();
+  assert.equal(thrown(() => small.info).code, 'disposed');
+});
+
+test('two recordings are compared', () => {
+  const reference = ori.read(truth, 'flight_truth.csv'), { document } = ori.run('compare', { keys: flight, reference }, { methods: 'slerp,auto' });
+  assert.deepEqual(document.map(({ method }) => method).sort(), ['auto', 'slerp']);
+});
+
 test('every task is listed, and its options are those of the command', () => {
   assert.deepEqual(ori.tasks(), JSON.parse(command('tasks', '--json')));
   const { tracks } = ori.run('retime', { keys: flight }, { maxRate: '20deg/s' });
@@ -61,6 +119,11 @@ for (const [call, about] of [
   [() => ori.run('reduce', { keys: flight }, { tolerance: '1deg' }), { code: 'bad_argument', option: 'keys' }],
   [() => ori.run('reduce', { recording: flight }), { code: 'bad_argument', option: 'tolerance' }],
   [() => ori.run('reduce', { recording: flight }, { tolerance: '1' }), { code: 'bad_argument', option: 'tolerance' }],
+  [() => ori.run('smooth', { recording: flight, gyro: flight }), { code: 'bad_argument', message: 'gyro: found orientations at times, wanted the rates of a gyro' }],
+  [() => ori.run('smooth', { recording: flight, gyro: { times: [0, 1], rates: [1, 2] } }), { code: 'bad_argument', message: 'rates: found 2 numbers, wanted 6, 3 for each of 2 times' }],
+  [() => ori.run('smooth', { recording: { bytes: 'HIERARCHY', name: 'walk.bvh' } }), { code: 'bad_data' }],
+  [() => ori.run('smooth', { recording: { bytes: turn(), name: 'turn.gltf', clips: ['run'] } }), { code: 'bad_data', message: "found no clip 'run', wanted one of 'walk'" }],
+  [() => ori.run('difference', { first: { bytes: turn(), name: 'turn.gltf' } }), { code: 'bad_argument', option: 'second' }],
   [() => ori.run('reduce', { recording: { ...flight, order: 'xwyz' } }, { tolerance: '1deg' }), { code: 'bad_argument', option: 'order' }],
 ])
   test(`it refuses: ${JSON.stringify(about)}`, () => {

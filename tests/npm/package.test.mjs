@@ -52,7 +52,7 @@ test('a strict program in TypeScript knows its types', () => {
     writeFileSync(join(place, 'program.ts'), `
       import { load as loadLite, type Curve, type Samples, OrisplineError } from 'orispline/lite';
       import { load } from 'orispline';
-      import { load as loadFull, type Outcome } from 'orispline/full';
+      import { load as loadFull, type Options, type Outcome, type RateData } from 'orispline/full';
       import { player } from 'orispline/player';
       import { animate, bake } from 'orispline/three';
 
@@ -70,6 +70,27 @@ test('a strict program in TypeScript knows its types', () => {
       ori.curve('auto', { times, orientations: values });
       // @ts-expect-error lite has no baking
       curve.bake({ tolerance: 1 });
+
+      // Tasks have the inputs and options of the list of tasks, in both spellings.
+      const full = await loadFull(), recording = { times, orientations: values, order: 'xyzw' } as const, scene = { bytes: '', name: 'walk.bvh' };
+      const gyro: RateData = full.run('smooth', { recording, gyro: { times: [0, 1], rates: [0, 0, 1, 0, 0, 1], epoch: '0.5' } }, { gyroNoise: '1deg/s', gyro_offset: '1ms', adapt: false }).rates[0];
+      full.run('reduce', { recording: [recording, recording] }, { tolerance: '1deg', smooth: true, penalty: 'jerk' });
+      full.run('difference', { first: scene, second: full.run('smooth', { recording: scene }).skeletons[0] }, { rate: 24 });
+      full.run('align', { moved: gyro, fixed: gyro });
+      const named: string = 'retime', loose: Options = { maxRate: '20deg/s' };
+      full.run(named, { keys: recording }, loose);
+      // @ts-expect-error there is no such task
+      full.run('redce', { recording });
+      // @ts-expect-error there is no such option
+      full.run('reduce', { recording }, { tolerence: '1deg' });
+      // @ts-expect-error nor such a word
+      full.run('smooth', { recording }, { loss: 'hubert' });
+      // @ts-expect-error nor such an input
+      full.run('reduce', { keys: recording });
+      // @ts-expect-error the input is of another kind
+      full.run('tune', { keys: scene });
+      // @ts-expect-error one is missing
+      full.run('difference', { first: scene });
     `);
     execFileSync(process.execPath, [join(process.env.ORISPLINE_NPM_TOOLS, 'typescript/bin/tsc'), '--noEmit', '--strict', '--exactOptionalPropertyTypes', '--target', 'ES2022', '--lib', 'ES2022,DOM',
       '--module', 'ESNext', '--moduleResolution', 'bundler', '--types', '', join(place, 'program.ts')], { encoding: 'utf8', stdio: 'pipe' });

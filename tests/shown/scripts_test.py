@@ -25,6 +25,9 @@ KEYS = "const times = [0, 1, 2.5], orientations = [0, 0, 0, 1, 0, 0, 0.6, 0.8, 0
 CURVE = "import { load as loadOf } from 'orispline/lite';\n" + KEYS + "const curve = (await loadOf()).curve('auto', { times, orientations, order: 'xyzw' });\n"
 READ = ("import { readFile } from 'node:fs/promises';\nimport { load } from 'orispline/full';\nconst ori = await load();\n"
         "const recording = ori.read(await readFile('keys.csv'), 'keys.csv');\n")
+TURNING = ("import { readFile } from 'node:fs/promises';\nimport { load } from 'orispline/full';\nconst ori = await load();\n"
+           "const at = Array.from({ length: 100 }, (_, k) => 0.05 * k), half = at.map((t, k) => 0.5 - 0.5 * Math.cos(t) + 0.002 * Math.sin(k * k));\n"
+           "const recording = { times: at, orientations: half.flatMap((a) => [0, 0, Math.sin(a), Math.cos(a)]), order: 'xyzw' };\n")
 CLIP = ("import { AnimationClip, Object3D, VectorKeyframeTrack } from 'three';\n" + KEYS +
         "const object = new Object3D(), clip = new AnimationClip('', -1, [new QuaternionKeyframeTrack('.quaternion', times, orientations)]);\n")
 # What each block takes as the reader's own; of engines that are not here, what it calls of them.
@@ -36,6 +39,7 @@ GIVEN = {
         OBJECT + "const scene = 0, camera = 0, renderer = { setAnimationLoop: (draw) => draw(20), render: () => 0 };\n",
         "",
         "import { openAsBlob } from 'node:fs';\nconst file = new File([await openAsBlob('keys.csv')], 'keys.csv');\n",
+        TURNING + "const walkFile = new File([await readFile('walk.bvh')], 'walk.bvh');\n",
         READ + "const shared = new SharedArrayBuffer(4), postMessage = () => 0;\n",
         "",
         CLIP,
@@ -46,7 +50,7 @@ GIVEN = {
                 "  Quaternion: { unpack: (array, start, result) => Object.assign(result, array) }, CallbackProperty: class { constructor(at) { at(1, {}); } } };\n",
         OBJECT + CURVE + "const sheet = { sequence: { pointer: { position: 1 } } };\n"],
 }
-BUNDLED = {"docs/web.md": [6]}  # by number, whose comment says how esbuild takes them
+BUNDLED = {"docs/web.md": [7]}  # by number, whose comment says how esbuild takes them
 
 
 class Scripts(unittest.TestCase):
@@ -62,6 +66,7 @@ class Scripts(unittest.TestCase):
         (theatre / "package.json").write_text('{ "type": "module", "exports": "./index.js" }', "utf-8")
         (theatre / "index.js").write_text("export const onChange = (position, hear) => hear(position);\n", "utf-8")
         (cls.folder / "keys.csv").write_bytes((ROOT / "examples/data/five_keys.csv").read_bytes())
+        (cls.folder / "walk.bvh").write_bytes((ROOT / "examples/data/walking.bvh").read_bytes())
         (cls.folder / "bin").mkdir()
         (cls.folder / "bin/orispline").symlink_to(COMMAND)
         baked = [line for line in shell_of("bindings/npm/README.md") if line.text.startswith("orispline ")]

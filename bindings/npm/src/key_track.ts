@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// <reference lib="esnext.disposable" preserve="true" />
 import type { Address, Engine } from './engine.js';
-import { OrisplineError, badArgument, textOf } from './errors.js';
+import { textOf } from './errors.js';
+import { type Forgotten, Held } from './held.js';
 import { type KeyData, type Order, orderOf } from './keys.js';
 
 /** What keys are, and what reading them found: docs/c.md has all members. */
@@ -17,17 +17,10 @@ export interface KeyInfo {
 }
 
 /** Keys with all that a file or a task has said of them. They are freed where they are disposed of, or some time after they were forgotten. */
-export class KeyTrack {
-  private address: Address;
-  private readonly engine: Engine;
-  private readonly forgotten: FinalizationRegistry<Address>;
-
+export class KeyTrack extends Held {
   /** Of an `Orispline`, by its `read` or its `run`. */
-  constructor(engine: Engine, forgotten: FinalizationRegistry<Address>, address: Address) {
-    this.engine = engine;
-    this.forgotten = forgotten;
-    this.address = address;
-    forgotten.register(this, address, this);
+  constructor(engine: Engine, forgotten: Forgotten, address: Address) {
+    super(engine, forgotten, 'keys', address);
   }
 
   get info(): KeyInfo {
@@ -56,27 +49,5 @@ export class KeyTrack {
     if (has.has('angular_accelerations')) data.angularAccelerations = this.column('angular_accelerations');
     if (has.has('angular_jerks')) data.angularJerks = this.column('angular_jerks');
     return data;
-  }
-
-  /** Frees their memory at once. It can be done twice. */
-  dispose(): void {
-    this.forgotten.unregister(this);
-    this.engine.free('orispline_keys_free', this.address);
-    this.address = 0;
-  }
-
-  [Symbol.dispose](): void {
-    this.dispose();
-  }
-
-  /** For calls of the library that made them: to another one, with a memory of its own, it says nothing. */
-  handleIn(engine: Engine): Address {
-    if (engine !== this.engine) throw badArgument('keys', 'found some that another load() made, wanted those of this one');
-    return this.handle;
-  }
-
-  private get handle(): Address {
-    if (!this.address) throw new OrisplineError('disposed', 'found keys that were disposed of, wanted some that were not');
-    return this.address;
   }
 }

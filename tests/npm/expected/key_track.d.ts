@@ -1,5 +1,5 @@
-/// <reference lib="esnext.disposable" preserve="true" />
 import type { Address, Engine } from './engine.js';
+import { type Forgotten, Held } from './held.js';
 import { type KeyData, type Order } from './keys.js';
 /** What keys are, and what reading them found: docs/c.md has all members. */
 export interface KeyInfo {
@@ -16,21 +16,12 @@ export interface KeyInfo {
     [member: string]: unknown;
 }
 /** Keys with all that a file or a task has said of them. They are freed where they are disposed of, or some time after they were forgotten. */
-export declare class KeyTrack {
-    private address;
-    private readonly engine;
-    private readonly forgotten;
+export declare class KeyTrack extends Held {
     /** Of an `Orispline`, by its `read` or its `run`. */
-    constructor(engine: Engine, forgotten: FinalizationRegistry<Address>, address: Address);
+    constructor(engine: Engine, forgotten: Forgotten, address: Address);
     get info(): KeyInfo;
     /** A column by its name: `times`, `positions`, a setting such as `tension`. */
     column(name: string, order?: Order): Float64Array;
     /** As plain arrays, for `curve`. */
     data(order: Order): KeyData;
-    /** Frees their memory at once. It can be done twice. */
-    dispose(): void;
-    [Symbol.dispose](): void;
-    /** For calls of the library that made them: to another one, with a memory of its own, it says nothing. */
-    handleIn(engine: Engine): Address;
-    private get handle();
 }

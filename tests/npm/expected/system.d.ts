@@ -13,6 +13,8 @@ export declare class System {
     showing<Result>(progress: Progress | null | undefined, work: () => Result): Result;
     private nothingAt;
     private readonly written;
+    /** [ns], in 64 bits, of a clock that never goes back: `compare` says how long its methods take. */
+    private readonly timed;
     private readonly ended;
 }
 export {};

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+// Written by bindings/npm/tasks.mjs, from the list of the tasks.
+import type { KeyInput, RateInput, SceneInput } from './task_values.js';
+
+type Flag = boolean | 'true' | 'false';
+/** As the command has it, with its unit where it has one: `0.1deg`. */
+type Text = string | number;
+
+/** What each task takes. */
+export interface Tasks {
+  /** A noisy recording as a smooth motion with rates. */
+  smooth: {
+    inputs: {
+      /** The recording, or a skeleton with its clips. */
+      recording: KeyInput | SceneInput;
+      /** The rates of a gyro with a clock of its own. */
+      gyro?: RateInput | undefined;
+    };
+    options: {
+      /** At most so many at work; 0: one per core. */
+      threads?: Text | Flag | undefined;
+      /** Rate whose squared integral is kept small. */
+      penalty?: 'acceleration' | 'jerk' | undefined;
+      /** Standard deviation of the noise of the orientations, per axis. */
+      noise?: Text | undefined;
+      /** Smoothing time tau; a longer one smooths more. */
+      smoothing_time?: Text | undefined;
+      /** How much samples far from the curve count: robust rejects outliers, l2 trusts every sample. */
+      loss?: 'robust' | 'l2' | 'huber' | 'tukey' | undefined;
+      /** Use wx, wy, wz as the rates of a gyro, whose bias is estimated. */
+      gyro?: Flag | undefined;
+      /** Standard deviation of the noise of the gyro's rates, per axis. */
+      gyro_noise?: Text | undefined;
+      /** By how much the stamps of the gyro are late. */
+      gyro_offset?: Text | undefined;
+      /** The bias of the gyro. */
+      gyro_bias?: 'constant' | 'drifting' | undefined;
+      /** Standard deviation of the noise of the positions, per axis. */
+      position_noise?: Text | undefined;
+      /** Smooth nothing across intervals longer than this. */
+      gap?: Text | undefined;
+      /** Let the smoothing time of the orientations vary in time, where that predicts the samples clearly better. */
+      adapt?: Flag | undefined;
+      /** Add one standard deviation of every orientation and rate, along the axes of the body. */
+      sigma?: Flag | undefined;
+    };
+  };
+  /** The tensions that make a curve smoothest, or nearest to a recording. */
+  tune: {
+    inputs: {
+      /** The keys. */
+      keys: KeyInput;
+      /** The recording to come near to. */
+      reference?: KeyInput | undefined;
+    };
+    options: {
+      /** The text of the method whose curve it is about. */
+      method?: Text | Flag | undefined;
+      /** Integral that the tensions make least. */
+      objective?: 'linearised' | 'acceleration' | 'torque' | 'jerk' | 'curvature' | 'fit' | undefined;
+      /** Inertia of the body that turns, for the objective torque. */
+      inertia?: Text | undefined;
+      /** Lowest and highest value of every tension. */
+      bounds?: Text | undefined;
+      /** Tensions to find, such as tension2. */
+      free?: Text | undefined;
+    };
+  };
+  /** The fewest keys that reproduce a recording within a tolerance. */
+  reduce: {
+    inputs: {
+      /** The recording, or several; or a skeleton with its clips. */
+      recording: KeyInput | SceneInput | (KeyInput | SceneInput)[];
+    };
+    options: {
+      /** The texts of methods, with commas between them. */
+      methods?: Text | Flag | undefined;
+      /** At most so many at work; 0: one per core. */
+      threads?: Text | Flag | undefined;
+      /** Smooth the recordings first. */
+      smooth?: Text | Flag | undefined;
+      /** Of a skeleton: channels that end as they begin have the same tangent at both ends. */
+      closed?: Text | Flag | undefined;
+      /** Of a skeleton: metres in the unit of length of its file. */
+      position_scale?: Text | Flag | undefined;
+      /** Rate whose squared integral is kept small. */
+      penalty?: 'acceleration' | 'jerk' | undefined;
+      /** Standard deviation of the noise of the orientations, per axis. */
+      noise?: Text | undefined;
+      /** Smoothing time tau; a longer one smooths more. */
+      smoothing_time?: Text | undefined;
+      /** How much samples far from the curve count: robust rejects outliers, l2 trusts every sample. */
+      loss?: 'robust' | 'l2' | 'huber' | 'tukey' | undefined;
+      /** Use wx, wy, wz as the rates of a gyro, whose bias is estimated. */
+      gyro?: Flag | undefined;
+      /** Standard deviation of the noise of the gyro's rates, per axis. */
+      gyro_noise?: Text | undefined;
+      /** By how much the stamps of the gyro are late. */
+      gyro_offset?: Text | undefined;
+      /** The bias of the gyro. */
+      gyro_bias?: 'constant' | 'drifting' | undefined;
+      /** Standard deviation of the noise of the positions, per axis. */
+      position_noise?: Text | undefined;
+      /** Smooth nothing across intervals longer than this. */
+      gap?: Text | undefined;
+      /** Let the smoothing time of the orientations vary in time, where that predicts the samples clearly better. */
+      adapt?: Flag | undefined;
+      /** Add one standard deviation of every orientation and rate, along the axes of the body. */
+      sigma?: Flag | undefined;
+      /** Largest angle that is allowed between a joint and its key before, in the frame of its parent. */
+      tolerance?: Text | undefined;
+      /** Largest distance that is allowed between a joint's translation and its key before. */
+      position_tolerance?: Text | undefined;
+      /** Whether keys stay at samples. */
+      values?: 'sampled' | 'refit' | undefined;
+      /** Largest distance that points of a skeleton's joints may be off in the world, in its clips. */
+      world_tolerance?: Text | undefined;
+      /** Distance from a joint of the points that are compared in the world. */
+      shell?: Text | undefined;
+      /** What the motion of a clip between its keys is taken to be. */
+      between?: 'smooth' | 'stored' | undefined;
+    };
+  };
+  /** The least slowing that keeps a motion within limits. */
+  retime: {
+    inputs: {
+      /** The keys. */
+      keys: KeyInput;
+    };
+    options: {
+      /** The text of the method whose curve it is about. */
+      method?: Text | Flag | undefined;
+      /** Largest angular velocity. */
+      max_rate?: Text | undefined;
+      /** Largest angular acceleration. */
+      max_acceleration?: Text | undefined;
+      /** Largest angular jerk, the derivative of the angular acceleration. */
+      max_jerk?: Text | undefined;
+      /** Largest torque on a body of the given inertia. */
+      max_torque?: Text | undefined;
+      /** Inertia of the body, for the torque. */
+      inertia?: Text | undefined;
+      /** Largest speed of the position. */
+      max_speed?: Text | undefined;
+      /** Largest acceleration of the position. */
+      max_linear_acceleration?: Text | undefined;
+      /** Scale the motion to exactly this duration, from the first key to the last. */
+      duration?: Text | undefined;
+      /** Which intervals between keys are slowed. */
+      slowing?: 'uniform' | 'per-interval' | 'fastest-keys' | undefined;
+      /** Cut rests between equal keys that are longer to this duration. */
+      shorten_rests?: Text | undefined;
+      /** Go along the same path by this angle each second, through more keys. */
+      constant_rate?: Text | undefined;
+      /** Go along the same path by this distance of the positions each second, through more keys. */
+      constant_speed?: Text | undefined;
+      /** How long such an even motion takes to start and to stop, at the ends and where its path stops. */
+      ease?: Text | undefined;
+    };
+  };
+  /** A curve as polynomials that players evaluate. */
+  bake: {
+    inputs: {
+      /** The keys. */
+      keys: KeyInput;
+    };
+    options: {
+      /** The text of the method whose curve it is about. */
+      method?: Text | Flag | undefined;
+      /** Largest angle that is allowed between what is played and the curve. */
+      tolerance?: Text | undefined;
+    };
+  };
+  /** The mean or the median of many orientations. */
+  mean: {
+    inputs: {
+      /** The orientations, with weights where they have the setting weight; several are one set. */
+      rows: KeyInput | (KeyInput)[];
+    };
+    options: {
+      /** Which middle: the mean, or the median, which bad rows hardly move. */
+      kind?: 'mean' | 'median' | undefined;
+      /** Length of windows in time, each with a mean of its own. */
+      every?: Text | undefined;
+    };
+  };
+  /** What brings one recording onto another one of the same motion. */
+  align: {
+    inputs: {
+      /** The recording that is brought. */
+      moved: KeyInput | RateInput;
+      /** The one that it is brought onto. */
+      fixed: KeyInput | RateInput;
+    };
+    options: {
+      /** Look for the rotation between the axes of the two worlds. */
+      world_turn?: Flag | undefined;
+      /** Look for the rotation between the axes of the two bodies. */
+      body_turn?: Flag | undefined;
+      /** By how much the stamps of the moved recording are late, negative where they are early. */
+      offset?: Text | undefined;
+      /** Look for the scale of the positions. */
+      scale?: Flag | undefined;
+      /** Look for the translation between the origins of the two worlds. */
+      translation?: Flag | undefined;
+    };
+  };
+  /** How near the curves of methods come to a recording. */
+  compare: {
+    inputs: {
+      /** A recording, of which some samples become keys; with a reference the keys themselves. */
+      keys: KeyInput;
+      /** The recording to compare with. */
+      reference?: KeyInput | undefined;
+    };
+    options: {
+      /** The texts of methods, with commas between them. */
+      methods?: Text | Flag | undefined;
+      /** At most so many at work; 0: one per core. */
+      threads?: Text | Flag | undefined;
+      /** Methods with tensions once more, tuned. */
+      tune?: Text | Flag | undefined;
+      /** Bring the keys onto the reference first. */
+      align?: Text | Flag | undefined;
+      /** The word of the measure to sort by. */
+      sort?: Text | Flag | undefined;
+      /** Keep every N-th sample as a key. */
+      keep_every?: Text | undefined;
+      /** How the samples that become keys are spaced. */
+      spacing?: 'even' | 'jittered' | 'random' | undefined;
+      /** Seed of the random numbers; one seed picks the same samples on every machine. */
+      seed?: Text | undefined;
+      /** Inertia of the body; with it the torques are measured too. */
+      inertia?: Text | undefined;
+      /** Estimate the error from the keys alone as well, by leaving some of them out. */
+      leave_out?: Flag | undefined;
+      /** Tell how many times the least possible energy each curve has. */
+      least_energy?: Flag | undefined;
+    };
+  };
+  /** What keys are like, and where the rates of curves through them jump; or what a skeleton's clips hold. */
+  inspect: {
+    inputs: {
+      /** The keys, or a skeleton with its clips. */
+      keys: KeyInput | SceneInput;
+    };
+    options: {
+      /** The texts of methods, with commas between them. */
+      methods?: Text | Flag | undefined;
+    };
+  };
+  /** How far the motions of a skeleton in two files are apart. */
+  difference: {
+    inputs: {
+      /** A skeleton with its clips. */
+      first: SceneInput;
+      /** The same skeleton with other clips. */
+      second: SceneInput;
+    };
+    options: {
+      /** Compare at so many times per second as well [Hz]. */
+      rate?: Text | Flag | undefined;
+      /** At most so many at work; 0: one per core. */
+      threads?: Text | Flag | undefined;
+      /** Distance from a joint of the points that are compared in the world. */
+      shell?: Text | undefined;
+    };
+  };
+}
