@@ -19,7 +19,6 @@
 
 #include "arrays.hpp"
 #include "errors.hpp"
-#include "page_bytes.hpp"
 #include "python_curve.hpp"
 #include "text.hpp"
 
@@ -91,6 +90,16 @@ nb::tuple ghosts(const PythonCurve& curve, std::size_t count) {
     }
   }
   return nb::make_tuple(numbers(times), array_of(corners.data(), times.size(), 6), numbers(opacities));
+}
+
+/// The text that `make()` gives, which works without Python's lock; bytes, since names in it need not be UTF-8.
+template <class Make>
+nb::bytes bytes_of(const Make& make) {
+  const std::string text = [&] {
+    const nb::gil_scoped_release release;
+    return make();
+  }();
+  return nb::bytes(text.data(), text.size());
 }
 
 /// The page of a curve; `start` is the caller's own time at 0 s.

@@ -74,15 +74,6 @@ struct ValueOfInput {
   }
 };
 
-/// What a task takes as options: of a skeleton it may be others.
-std::vector<FieldInfo> fields_of_task(const std::string& name, const jobs::TaskRequest& request) {
-  for (jobs::TaskInfo& task : jobs::tasks_info())
-    if (task.name == name)
-      return std::move(jobs::has_scene(request) && !task.options_of_scenes.empty() ? task.options_of_scenes
-                                                                                   : task.options);
-  return {};
-}
-
 std::vector<Decimation> decimations_in(const Decimations& stated) {
   std::vector<Decimation> decimations;
   for (const nb::dict& one : stated) {
@@ -131,7 +122,7 @@ std::vector<TaskOutcome> run(const std::string& task, const std::vector<std::pai
                              const std::vector<MethodText>& methods, const Decimations& decimations) {
   jobs::TaskRequest request{.decimations = decimations_in(decimations)};
   for (const auto& [name, input] : inputs) request.inputs.emplace_back(name, std::visit(ValueOfInput(), input));
-  const std::vector<FieldInfo> fields = fields_of_task(task, request);
+  const std::vector<FieldInfo>& fields = jobs::options_for(*value_of(jobs::task_named(task)), request);
   request.options = options_in(options, fields);
   std::ranges::move(options_in(settings), std::back_inserter(request.options));
   if (method) request.method = value_of(jobs::chosen_method(method->method(), *request.input("keys"), {}));

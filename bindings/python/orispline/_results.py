@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _core
+from ._core import TaskOutcome
 from ._html import table
 from ._keys import Keys
 from ._options import FIELDS, checked_keys, new_keys, states
@@ -34,10 +34,10 @@ class Result(Told):
     _request: Request
     _members: dict[str, Any]
     _summary: str
-    _core: _core.TaskOutcome | None
+    _core: TaskOutcome | None
     _table: ClassVar[str]
 
-    def _task(self) -> _core.TaskOutcome:
+    def _task(self) -> TaskOutcome:
         """The library's own result; after pickling the work is done again, with the same numbers."""
         core = self._core
         if core is None:
@@ -50,7 +50,7 @@ class Result(Told):
         return cls._of(request.told()[0], given, request)
 
     @classmethod
-    def _of(cls: type[Found], core: _core.TaskOutcome, given: Keys, request: Request) -> Found:
+    def _of(cls: type[Found], core: TaskOutcome, given: Keys, request: Request) -> Found:
         kinds = {field["name"]: field["type"] for field in FIELDS[cls._table]} | {"samples": "samples"}
         values = {name + "_" * keyword.iskeyword(name): _as_python(kinds.get(name, ""), value, given)
                   for name, value in core.attributes().items() if name != "keys"}

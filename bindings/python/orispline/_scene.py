@@ -283,7 +283,7 @@ class SceneReduction(_DoneToScene):
     _members: dict[str, Any] = dataclasses.field(repr=False, compare=False)
     _summary: str = dataclasses.field(repr=False, compare=False)
     _core: Any = dataclasses.field(repr=False, compare=False)
-    _task: ClassVar[tuple[str, str]] = "reduction", "reduce_scene", "reduced"
+    _task: ClassVar[tuple[str, str, str]] = "reduction", "reduce_scene", "reduced"
 
     @classmethod
     def _of(cls, core: Any) -> SceneReduction:
@@ -341,7 +341,7 @@ class SceneSmoothing(_DoneToScene):
     _members: dict[str, Any] = dataclasses.field(repr=False, compare=False)
     _summary: str = dataclasses.field(repr=False, compare=False)
     _core: Any = dataclasses.field(repr=False, compare=False)
-    _task: ClassVar[tuple[str, str]] = "smoothing", "smooth_scene", "smooth"
+    _task: ClassVar[tuple[str, str, str]] = "smoothing", "smooth_scene", "smooth"
 
     @classmethod
     def _of(cls, core: Any) -> SceneSmoothing:

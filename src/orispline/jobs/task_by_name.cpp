@@ -140,12 +140,6 @@ Expected<void> check_inputs(const TaskInfo& task, const TaskRequest& request) {
   return {};
 }
 
-/// Those of the task, or of the task on a skeleton.
-const std::vector<FieldInfo>& options_for(const TaskInfo& task, const TaskRequest& request) {
-  const bool is_scene = has_scene(request);
-  return is_scene && !task.options_of_scenes.empty() ? task.options_of_scenes : task.options;
-}
-
 Expected<void> check_options(const TaskInfo& task, const TaskRequest& request) {
   const std::vector<FieldInfo>& options = options_for(task, request);
   std::vector<std::string_view> known;
@@ -196,30 +190,33 @@ bool has_scene(const TaskRequest& request) {
   });
 }
 
-namespace {
-
-/// Error: a task that there is not.
-Expected<TaskInfo> task_named(std::string_view name) {
+Expected<const TaskInfo*> task_named(std::string_view name) {
+  static const std::vector<TaskInfo> tasks = tasks_info();  // which takes as long to make as a short task
   std::vector<std::string_view> names;
-  for (TaskInfo& task : tasks_info()) {
-    if (task.name == name) return std::move(task);
+  for (const TaskInfo& task : tasks) {
+    if (task.name == name) return &task;
     names.push_back(task.name);
   }
   return failure(ErrorCode::bad_argument, unknown_word("task", name, names));
 }
 
-}  // namespace
+const std::vector<FieldInfo>& options_for(const TaskInfo& task, const TaskRequest& request) {
+  const bool is_scene = has_scene(request);
+  return is_scene && !task.options_of_scenes.empty() ? task.options_of_scenes : task.options;
+}
 
 Expected<void> check_task(std::string_view name, const TaskRequest& request) {
-  return task_named(name).and_then([&](const TaskInfo& task) {
-    return check_options(task, request).and_then([&] { return task.check ? task.check(request) : Expected<void>(); });
+  return task_named(name).and_then([&](const TaskInfo* task) {
+    return check_options(*task, request).and_then([&] {
+      return task->check ? task->check(request) : Expected<void>();
+    });
   });
 }
 
 Expected<TaskOutcome> run_task(std::string_view name, const TaskRequest& request, const Progress& progress) {
-  return task_named(name).and_then([&](const TaskInfo& task) {
-    return check_inputs(task, request).and_then([&] { return check_options(task, request); }).and_then([&] {
-      return task.run(request, progress);
+  return task_named(name).and_then([&](const TaskInfo* task) {
+    return check_inputs(*task, request).and_then([&] { return check_options(*task, request); }).and_then([&] {
+      return task->run(request, progress);
     });
   });
 }

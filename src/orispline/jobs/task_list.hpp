@@ -120,6 +120,13 @@ struct TaskInfo {
 /// THE list of them.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<TaskInfo> tasks_info();
 
+/// The task of that name in a list that lasts. Error (bad_argument): there is none.
+[[nodiscard]] ORISPLINE_EXPORT Expected<const TaskInfo*> task_named(std::string_view name);
+
+/// The options that it takes with these inputs: with a skeleton they may be others.
+[[nodiscard]] ORISPLINE_EXPORT const std::vector<FieldInfo>& options_for(const TaskInfo& task,
+                                                                         const TaskRequest& request);
+
 /// That list, described in docs/inspect-json.md.
 [[nodiscard]] ORISPLINE_EXPORT Json tasks_json();
 
