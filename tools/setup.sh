@@ -28,6 +28,7 @@ test  universal-ctags?   ctags
 test  nodejs?            node
 test  npm?               npm
 test  chromium?          chromium
+test  chromium-headless-shell? chromium-headless-shell
 check clang              clang++
 check libclang-rt-dev?   fuzzer/FuzzedDataProvider.h
 check gcovr              gcovr

@@ -96,7 +96,7 @@ class Setup(unittest.TestCase):
             self.machine.add_command(command)
         run = self.machine.setup("test")
         self.assertEqual((run.returncode, run.stderr),
-                         (0, "setup: not here (Debian's names of the packages): pkg-config clang-format-14 universal-ctags nodejs npm chromium\n"))
+                         (0, "setup: not here (Debian's names of the packages): pkg-config clang-format-14 universal-ctags nodejs npm chromium chromium-headless-shell\n"))
 
     def test_only_names_what_is_missing_where_that_is_asked_for(self):
         self.machine.add_apt("exit 1")

@@ -12,7 +12,7 @@ SOFTWARE = ["--disable-gpu", "--use-gl=angle", "--use-angle=swiftshader", "--ena
 def browser():
     """Chromium, driven by playwright; without either the test is skipped."""
     driver = pytest.importorskip("playwright.sync_api", reason="no playwright, which drives a browser")
-    path = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+    path = next(filter(None, map(shutil.which, ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome"))), None)
     if not path:
         pytest.skip("no Chromium here")
     with driver.sync_playwright() as playwright:

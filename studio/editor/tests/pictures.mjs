@@ -29,7 +29,7 @@ async function fiveKeys(page) {
 }
 
 async function take(name, options, prepare) {
-  const page = await open(browser, file, options);
+  const page = await open(browser, file, { ...options, draws: true });
   await fiveKeys(page);
   await prepare(page);
   await settled(page);

@@ -310,7 +310,7 @@ onPage('what is dragged is drawn before its curve is there', async (page) => {
   await drawn(page);
   assert.notEqual(await picture(page, 'Body'), before[0]);
   assert.notEqual(await picture(page, 'Sphere'), before[1]);
-});
+}, { draws: true });
 
 onPage('keys with positions stand on their path', async (page) => {
   await choose(page, 3);
@@ -320,7 +320,7 @@ onPage('keys with positions stand on their path', async (page) => {
   await page.evaluate(() => studio.view.moveTo(3.5));
   await drawn(page);
   assert.notEqual(await picture(page, 'Body'), before);
-}, { keys: keys.map(([t, q], i) => [t, q, [3 * i, 2 * Math.sin(i), 0.5 * i]]) });
+}, { draws: true, keys: keys.map(([t, q], i) => [t, q, [3 * i, 2 * Math.sin(i), 0.5 * i]]) });
 
 onPage('another axis of the world is up, in both scenes, and keys turn about the screen as it is then', async (page) => {
   const triadOf = (name) => page.getByRole('group', { name }).locator('svg > g text').evaluateAll((texts) => Object.fromEntries(texts.map((one) => [one.textContent, Number(one.getAttribute('y'))])));
@@ -350,7 +350,7 @@ onPage('another axis of the world is up, in both scenes, and keys turn about the
 });
 
 test('scenes come and go without a rest, and are drawn with one context', async () => {
-  const page = await opened({ viewport: { width: 1200, height: 540 } });
+  const page = await opened({ viewport: { width: 1200, height: 540 }, draws: true });
   for (let i = 0; i < 20; ++i) {
     await page.evaluate((keys) => showKeys(keys), keys);
     await drawn(page);
@@ -399,7 +399,7 @@ onPage('scenes say that the graphics were taken away, and go on when they are ba
   await choose(page, 4);
   await drawn(page);
   assert.notEqual(await picture(page, 'Body'), before);
-}, { first: keepingContext });
+}, { first: keepingContext, draws: true });
 
 for (const [name, options] of Object.entries(screens))
   onPage(`the scenes are accessible ${name}`, async (page) => {

@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { launch } from '../../report/tests/browser.mjs';
+import { launch, unseen } from '../../report/tests/browser.mjs';
 
 const built = readFileSync(process.env.ORISPLINE_STUDIO_PAGE, 'utf8');
 const marker = '__ORISPLINE_STUDIO_DATA__';
@@ -68,6 +68,7 @@ export async function studioWith(given = {}, { within, first, complaints: allowe
   const page = await context.newPage();
   page.setDefaultTimeout(120_000); // other work may be beside it
   await page.addInitScript(watched);
+  await page.addInitScript(unseen);
   if (first) await page.addInitScript(typeof first === 'string' ? { content: first } : first);
   const [complaints, requests] = [[], []];
   page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));

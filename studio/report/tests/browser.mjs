@@ -8,6 +8,9 @@ import { chromium } from 'playwright-core';
 
 export const executable = process.env.CHROMIUM ?? '/usr/bin/chromium';
 
+/** Whether tests run on every screen and draw every scene: at night. */
+const isThorough = Boolean(process.env.ORISPLINE_THOROUGH);
+
 const quiet = ['--disable-background-networking', '--disable-component-update', '--disable-sync', '--disable-quic', '--no-first-run'];
 const software = ['--disable-gpu', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
@@ -33,10 +36,11 @@ export const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, is
 
 const sizes = { 'on a wide screen': {}, 'on a tablet': { viewport: { width: 820, height: 1180 }, hasTouch: true }, 'on a phone': phone };
 
-/** Those that a page is looked at on. */
-export const screens = Object.fromEntries(
-  Object.entries(sizes).flatMap(([name, options]) => [[name, options], [`${name} in the dark`, { ...options, colorScheme: 'dark' }]]),
-);
+const everyScreen = Object.entries(sizes).flatMap(([name, options]) => [[name, options], [`${name} in the dark`, { ...options, colorScheme: 'dark' }]]);
+const mostDifferent = ['on a wide screen', 'on a phone in the dark'];
+
+/** Those that a page is looked at on: the two that differ most, and all of them in a thorough test. */
+export const screens = Object.fromEntries(isThorough ? everyScreen : everyScreen.filter(([name]) => mostDifferent.includes(name)));
 
 /** Waits for frames instead of time: one for the sizes, one for what is drawn in them, one for what that changes; and for plots out of view. */
 export const drawn = (page) =>
@@ -62,11 +66,23 @@ export function withoutGraphics() {
   };
 }
 
-/** Opens a file; the page's complaints and what it asks of the network are collected in it. `first` runs in it before all else. */
-export async function open(browser, file, { first, ...options } = {}) {
+/** Scenes are as they would be, but their shapes are not drawn, which takes long without a graphics card. */
+function withoutShapes() {
+  for (const draw of ['drawArrays', 'drawArraysInstanced', 'drawElements', 'drawElementsInstanced', 'drawRangeElements']) WebGL2RenderingContext.prototype[draw] = () => {};
+}
+
+/** To run before a page whose scenes no test looks at; thorough tests draw them all the same. */
+export const unseen = isThorough ? () => {} : withoutShapes;
+
+/**
+ * Opens a file; the page's complaints and what it asks of the network are collected in it. `first` runs in it before all else. Its scenes
+ * are drawn where the test `draws`.
+ */
+export async function open(browser, file, { first, draws = false, ...options } = {}) {
   const page = await browser.newPage({ viewport: { width: 1400, height: 1000 }, ...options });
   page.setDefaultTimeout(120_000); // other work may be beside it
   await page.addInitScript(withPixels);
+  if (!draws) await page.addInitScript(unseen);
   if (first) await page.addInitScript(first);
   const complaints = [];
   const requests = [];

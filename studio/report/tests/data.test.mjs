@@ -19,10 +19,10 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-const pageOf = (name, text, steps) =>
+const pageOf = (name, text, steps, options) =>
   test(name, async () => {
     writeFileSync(file, template.replace('__ORISPLINE_REPORT_DATA__', () => text.replaceAll('<', '\\u003c')));
-    const page = await open(browser, file);
+    const page = await open(browser, file, options);
     await drawn(page);
     await steps(page);
     await page.finish();
@@ -103,4 +103,4 @@ pageOf('a method with a clock is seen at its own time, and is not compared at th
   assert.match(await page.locator('[data-quantity=angle] figcaption').textContent(), /slower 57\.30/); // plots are over its own times
   assert.deepEqual(await picture('a', '0.5'), slower);
   assert.notDeepEqual(await picture('a', '1'), slower);
-});
+}, { draws: true });

@@ -193,7 +193,7 @@ reportWith('with a gap shows nothing in it', { methods: [method('a', { samples: 
   assert.equal(await pixels(page, 'angle', grey, [0.4, 0.7]), 0);
   assert.match(await said('w'), /b 1\.000/);
   assert.notDeepEqual(await scene.screenshot(), before);
-});
+}, { draws: true });
 
 const measured = (id, changes) => ({ id, label: id, unit: 'deg', explanation: '', better: 'less', is_time: false, rounding: 0, ...changes });
 const cell = (page, name, column) => page.locator(`tr[data-method="${name}"] td`).nth(column + 2);

@@ -106,7 +106,7 @@ onPage('switches the methods from the table and from the menus', {}, async (page
   assert.equal(await page.locator('[data-quantity=apart]').isVisible(), false);
 });
 
-onPage('plays, pauses and goes on', {}, async (page) => {
+onPage('plays, pauses and goes on', { draws: true }, async (page) => {
   const scene = page.locator('.stages figure.first');
   await moveTo(page, timeStart + 15);
   await drawn(page);
@@ -171,7 +171,7 @@ onPage('shows a stretch of time in all plots, and all of it after a double click
   assert.ok(Math.abs((await clock(page)) - (timeStart + 0.25 * (timeEnd - timeStart))) < 0.2);
 });
 
-onPage('draws other bodies, other axes and other places', {}, async (page) => {
+onPage('draws other bodies, other axes and other places', { draws: true }, async (page) => {
   await moveTo(page, 16);
   const scenes = page.locator('.stages');
   const pictures = [];
@@ -238,7 +238,7 @@ onPage('keeps the names in view while the table is scrolled sideways', { viewpor
 const pictures = { light: { height: 1690 }, dark: { height: 1690, colorScheme: 'dark' }, phone: { width: 390, height: 844 } };
 test('has its picture taken', { skip: !process.env.PICTURES }, async () => {
   for (const [name, { width = 1400, height, colorScheme }] of Object.entries(pictures)) {
-    const page = await open(browser, file, { viewport: { width, height }, colorScheme });
+    const page = await open(browser, file, { viewport: { width, height }, colorScheme, draws: true });
     await moveTo(page, 16);
     await drawn(page);
     await page.screenshot({ path: join(process.env.PICTURES, `${name}.png`) });

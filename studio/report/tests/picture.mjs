@@ -6,7 +6,7 @@ import { drawn, launch, open } from './browser.mjs';
 
 const [file, picture, method, beside, seconds] = process.argv.slice(2);
 const browser = await launch();
-const page = await open(browser, file, { viewport: { width: 1400, height: 1690 } });
+const page = await open(browser, file, { viewport: { width: 1400, height: 1690 }, draws: true });
 if (method) await page.locator('label.choice', { hasText: 'Method' }).locator('select').selectOption(method);
 if (beside) await page.locator('label.choice', { hasText: 'beside' }).locator('select').selectOption(beside);
 if (seconds)

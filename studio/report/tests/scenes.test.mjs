@@ -61,7 +61,7 @@ const scenesWith = (name, report, steps, options = {}) =>
   test(`scenes ${name}`, async () => {
     const file = join(folder, 'report.html');
     writeFileSync(file, template.replace('__ORISPLINE_REPORT_DATA__', () => JSON.stringify(report)));
-    const page = await open(browser, file, { first: counting, ...options });
+    const page = await open(browser, file, { first: counting, draws: true, ...options });
     await drawn(page);
     await steps(page);
     await page.finish();

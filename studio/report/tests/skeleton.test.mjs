@@ -111,7 +111,7 @@ onPage('has one cursor, at the time that is shown', {}, async (page) => {
   for (const at of places) assert.ok(Math.abs(at - (time - start) / (end - start)) < 0.01, `${at}`);
 });
 
-onPage('moves, by the button and by the space bar, and begins again at the end of the clip', {}, async (page) => {
+onPage('moves, by the button and by the space bar, and begins again at the end of the clip', { draws: true }, async (page) => {
   await page.locator('tr[data-clip="swing 6"] th').click();
   const scene = page.locator('.skeleton .frame');
   await drawn(page);
@@ -129,7 +129,7 @@ onPage('moves, by the button and by the space bar, and begins again at the end o
   await page.waitForFunction(() => Number.parseFloat(document.querySelector('output').textContent) < 2);
 });
 
-onPage('is seen from all sides, on its path, and with its differences magnified', {}, async (page) => {
+onPage('is seen from all sides, on its path, and with its differences magnified', { draws: true }, async (page) => {
   const scene = page.locator('.skeleton .frame');
   const pictures = [];
   const take = async () => {
@@ -234,7 +234,7 @@ test('of a skeleton shows the rest where there is no WebGL', async () => {
 const pictures = { light: { height: 1500 }, dark: { height: 1500, colorScheme: 'dark' }, phone: { width: 390, height: 844 } };
 test('of a skeleton has its picture taken', { skip: !process.env.PICTURES }, async () => {
   for (const [name, { width = 1400, height, colorScheme }] of Object.entries(pictures)) {
-    const page = await open(browser, file, { viewport: { width, height }, colorScheme });
+    const page = await open(browser, file, { viewport: { width, height }, colorScheme, draws: true });
     await drawn(page);
     await page.screenshot({ path: join(process.env.PICTURES, `skeleton-${name}.png`) });
     await page.finish();

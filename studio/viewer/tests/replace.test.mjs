@@ -68,9 +68,9 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-const onPage = (name, steps) =>
+const onPage = (name, steps, options = {}) =>
   test(name, async () => {
-    const page = await open(browser, file, { first: prepare, viewport: { width: 1400, height: 2400 } });
+    const page = await open(browser, file, { first: prepare, viewport: { width: 1400, height: 2400 }, ...options });
     await steps(page);
     await page.finish();
   });
@@ -94,7 +94,7 @@ onPage('other data are shown by the views that there are', async (page) => {
   for (const [k, wanted] of [(2 * 180) / Math.PI, 1, 180 / Math.PI].entries()) assert.ok(Math.abs(last[k] - wanted) < 1e-9, `${last}`);
   const { time, axis, theme } = await page.evaluate(() => store.current());
   assert.deepEqual([time, axis, theme], [1, 'y', 'dark']);
-});
+}, { draws: true });
 
 /** Of each line of a plot: the value where its dot is, and the one that is written beside its name. */
 const pointed = (page, id) =>
@@ -192,4 +192,4 @@ onPage('what was drawn before is freed, also by the graphics', async (page) => {
   const session = await page.context().newCDPSession(page);
   await session.send('HeapProfiler.collectGarbage');
   assert.ok((await page.evaluate(() => references.filter((one) => one.deref()).length)) <= 2);
-});
+}, { draws: true });

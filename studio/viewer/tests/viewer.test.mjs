@@ -121,7 +121,7 @@ onPage('viewers may come and go more often than a browser has contexts', async (
   const pictures = await page.locator('.stages canvas').evaluateAll((all) => all.map((canvas) => pixelsOf(canvas).data.some((value) => value > 0)));
   assert.deepEqual(pictures, [true, true, true]);
   assert.equal(await page.locator('.stages .lost:visible').count(), 0);
-});
+}, { draws: true });
 
 onPage('two viewers are accessible', async (page, put) => {
   await put('left', 'a', 'b');
