@@ -82,26 +82,15 @@ Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader 
   const auto source = open_source(request, std::move(keys));
   if (!source) return tl::unexpected(source.error());
   const auto& [file, shaped, times, band] = *source;
-  SampleReport report{.outcome = outcome_of(file.track, request.method, shaped),
-                      .input = request.input.path,
-                      .output = request.output,
-                      .repairs = file.repairs,
-                      .columns = with_positions(request.rows.columns, shaped.curve.position.has_value()),
-                      .keys_held = true};
-  report.outcome.extrapolation = request.rows.extrapolation;
+  SampleReport report{.outcome = outcome_of(file.track, request.method, shaped), .repairs = file.repairs};
   report.outcome.band = request.band;
   if (request.truth) {
     auto distance = truth_distance(request, file, shaped.curve);
     if (!distance) return tl::unexpected(std::move(distance.error()));
     report.outcome.truth = std::move(*distance);
   }
-  const RowWriting writing = row_writing(request.rows, file.track.recipe.gap.has_value(), request.threads);
-  return write_rows(request.output, report.columns, shaped.curve, times,
-                    {request.rows.extrapolation, band ? &*band : nullptr}, writing, request.progress)
-      .map([&](const jobs::RowCounts& counts) {
-        count_rows(report.outcome, writing.policy, counts);
-        return report;
-      });
+  return write_samples(request, std::move(report), shaped.curve, times, file.track.recipe.gap.has_value(),
+                       band ? &*band : nullptr);
 }
 
 /// The size of a file in bytes; absent for a pipe.

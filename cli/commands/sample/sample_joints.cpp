@@ -16,7 +16,6 @@
 #include "commands/sample/sample_report.hpp"
 #include "commands/sample/sample_request.hpp"
 #include "options/scene_input.hpp"
-#include "output/rows_file.hpp"
 #include "output/standard_output.hpp"
 #include "output/summary.hpp"
 
@@ -139,19 +138,8 @@ Expected<JointMotion> motion_of(const SampleRequest& request, const scenes::Scen
 }
 
 Expected<SampleReport> write_joint(const SampleRequest& request, const JointMotion& motion) {
-  SampleReport report{.outcome = jobs::outcome_of_joint(request.input.path, motion.curve),
-                      .input = request.input.path,
-                      .output = request.output,
-                      .columns = with_positions(request.rows.columns, motion.curve.position.has_value()),
-                      .keys_held = true};
-  report.outcome.extrapolation = request.rows.extrapolation;
-  const RowWriting writing = row_writing(request.rows, false, request.threads);
-  return write_rows(request.output, report.columns, motion.curve, motion.on_curve.times, {request.rows.extrapolation},
-                    writing, request.progress)
-      .map([&](const jobs::RowCounts& counts) {
-        count_rows(report.outcome, writing.policy, counts);
-        return report;
-      });
+  return write_samples(request, {.outcome = jobs::outcome_of_joint(request.input.path, motion.curve)}, motion.curve,
+                       motion.on_curve.times);
 }
 
 }  // namespace

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/sample/sample_report.hpp"
 
+#include <utility>
+
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/io/file_json.hpp>
 
-#include "options/row_options.hpp"
 #include "output/repairs_text.hpp"
+#include "output/rows_file.hpp"
 #include "output/summary.hpp"
 
 namespace orispline::cli {
@@ -28,6 +30,22 @@ Json names_of(const io::SampleColumns& columns) {
 }
 
 }  // namespace
+
+Expected<SampleReport> write_samples(const SampleRequest& request, SampleReport report, const PoseCurve& curve,
+                                     const jobs::SampleTimes& times, bool has_gaps, const BandInStretches* band) {
+  report.input = request.input.path;
+  report.output = request.output;
+  report.columns = with_positions(request.rows.columns, curve.position.has_value());
+  report.keys_held = true;
+  report.outcome.extrapolation = request.rows.extrapolation;
+  const RowWriting writing = row_writing(request.rows, has_gaps, request.threads);
+  return write_rows(request.output, report.columns, curve, times, {request.rows.extrapolation, band}, writing,
+                    request.progress)
+      .map([&](const jobs::RowCounts& counts) {
+        count_rows(report.outcome, writing.policy, counts);
+        return std::move(report);
+      });
+}
 
 std::string text_of(const SampleReport& report) {
   std::string text = summary_of(in_words(report));

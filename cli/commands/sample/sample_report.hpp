@@ -8,6 +8,7 @@
 #include <orispline/jobs/curve_clip.hpp>
 #include <orispline/jobs/sample.hpp>
 
+#include "commands/sample/sample_request.hpp"
 #include "output/json_document.hpp"
 
 namespace orispline::cli {
@@ -20,6 +21,11 @@ struct SampleReport {
   io::SampleColumns columns{};
   bool keys_held = false;  ///< all at once, in memory
 };
+
+/// Writes the samples of a curve in memory, of which the report has the outcome so far.
+[[nodiscard]] Expected<SampleReport> write_samples(const SampleRequest& request, SampleReport report,
+                                                   const PoseCurve& curve, const jobs::SampleTimes& times,
+                                                   bool has_gaps = false, const BandInStretches* band = nullptr);
 
 /// A curve in a file of skeletons, and the names of the files.
 struct CurveSceneReport {
