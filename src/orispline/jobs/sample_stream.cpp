@@ -48,7 +48,7 @@ void StreamSamples::KeyLines::add(const std::vector<std::uint32_t>& lines, std::
 
 Where StreamSamples::KeyLines::located(Where where) const {
   if (where.key && *where.key >= first_ && *where.key - first_ < lines_.size())
-    where.line = lines_[*where.key - first_];
+    where.line = lines_[static_cast<std::size_t>(*where.key - first_)];
   return where;
 }
 
