@@ -37,23 +37,15 @@ python_package = cmake --install build/release --prefix build/python/prefix > /d
   python3 bindings/python/build.py build/python build/python/prefix $(1)
 
 # One build of the library serves the command, the tests, the users' programs and the Python package, which is built where Python's
-# headers and the packages of its tests are to be had, before the tests, for those of the studio run the Python that it copies. The site,
-# which has the package's reference, comes last. Clang compiles the families, which are most templates. The studio comes before the command
-# that holds its page.
+# headers and the packages of its tests are to be had. That and the site are tests of ctest too, since much of them takes one core only, so
+# that others run beside them. The studio comes before the command that holds its page.
 test: build
 	tools/setup.sh build test python spark wasm site
 	$(build_wasm)
 	$(build_studio)
 	cmake --preset release -DORISPLINE_TESTS=ON
 	$(call timed,the tests' build) cmake --build build/release -j $(JOBS)
-	cmake --preset clang-families
-	$(call timed,the families by Clang) cmake --build --preset clang-families -j $(JOBS)
-	$(call timed,tests of the families by Clang) ctest --preset clang-families -j $(JOBS)
-	$(call timed,the Python package) sh -c '$(call python_package,--or-skip)'
 	$(call timed,the tests) ctest --preset release -j $(JOBS) --output-junit junit.xml --test-output-size-passed 100000
-	$(call timed,tests of the Python package) python3 bindings/python/build.py build/python --installed --test --or-skip
-	$(call timed,the site) $(site) --or-skip
-	$(call timed,tests of the site) tests/site/browse.sh build/site build/site-browser
 	@tests/summary.py build/release/junit.xml
 	@tools/timed.py $(times) --table
 

@@ -10,7 +10,13 @@ import sys
 import xml.etree.ElementTree as xml
 
 # The first pattern that a test's name begins with; all else is a test of the library.
-GROUPS = {"package": r"package\.", "command": r"cli\.|scenes\.(?!\w*_test)|benchmarks\.", "house and page": r"house\.|page\."}
+GROUPS = {
+    "package": r"package\.",
+    "command": r"cli\.|shown\.|scenes\.(?!\w*_test)|benchmarks\.",
+    "pages and studio": r"page\.|studio\.|npm\.",
+    "Python": r"python\.",
+    "house and site": r"house\.|site\.",
+}
 LIBRARY = "library, C++"
 
 
@@ -19,11 +25,13 @@ def group_of(name):
 
 
 def reasons_in(output):
-    """What a test says about what it skipped: its own lines, and those of GoogleTest, which gives a reason in the next."""
+    """What a test says about what it skipped: its own lines, those of pytest, and those of GoogleTest, which gives a reason in the next."""
     lines = output.splitlines()
     for place, line in enumerate(lines):
-        if re.match(r"(\w+: )?skipped\b", line):
+        if re.match(r"([\w ]+: )?skipped\b", line):
             yield re.sub(r"^skipped:? *", "", line)
+        elif found := re.match(r"SKIPPED \[\d+\] (.*)", line):
+            yield found[1]
         elif re.match(r".+:\d+: Skipped$", line):
             yield lines[place + 1] if place + 1 < len(lines) else ""
 

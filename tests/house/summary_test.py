@@ -21,6 +21,9 @@ root may write everywhere
     <system-out>skipped: the registry of npm cannot be reached</system-out></testcase>
   <testcase name="page.report.page" time="5" status="notrun"><skipped message="SKIP_RETURN_CODE=77"/>
     <system-out>page: skipped, Chromium is not here</system-out></testcase>
+  <testcase name="python.tests" time="7" status="run"><system-out>SKIPPED [2] tests/python/test_view.py:9: no Chromium here</system-out></testcase>
+  <testcase name="site.build" time="8" status="notrun"><skipped message="SKIP_REGULAR_EXPRESSION_MATCHED"/>
+    <system-out>site: skipped: found no doxygen</system-out></testcase>
   <testcase name="package.headers" time="6" status="notrun"><skipped message="Unable to find executable"/></testcase>
 </testsuite>
 """
@@ -28,12 +31,16 @@ SAID = """Time of the tests, added up [s]:
   library, C++          3.5 in 2 tests
   package               6.0 in 1 tests
   command               7.0 in 2 tests
-  house and page        5.0 in 1 tests
-Skipped: 5
+  pages and studio      5.0 in 1 tests
+  Python                7.0 in 1 tests
+  house and site        8.0 in 1 tests
+Skipped: 7
   io_test: root may write everywhere
   cli.npy: Arrays.test_numpy_reads_it: no numpy
   scenes.three: the registry of npm cannot be reached
   page.report.page: page: skipped, Chromium is not here
+  python.tests: tests/python/test_view.py:9: no Chromium here
+  site.build: site: skipped: found no doxygen
   package.headers: Unable to find executable
 """
 
