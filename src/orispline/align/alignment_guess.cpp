@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 #include <orispline/align/clock_search.hpp>
+#include <orispline/math/eigensystem.hpp>
 #include <orispline/math/median.hpp>
 #include <orispline/mean/mean.hpp>
 
@@ -92,8 +92,7 @@ Eigen::Quaterniond rotation_between(std::span<const Eigen::Vector3d> from, std::
       weight += weights[i] * (from[i].norm() * to[i].norm());
     }
     sum(0, 0) += pull * weight;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(sum);
-    const Eigen::Vector4d best = eigen.eigenvectors().col(3);
+    const Eigen::Vector4d best = eigensystem<4>(sum).vectors.col(3);
     rotation = Eigen::Quaterniond(best[0], best[1], best[2], best[3]).normalized();
     for (std::size_t i = 0; i < from.size(); ++i)
       weights[i] = 1.0 / std::max((to_world<double>(rotation, from[i]) - to[i]).norm(), least_distance);

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
+#include <orispline/math/eigensystem.hpp>
 #include <orispline/smooth/smoothing_loss.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -76,13 +76,12 @@ struct NormalInverse {
       for (Eigen::Index k = 0; k < count; ++k)
         scaled(i, k) = normal(free[static_cast<std::size_t>(i)], free[static_cast<std::size_t>(k)]) *
                        units[free[static_cast<std::size_t>(i)]] * units[free[static_cast<std::size_t>(k)]];
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
+    const auto eigen = eigensystem<Eigen::Dynamic>(scaled);
     for (Eigen::Index e = 0; e < count; ++e) {
       Vector direction = Vector::Zero();
       for (Eigen::Index i = 0; i < count; ++i)
-        direction[free[static_cast<std::size_t>(i)]] =
-            eigen.eigenvectors()(i, e) * units[free[static_cast<std::size_t>(i)]];
-      if (const double value = eigen.eigenvalues()[e]; value > static_cast<double>(samples))
+        direction[free[static_cast<std::size_t>(i)]] = eigen.vectors(i, e) * units[free[static_cast<std::size_t>(i)]];
+      if (const double value = eigen.values[e]; value > static_cast<double>(samples))
         matrix += direction * direction.transpose() / value;
       else open.push_back(direction);
     }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/motion.hpp>
 
-#include <Eigen/Eigenvalues>
-
 #include <orispline/base/formatted.hpp>
+#include <orispline/math/eigensystem.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -16,7 +15,7 @@ constexpr double rounding_of_tensor = 1e-12;  // of an inertia tensor that was c
 Expected<Eigen::Matrix3d> checked_inertia(const Eigen::Matrix3d& inertia) {
   if (!inertia.allFinite() || (inertia - inertia.transpose()).norm() > rounding_of_tensor * inertia.norm())
     return bad_option("inertia", "found a tensor that is not symmetric, wanted a symmetric one");
-  const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues();
+  const Eigen::Vector3d moments = eigensystem<3>(inertia).values;
   if (moments[0] > 0.0) return inertia;
   return bad_option("inertia",
                     formatted("found the principal moments {:.6g}, {:.6g}, {:.6g}, wanted all of them greater "
@@ -25,7 +24,7 @@ Expected<Eigen::Matrix3d> checked_inertia(const Eigen::Matrix3d& inertia) {
 }
 
 bool is_physical_inertia(const Eigen::Matrix3d& inertia) {
-  const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues();
+  const Eigen::Vector3d moments = eigensystem<3>(inertia).values;
   return moments[2] <= (moments[0] + moments[1]) * (1.0 + rounding_of_tensor);
 }
 

@@ -6,8 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
-
+#include <orispline/math/eigensystem.hpp>
 #include <orispline/mean/weighted.hpp>
 
 // Points on one axis: their median is that of numbers, and may be a range.
@@ -29,10 +28,10 @@ template <CurvePoint P>
     const Eigen::Vector3d way = shortest_way(beside, given.points[k]);
     moments += given.weights[k] * way * way.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments);
-  const Eigen::Vector3d& squares = axes.eigenvalues();
+  const Eigensystem<3> axes = eigensystem<3>(moments);
+  const Eigen::Vector3d& squares = axes.values;
   const bool is_one = squares[2] > 0.0 && squares[1] <= 1e-20 * squares[2];
-  return is_one ? std::optional(Eigen::Vector3d(axes.eigenvectors().col(2))) : std::nullopt;
+  return is_one ? std::optional(Eigen::Vector3d(axes.vectors.col(2))) : std::nullopt;
 }
 
 /// The median of points on an axis through a point beside them.

@@ -7,13 +7,13 @@
 #include <numeric>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/math/degrees.hpp>
+#include <orispline/math/eigensystem.hpp>
 #include <orispline/mean/axis_median.hpp>
 #include <orispline/mean/descent.hpp>
 #include <orispline/mean/smallest_ball.hpp>
@@ -97,9 +97,9 @@ std::optional<Eigen::Quaterniond> start_of(const Weighted<Eigen::Quaterniond>& g
     const Eigen::Vector4d q = given.points[k].coeffs();
     moments += given.weights[k] * q * q.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> axes(moments);
-  if (axes.eigenvalues()[3] - axes.eigenvalues()[2] <= 1e-9) return std::nullopt;
-  return Eigen::Quaterniond(Eigen::Vector4d(axes.eigenvectors().col(3).normalized()));
+  const Eigensystem<4> axes = eigensystem<4>(moments);
+  if (axes.values[3] - axes.values[2] <= 1e-9) return std::nullopt;
+  return Eigen::Quaterniond(Eigen::Vector4d(axes.vectors.col(3).normalized()));
 }
 std::optional<Eigen::Vector3d> start_of(const Weighted<Eigen::Vector3d>& given) {
   mean_of::VectorSum sum;
@@ -173,7 +173,7 @@ Distances distances_from(MeanKind kind, const Weighted<P>& given, const Middle<P
   found.spread = count / (count - 1.0) * moments;
   const bool is_mean = kind == MeanKind::mean;
   const Eigen::Matrix3d& hessian = middle.found.place.pull.hessian;
-  const Eigen::Vector3d curvatures = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(hessian).eigenvalues();
+  const Eigen::Vector3d curvatures = eigensystem<3>(hessian).values;
   const bool is_flat = middle.half_range > 0.0 || !(curvatures[0] > least_curvature * curvatures[2]);
   if (found.largest == 0.0) found.covariance = Eigen::Matrix3d::Zero();
   else if (!is_flat) {

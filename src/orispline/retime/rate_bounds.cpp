@@ -5,11 +5,10 @@
 #include <limits>
 #include <span>
 
-#include <Eigen/Eigenvalues>
-
 #include <orispline/base/parallel.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/curve/path.hpp>
+#include <orispline/math/eigensystem.hpp>
 #include <orispline/retime/segment_hull.hpp>
 
 // What a motion is at a time, and what it is nowhere above around that time: for orientations and for positions.
@@ -97,7 +96,7 @@ Turning::Turning(const AnyCurve& curve, std::size_t segment, const SegmentHull& 
       quantities_(quantities.all),
       inertia_(quantities.inertia.value_or(Eigen::Matrix3d::Zero())),
       weight_(inertia_.norm()) {
-  const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia_).eigenvalues();
+  const Eigen::Vector3d moments = eigensystem<3>(inertia_).values;
   moment_ = (1.0 + rounding_of_moments) * moments[2];
   spread_ = 0.5 * (moments[2] - moments[0]) + rounding_of_moments * moments[2];
 }

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-
+#include <orispline/math/eigensystem.hpp>
 #include <orispline/math/median.hpp>
 #include <orispline/smooth/smoothing_element.hpp>
 
@@ -47,7 +46,7 @@ double lopsided_deviation(std::span<const Eigen::Vector3d> vectors) {
     count += 1.0;
   }
   if (count == 0.0) return 0.0;
-  const Eigen::Vector3d variances = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments / count).eigenvalues();
+  const Eigen::Vector3d variances = eigensystem<3>(moments / count).values;
   return variances[2] > lopsided * std::max(0.0, variances[0]) ? std::sqrt(variances[2]) : 0.0;
 }
 
