@@ -3,7 +3,6 @@
 
 // What a curve is worth: distances, energies, continuity, peaks, and methods compared by them.
 
-#include <orispline/analysis/band_in_stretches.hpp>
 #include <orispline/analysis/compared_keys.hpp>
 #include <orispline/analysis/comparison.hpp>
 #include <orispline/analysis/curve_in_stretches.hpp>

@@ -7,7 +7,6 @@
 #include <orispline/curve/four_key_curve.hpp>
 #include <orispline/curve/method.hpp>
 #include <orispline/curve/own_family.hpp>
-#include <orispline/families/build.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

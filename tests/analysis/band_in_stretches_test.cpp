@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/analysis/band_in_stretches.hpp>
 
 #include <cmath>
 #include <vector>

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <orispline/families/build.hpp>
+#include <orispline/curve/four_key_curve.hpp>
 #include <orispline/families/families.hpp>
 #include <support/bspline_by_definition.hpp>
 

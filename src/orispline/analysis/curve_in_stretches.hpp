@@ -10,6 +10,7 @@
 #include <orispline/curve/path.hpp>
 #include <orispline/curve/stretches.hpp>
 #include <orispline/curve/track.hpp>
+#include <orispline/families/motion_band.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -32,5 +33,24 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Its keys cut at the gaps that it states; none where it states none. Errors: those of stretches_between_gaps().
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<Stretch>> stretches_of(const Track& track);
+
+/// Where the true motion may be beside a curve in stretches, each of which has a band by its own keys.
+class ORISPLINE_EXPORT BandInStretches {
+ public:
+  /// Without stretches one band by all keys. Errors: those of MotionBand::make().
+  [[nodiscard]] static Expected<BandInStretches> make(const Method& method, const Keyframes& keys,
+                                                      std::span<const Stretch> stretches, double share);
+
+  /// At time t [s], as of MotionBand; NaN in gaps. [rad]
+  [[nodiscard]] double operator()(double t) const noexcept;
+
+ private:
+  struct Part {
+    double start, end;  ///< [s]
+    MotionBand band;
+  };
+
+  std::vector<Part> parts_;
+};
 
 }}  // namespace orispline

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <orispline/curve/cumulative_basis.hpp>
+#include <orispline/curve/cumulative_curve.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include <orispline/curve/four_key_curve.hpp>
-#include <orispline/curve/increments.hpp>
+#include <orispline/math/geodesic.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include <orispline/curve/four_key_curve.hpp>
-#include <orispline/curve/increments.hpp>
+#include <orispline/math/geodesic.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 

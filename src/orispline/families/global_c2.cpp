@@ -3,8 +3,8 @@
 
 #include <orispline/curve/four_key_curve.hpp>
 #include <orispline/curve/handle_curve.hpp>
-#include <orispline/curve/increments.hpp>
 #include <orispline/curve/rate_chain.hpp>
+#include <orispline/math/geodesic.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 

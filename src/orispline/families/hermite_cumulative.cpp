@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include <orispline/curve/increments.hpp>
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/three_key_rates.hpp>
+#include <orispline/math/geodesic.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 

@@ -7,12 +7,12 @@
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
-#include <orispline/curve/increments.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/one_axis.hpp>
 #include <orispline/curve/rate_comparison.hpp>
 #include <orispline/curve/three_key_rates.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/math/geodesic.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

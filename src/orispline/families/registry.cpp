@@ -4,10 +4,10 @@
 #include <array>
 
 #include <orispline/base/suggestion.hpp>
+#include <orispline/curve/four_key_curve.hpp>
 #include <orispline/curve/key_check.hpp>
 #include <orispline/curve/one_axis.hpp>
 #include <orispline/curve/own_family.hpp>
-#include <orispline/families/build.hpp>
 #include <orispline/families/families.hpp>
 #include <orispline/families/handles.hpp>
 

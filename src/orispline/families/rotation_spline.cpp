@@ -2,8 +2,8 @@
 #include <orispline/families/rotation_spline.hpp>
 
 #include <orispline/curve/four_key_curve.hpp>
-#include <orispline/curve/increments.hpp>
 #include <orispline/curve/rate_chain.hpp>
+#include <orispline/math/geodesic.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <concepts>
 #include <type_traits>
+#include <vector>
 
 #include <orispline/math/so3.hpp>
 
@@ -95,6 +96,17 @@ template <Number T>
 }
 [[nodiscard]] inline Eigen::Vector3d mirrored(const Eigen::Vector3d& at, const Eigen::Vector3d& point) noexcept {
   return 2.0 * at - point;
+}
+
+/// From each point of a list to the next: n of them give n-1 displacements, rotation vectors [rad] or differences [m].
+template <class Points>
+[[nodiscard]] auto increments_between(const Points& points) {
+  using P = typename Points::value_type;
+  std::vector<Displacement<P>> increments;
+  increments.reserve(points.size());
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    increments.push_back(displacement<double>(points[i], points[i + 1]));
+  return increments;
 }
 
 }}  // namespace orispline

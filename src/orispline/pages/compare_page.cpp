@@ -7,7 +7,7 @@
 #include <iterator>
 #include <map>
 
-#include <orispline/analysis/band_in_stretches.hpp>
+#include <orispline/analysis/curve_in_stretches.hpp>
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
