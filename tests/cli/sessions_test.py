@@ -106,10 +106,10 @@ class Stamps(Recordings):
     def test_a_stray_zero_is_dropped_and_not_sorted_to_the_front(self):
         self.use("31_stamps.csv")
         self.assert_fails("convert 31_stamps.csv", BAD_DATA,
-                          "31_stamps.csv:14: key 12: time 0 comes after 1044000, wanted increasing times: no clock said "
-                          "0 there (--drop-invalid drops such rows)")
+                          "31_stamps.csv:14: key 12: time 0 comes after 1044000, wanted increasing times: 0 is an invalid "
+                          "time stamp there (--drop-invalid drops such rows)")
         self.assert_fails("convert 31_stamps.csv --sort", BAD_DATA,
-                          "31_stamps.csv:14: time 0 comes after 1044000, wanted increasing times: no clock said 0 there "
+                          "31_stamps.csv:14: time 0 comes after 1044000, wanted increasing times: 0 is an invalid time stamp there "
                           "(--drop-invalid drops such rows)")
         self.assert_fails("convert 31_stamps.csv --drop-invalid", BAD_DATA,
                           "31_stamps.csv:22: key 19: time 1075000 comes after 1076000, wanted increasing times (--sort "
@@ -122,7 +122,7 @@ class Stamps(Recordings):
         times[30] = 0
         self.write("from_zero.csv", "t,qw,qx,qy,qz\n" + "".join(f"{t:g},1,0,0,0\n" for t in times))
         self.assert_fails("convert from_zero.csv", BAD_DATA,
-                          "from_zero.csv:32: key 30: time 0 comes after 0.29, wanted increasing times: no clock said 0 there "
+                          "from_zero.csv:32: key 30: time 0 comes after 0.29, wanted increasing times: 0 is an invalid time stamp there "
                           "(--drop-invalid drops such rows)")
         for more in ("", " --sort", " --session 1"):
             self.assertEqual(len(rows_of(self.output_of(f"convert from_zero.csv --drop-invalid{more}"))), 59)

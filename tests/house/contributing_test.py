@@ -24,7 +24,7 @@ MODELS = {
     "Add a method": Model({"my_curve": "atbi", "NAME": "atbi"}, r"(?i)atbi", r"(?i)\batbi\b", without=("docs/files.md", "docs/tune.md")),
     "Add a format of keys": Model({"my_format": "euroc"}, r"(?i)euroc", r"euroc_format|formats/euroc"),
     "Add a format of skeletons": Model({"my_format": "bvh"}, r"(?i)bvh", r"scenes/bvh/bvh\b"),
-    "Add an option": Model({}, r"\bpenalty\b", r"\bpenalty\b", ("cli", "bindings"), ("tools/make_field_tables.py",)),
+    "Add an option": Model({}, r"\bpenalty\b", r"\bpenalty\b", ("cli", "bindings"), ("tools/make_field_tables.py", "bindings/npm/tasks.mjs")),
     "Add a result": Model({}, r"\bsamples_in_short_stretches\b", r"\bsamples_in_short_stretches\b", ("cli", "bindings"), ("tools/make_field_tables.py",)),
     "Add a task": Model({}, r"(?i)mean", r"\bmean_info\b|\brun_mean\b|\badd_mean\b|jobs/mean\.cpp|tasks_mean", without=("bindings/python/stub.py",)),
     "Add a measure": Model({}, r"\bmedian_deg\b", r"\bmedian_deg\b", without=("src/orispline/analysis/comparison.cpp",)),

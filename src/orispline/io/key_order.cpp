@@ -89,7 +89,7 @@ Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, 
   return true;
 }
 
-/// A time of 0 that no clock said, as far as the rows behind it are known.
+/// A time of 0 that is an invalid stamp, as far as the rows behind it are known.
 bool KeyRows::is_zero_stamp() const {
   const auto is_zero = [](const Decimal& time) { return time == Decimal(); };
   return is_zero(unrising_->time) && is_far_from_zero(first_, latest_, taken_ + file_.data.times.size()) &&
@@ -116,8 +116,9 @@ Error KeyRows::out_of_order() const {
   const bool is_zero = time == Decimal() && is_far_from_zero(first_, latest_, taken_ + file_.data.times.size()) &&
                        (after.empty() || after.front() >= latest_ || (after.front() == time && first_ != time));
   if (is_zero)
-    return error("drop_invalid", formatted("time {} comes after {}, wanted increasing times: no clock said 0 there",
-                                           text, latest_.to_string()));
+    return error("drop_invalid",
+                 formatted("time {} comes after {}, wanted increasing times: 0 is an invalid time stamp there", text,
+                           latest_.to_string()));
   return falling_time(text, latest_, begins, where).value();
 }
 
@@ -168,10 +169,10 @@ Expected<std::vector<std::uint32_t>> KeyRows::chosen_rows() {
     if (!zeros[i - first]) {
       rows.push_back(static_cast<std::uint32_t>(i));
     } else if (!options_.drop_invalid) {
-      return mended_by(
-          "drop_invalid",
-          formatted("time 0 comes after {}, wanted increasing times: no clock said 0 there", times_[i - 1].to_string()),
-          {.file = file_.path, .line = file_.lines[i]});
+      return mended_by("drop_invalid",
+                       formatted("time 0 comes after {}, wanted increasing times: 0 is an invalid time stamp there",
+                                 times_[i - 1].to_string()),
+                       {.file = file_.path, .line = file_.lines[i]});
     } else {
       ++file_.repairs.invalid_dropped;
     }

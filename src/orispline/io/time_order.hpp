@@ -44,7 +44,7 @@ class ORISPLINE_EXPORT TimeOrder {
 /// there before, or is many of their steps away.
 [[nodiscard]] ORISPLINE_EXPORT bool is_far_from_zero(const Decimal& first, const Decimal& last, std::size_t count);
 
-/// Rows with a time of 0 between rows of other times, which no clock said: not those that begin a recording.
+/// Rows with a time of 0 between rows of other times, which are invalid time stamps: not those that begin a recording.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<bool> zero_stamps(std::span<const Decimal> times);
 
 /// Whether a stamp that has come twice is one of a clock too coarse for the rows, by the times of some rows after it.
