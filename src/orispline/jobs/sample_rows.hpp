@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include <orispline/analysis/band_in_stretches.hpp>
+#include <orispline/analysis/curve_in_stretches.hpp>
 #include <orispline/batch/sample.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/jobs/sample_times.hpp>
