@@ -13,6 +13,8 @@ export interface Tasks {
             gyro?: RateInput | undefined;
         };
         options: {
+            /** Cut-off frequency 1/(2 pi tau) [Hz] instead of the smoothing time: half of a motion at it is left. */
+            cutoff?: Text | Flag | undefined;
             /** At most so many at work; 0: one per core. */
             threads?: Text | Flag | undefined;
             /** Rate whose squared integral is kept small. */
@@ -103,6 +105,8 @@ export interface Tasks {
             adapt?: Flag | undefined;
             /** Add one standard deviation of every orientation and rate, along the axes of the body. */
             sigma?: Flag | undefined;
+            /** Cut-off frequency 1/(2 pi tau) [Hz] instead of the smoothing time: half of a motion at it is left. */
+            cutoff?: Text | Flag | undefined;
             /** Largest angle that is allowed between a joint and its key before, in the frame of its parent. */
             tolerance?: Text | undefined;
             /** Largest distance that is allowed between a joint's translation and its key before. */
