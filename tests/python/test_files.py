@@ -42,7 +42,7 @@ def test_options_are_those_of_the_library():
         "path", "scalar_first", "normalize", *(option["name"] for option in _core.reading_options())}
     assert set(inspect.signature(ori.write).parameters) == {
         "what", "path", *(option["name"] for option in _core.writing_options())}
-    helped = subprocess.run([COMMAND, "sample", "--help"], capture_output=True, text=True, check=True).stdout
+    helped = subprocess.run([COMMAND, "help", "sample", "--all"], capture_output=True, text=True, check=True).stdout
     for option in [*_core.reading_options(), *_core.writing_options()]:
         assert "--" + option["name"].replace("_", "-") in helped, option["name"]
     for function, options in ((ori.read, _core.reading_options()), (ori.write, _core.writing_options())):
