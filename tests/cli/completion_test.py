@@ -65,7 +65,7 @@ class Bash(CommandTest):
 class EveryShell(CommandTest):
     def test_every_option_of_the_help_is_offered(self):
         for command in ("sample", "convert", "inspect", "methods"):
-            options = set(re.findall(r"^ +(?:-\w,)?--([\w-]+)", self.output_of(f"{command} --help"), re.M))
+            options = set(re.findall(r"^ +(?:-\w,)?--([\w-]+)", self.output_of(f"help {command} --all"), re.M))
             self.assertIn("json", options)
             for shell, pattern in (("bash", "--{}"), ("zsh", "*--{}["), ("fish", " -l {}")):
                 script = self.output_of(f"completion {shell}")
