@@ -62,16 +62,20 @@ Expected<Value> value_of(const orispline_named_value& input) {
   return checked(input.value).map([](const Value* value) { return *value; });
 }
 
+/// What one of the functions that run a task is called with; `inputs` are of the type that it takes.
+struct Call {
+  const char* task;
+  const void* inputs;
+  std::size_t input_count;
+  const char* const* options;
+  std::size_t option_count;
+  orispline_progress progress;
+  void* context;
+};
+
 template <class Input>
-Expected<Asked> asked_by(const Input* inputs, std::size_t input_count, const char* const* options,
-                         std::size_t option_count) {
-  auto stated = stated_options(options, option_count);
-  if (!stated) return tl::unexpected(std::move(stated.error()));
-  Asked asked;
-  for (auto& [name, text] : *stated) asked.request.options.emplace_back(std::move(name), std::move(text));
-  if (input_count == 0) return asked;
-  if (auto there = check_pointer(inputs, "inputs"); !there) return tl::unexpected(std::move(there.error()));
-  for (const Input& input : std::span(inputs, input_count)) {
+Expected<void> take_inputs(Asked& asked, const Call& call) {
+  for (const Input& input : std::span(static_cast<const Input*>(call.inputs), call.input_count)) {
     if (!input.name) return bad_option("inputs", "found one without a name, wanted one");
     auto value = value_of(input);
     if (!value) {
@@ -81,12 +85,31 @@ Expected<Asked> asked_by(const Input* inputs, std::size_t input_count, const cha
     if (!asked.file) asked.file = value->file;
     asked.request.inputs.emplace_back(input.name, std::move(value->value));
   }
-  return asked;
+  return {};
 }
 
-Expected<Outcome> outcome_of(const char* task, const Asked& asked, const Progress& progress) {
-  return jobs::run_task(task, asked.request, progress).map([&](jobs::TaskOutcome made) {
-    return Outcome(std::move(made), asked.file);
+Expected<Asked> asked_by(const Call& call, Expected<void> (*take)(Asked&, const Call&)) {
+  auto stated = stated_options(call.options, call.option_count);
+  if (!stated) return tl::unexpected(std::move(stated.error()));
+  Asked asked;
+  for (auto& [name, text] : *stated) asked.request.options.emplace_back(std::move(name), std::move(text));
+  if (call.input_count == 0) return asked;
+  return check_pointer(call.inputs, "inputs").and_then([&] { return take(asked, call); }).map([&] {
+    return std::move(asked);
+  });
+}
+
+orispline_code ran(const Call& call, Expected<void> (*take)(Asked&, const Call&), orispline_outcome** outcome,
+                   orispline_error** error) {
+  return guarded(error, [&] {
+    return cleared(outcome, "outcome")
+        .and_then([&] { return check_pointer(call.task, "task"); })
+        .and_then([&] { return asked_by(call, take); })
+        .and_then([&](const Asked& asked) {
+          return jobs::run_task(call.task, asked.request, progress_by(call.progress, call.context))
+              .map([&](jobs::TaskOutcome made) { return Outcome(std::move(made), asked.file); });
+        })
+        .map([&](Outcome made) { *outcome = handle_of<orispline_outcome>(std::move(made)); });
   });
 }
 
@@ -110,25 +133,15 @@ orispline_code orispline_tasks_json(char** json, orispline_error** error) {
 orispline_code orispline_task_run(const char* task, const orispline_input* inputs, size_t input_count,
                                   const char* const* options, size_t option_count, orispline_progress progress,
                                   void* context, orispline_outcome** outcome, orispline_error** error) {
-  return guarded(error, [&] {
-    return cleared(outcome, "outcome")
-        .and_then([&] { return check_pointer(task, "task"); })
-        .and_then([&] { return asked_by(inputs, input_count, options, option_count); })
-        .and_then([&](const Asked& asked) { return outcome_of(task, asked, progress_by(progress, context)); })
-        .map([&](Outcome made) { *outcome = handle_of<orispline_outcome>(std::move(made)); });
-  });
+  return ran({task, inputs, input_count, options, option_count, progress, context}, take_inputs<orispline_input>,
+             outcome, error);
 }
 
 orispline_code orispline_task_run_with(const char* task, const orispline_named_value* inputs, size_t input_count,
                                        const char* const* options, size_t option_count, orispline_progress progress,
                                        void* context, orispline_outcome** outcome, orispline_error** error) {
-  return guarded(error, [&] {
-    return cleared(outcome, "outcome")
-        .and_then([&] { return check_pointer(task, "task"); })
-        .and_then([&] { return asked_by(inputs, input_count, options, option_count); })
-        .and_then([&](const Asked& asked) { return outcome_of(task, asked, progress_by(progress, context)); })
-        .map([&](Outcome made) { *outcome = handle_of<orispline_outcome>(std::move(made)); });
-  });
+  return ran({task, inputs, input_count, options, option_count, progress, context}, take_inputs<orispline_named_value>,
+             outcome, error);
 }
 
 const char* orispline_outcome_document(const orispline_outcome* outcome) {

@@ -166,7 +166,7 @@ Expected<void> read_baked(const TaskArguments& arguments, TaskJob& job) {
 }
 
 Expected<WrittenResult> write_baked(const TaskArguments& arguments, TaskJob&, jobs::TaskOutcome& outcome) {
-  const auto& baked = std::get<jobs::BakeOutcome>(outcome.findings.front());
+  const auto& baked = jobs::found<jobs::BakeOutcome>(outcome);
   const std::string content =
       has_extension(arguments.output.path, binary) ? jobs::baked_bytes(baked) : jobs::baked_json(baked);
   return open_output(arguments.output.path)

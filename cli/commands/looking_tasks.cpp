@@ -292,7 +292,7 @@ std::string tables_text(const jobs::CompareOutcome& outcome, const std::string& 
 }
 
 Expected<void> print_compared(const TaskArguments& options, const TaskJob& job, const jobs::TaskOutcome& outcome) {
-  const auto& found = std::get<jobs::CompareOutcome>(outcome.findings.front());
+  const auto& found = jobs::found<jobs::CompareOutcome>(outcome);
   return print_document(options.json  ? document(outcome.document)
                         : options.csv ? csv_of(found)
                                       : tables_text(found, job.request.reading.mended, terminal_width()))
@@ -301,7 +301,7 @@ Expected<void> print_compared(const TaskArguments& options, const TaskJob& job, 
 
 /// The table of one of several inputs, as a file of its own.
 Expected<void> write_compared(const TaskArguments& options, const jobs::TaskOutcome& outcome) {
-  const auto& found = std::get<jobs::CompareOutcome>(outcome.findings.front());
+  const auto& found = jobs::found<jobs::CompareOutcome>(outcome);
   return any_worked(found)
       .and_then([&] { return open_output(options.output.path); })
       .and_then([&](Noted<io::OutputFile> output) {

@@ -115,7 +115,7 @@ Expected<void> write_smooth_samples(const TaskArguments& arguments, const TaskJo
   if (!job.columns.format->holds.rates)
     warn({{.code = "rates_not_written",
            .message = "this format holds no rates: wx,wy,wz,ax,ay,az are not written, wanted a CSV file for them"}});
-  auto& smooth = std::get<jobs::SmoothOutcome>(outcome.findings.front());
+  auto& smooth = jobs::found<jobs::SmoothOutcome>(outcome);
   return write_curve(arguments.output.path, job, smooth.smoothing).map([&](std::size_t rows) {
     smooth.samples = rows;
     outcome.document = jobs::document_of(smooth);
@@ -128,7 +128,7 @@ Expected<WrittenResult> write_smoothed(const TaskArguments& arguments, TaskJob& 
   return (job.rows ? write_smooth_samples(arguments, job, outcome)
                    : write_keys(arguments.output.path, outcome.tracks.front(), job.columns))
       .map([&] {
-        const auto& smooth = std::get<jobs::SmoothOutcome>(outcome.findings.front());
+        const auto& smooth = jobs::found<jobs::SmoothOutcome>(outcome);
         return WrittenResult{.text = written_text(arguments, smooth.result())};
       });
 }
@@ -195,7 +195,7 @@ Expected<void> read_reduced(const TaskArguments& arguments, TaskJob& job) {
 }
 
 Expected<WrittenResult> write_reduced(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
-  const Reduction& chosen = std::get<jobs::ReduceOutcome>(outcome.findings.front()).chosen();
+  const Reduction& chosen = jobs::found<jobs::ReduceOutcome>(outcome).chosen();
   const std::string& path = arguments.output.path;
   job.columns.derivatives = chosen.track.keys.angular_velocities().empty() ? 0 : 1;
   return check_settings_fit(chosen.track, job.columns, path, "the tolerance holds")

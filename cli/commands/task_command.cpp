@@ -21,13 +21,12 @@ namespace {
 
 /// A page shows the warnings as the command says them.
 void name_flags(jobs::TaskOutcome& outcome) {
-  for (jobs::TaskFinding& finding : outcome.findings)
-    std::visit(
-        [](auto& found) {
-          if constexpr (requires { found.warnings; })
-            for (Warning& warning : found.warnings) warning = with_flags(std::move(warning));
-        },
-        finding);
+  std::visit(
+      [](auto& found) {
+        if constexpr (requires { found.warnings; })
+          for (Warning& warning : found.warnings) warning = with_flags(std::move(warning));
+      },
+      *outcome.finding);
 }
 
 /// The document with the names of the files around it and the warnings behind.

@@ -7,7 +7,7 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
-std::vector<jobs::TaskInfo> jobs::tasks_info() { return {reduce_info()}; }
+std::vector<jobs::TaskInfo> jobs::tasks_info() { return {reduce_tracks_info()}; }
 
 void scenes::join_formats() {}
 

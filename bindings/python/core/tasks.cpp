@@ -88,33 +88,7 @@ std::vector<Decimation> decimations_in(const Decimations& stated) {
   return decimations;
 }
 
-// What was found.
-
-template <class Finding>
-const Finding& found(const TaskOutcome& outcome) {
-  return std::get<Finding>(outcome.findings.front());
-}
-
-/// What there is to say of one of several findings.
-template <class Finding>
-TaskOutcome told(Finding finding) {
-  TaskOutcome outcome{.document = document_of(finding), .summary = summary_of(finding)};
-  if constexpr (requires { finding.warnings; }) outcome.warnings = finding.warnings;
-  outcome.findings.emplace_back(std::move(finding));
-  return outcome;
-}
-
-/// One outcome for each finding.
-std::vector<TaskOutcome> apart(TaskOutcome outcome) {
-  std::vector<TaskOutcome> outcomes;
-  if (outcome.findings.size() == 1) {
-    outcomes.push_back(std::move(outcome));
-    return outcomes;
-  }
-  for (jobs::TaskFinding& finding : outcome.findings)
-    outcomes.push_back(std::visit([](auto& one) { return told(std::move(one)); }, finding));
-  return outcomes;
-}
+using jobs::found;
 
 /// `options` are the task's, `settings` what it takes beside them: those of smoothing, where it smooths first.
 std::vector<TaskOutcome> run(const std::string& task, const std::vector<std::pair<std::string, Input>>& inputs,
@@ -133,7 +107,8 @@ std::vector<TaskOutcome> run(const std::string& task, const std::vector<std::pai
   auto outcome = interruptible([&](const Progress& progress) { return jobs::run_task(task, request, progress); });
   if (!outcome)
     raise(as_shown(as_shown(std::move(outcome.error()), options, fields), settings, fields_of<SmoothOptions>()));
-  return apart(*std::move(outcome));
+  if (outcome->parts.empty()) outcome->parts.push_back(*outcome);
+  return std::move(outcome->parts);
 }
 
 /// Null where it made none.
@@ -148,7 +123,7 @@ struct KeysOf {
 };
 
 std::optional<Keys> keys_of(const TaskOutcome& outcome) {
-  const Track* const track = std::visit(KeysOf(), outcome.findings.front());
+  const Track* const track = std::visit(KeysOf(), *outcome.finding);
   return track ? std::optional(Keys{std::make_shared<const Track>(*track)}) : std::nullopt;
 }
 
@@ -381,7 +356,7 @@ void add_tasks(nb::module_& module) {
       .def_prop_ro("warnings", [](const TaskOutcome& outcome) { return warnings_of(outcome.warnings); })
       .def("attributes",
            [](const TaskOutcome& outcome) {
-             return std::visit([](const auto& finding) { return attributes(finding); }, outcome.findings.front());
+             return std::visit([](const auto& finding) { return attributes(finding); }, *outcome.finding);
            })
       .def("members", [](const TaskOutcome& outcome) { return object_of(outcome.document); })
       .def("summary", [](const TaskOutcome& outcome) { return shown(outcome.summary); })

@@ -45,8 +45,8 @@ std::string lines_of_results(const std::vector<FieldInfo>& results, std::string_
 std::string text_of(const jobs::TaskInfo& task) {
   std::string text = formatted("{}: {}\n", task.name, task.sentence);
   for (const FieldInfo& field : task.options) text += lines_of_option(field);
-  if (!task.options_of_scenes.empty()) text += "  options where the input is a skeleton\n";
-  for (const FieldInfo& field : task.options_of_scenes) text += lines_of_option(field);
+  if (!task.on_scene.options.empty()) text += "  options where the input is a skeleton\n";
+  for (const FieldInfo& field : task.on_scene.options) text += lines_of_option(field);
   return text + lines_of_results(task.results, "results") +
          lines_of_results(task.results_of_gyros, "results where a recording is of a gyro") + "\n";
 }

@@ -83,7 +83,7 @@ Json task_json(const TaskInfo& task) {
             {"inputs", std::move(inputs)},
             {"settings", std::move(settings)}};
   if (!task.results_of_gyros.empty()) json["results_of_gyros"] = results_json(task.results_of_gyros);
-  if (!task.options_of_scenes.empty()) json["options_of_skeletons"] = options_json(task.options_of_scenes);
+  if (!task.on_scene.options.empty()) json["options_of_skeletons"] = options_json(task.on_scene.options);
   return json;
 }
 
@@ -139,6 +139,8 @@ Expected<void> check_inputs(const TaskInfo& task, const TaskRequest& request) {
   }
   return {};
 }
+
+bool runs_on_scene(const TaskInfo& task, const TaskRequest& request) { return task.on_scene.run && has_scene(request); }
 
 Expected<void> check_options(const TaskInfo& task, const TaskRequest& request) {
   const std::vector<FieldInfo>& options = options_for(task, request);
@@ -201,22 +203,21 @@ Expected<const TaskInfo*> task_named(std::string_view name) {
 }
 
 const std::vector<FieldInfo>& options_for(const TaskInfo& task, const TaskRequest& request) {
-  const bool is_scene = has_scene(request);
-  return is_scene && !task.options_of_scenes.empty() ? task.options_of_scenes : task.options;
+  return has_scene(request) && !task.on_scene.options.empty() ? task.on_scene.options : task.options;
 }
 
 Expected<void> check_task(std::string_view name, const TaskRequest& request) {
   return task_named(name).and_then([&](const TaskInfo* task) {
-    return check_options(*task, request).and_then([&] {
-      return task->check ? task->check(request) : Expected<void>();
-    });
+    const auto check = runs_on_scene(*task, request) ? task->on_scene.check : task->check;
+    return check_options(*task, request).and_then([&] { return check ? check(request) : Expected<void>(); });
   });
 }
 
 Expected<TaskOutcome> run_task(std::string_view name, const TaskRequest& request, const Progress& progress) {
   return task_named(name).and_then([&](const TaskInfo* task) {
+    const auto run = runs_on_scene(*task, request) ? task->on_scene.run : task->run;
     return check_inputs(*task, request).and_then([&] { return check_options(*task, request); }).and_then([&] {
-      return task->run(request, progress);
+      return run(request, progress);
     });
   });
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <utility>
 
 #include <orispline/align/rate_alignment.hpp>
@@ -50,7 +51,9 @@ TaskInfo smooth_info() {
            {"gyro", "The rates of a gyro with a clock of its own", false, false, gyros_alone}},
           {cutoff_setting, threads_setting},
           run_smooth,
-          check_smooth};
+          check_smooth,
+          {},
+          {run_smooth_scene, check_smooth}};
 }
 
 TaskInfo tune_info() {
@@ -64,25 +67,29 @@ TaskInfo tune_info() {
           check_typed<TuneOptions>};
 }
 
-TaskInfo reduce_info() {
-  std::vector<TaskSetting> settings{
-      several_methods,
-      threads_setting,
-      {"smooth", "Smooth the recordings first"},
-      {"closed", "Of a skeleton: channels that end as they begin have the same tangent at both ends"},
-      {"position_scale", "Of a skeleton: metres in the unit of length of its file"}};
+TaskInfo reduce_tracks_info() {
+  std::vector<TaskSetting> settings{several_methods, threads_setting, {"smooth", "Smooth the recordings first"}};
   for (const FieldInfo& field : fields_of<SmoothOptions>()) settings.push_back({field.name, field.sentence});
   settings.push_back(cutoff_setting);
   return {"reduce",
           "The fewest keys that reproduce a recording within a tolerance",
           fields<ReduceOptions>(),
           fields<Reduction>(),
-          {several_of("recording", "The recording, or several; or a skeleton with its clips", scenes_too)},
+          {several_of("recording", "The recording, or several")},
           std::move(settings),
           run_reduce,
-          check_reduce,
-          {},
-          fields<ClipReduceOptions>()};
+          check_reduce};
+}
+
+TaskInfo reduce_info() {
+  TaskInfo info = reduce_tracks_info();
+  info.inputs = {several_of("recording", "The recording, or several; or a skeleton with its clips", scenes_too)};
+  const std::array of_scenes{
+      TaskSetting{"closed", "Of a skeleton: channels that end as they begin have the same tangent at both ends"},
+      TaskSetting{"position_scale", "Of a skeleton: metres in the unit of length of its file"}};
+  info.settings.insert(info.settings.begin() + 3, of_scenes.begin(), of_scenes.end());  // before those of smoothing
+  info.on_scene = {run_reduce_scene, check_reduce_scene, fields<ClipReduceOptions>()};
+  return info;
 }
 
 TaskInfo retime_info() {
@@ -155,7 +162,10 @@ TaskInfo inspect_info() {
           {},
           {{.name = "keys", .sentence = "The keys, or a skeleton with its clips", .takes = scenes_too}},
           {several_methods},
-          run_inspect};
+          run_inspect,
+          nullptr,
+          {},
+          {run_inspect_scene}};
 }
 
 TaskInfo difference_info() {

@@ -101,7 +101,22 @@ struct TaskOutcome {
   std::string line{};           ///< the summary in one line without an end; empty where a task has none
   std::vector<GyroTrack> gyros{};
   std::vector<MotionFile> scenes{};
-  std::vector<TaskFinding> findings{};  ///< one; of `reduce` one for each recording
+  std::shared_ptr<TaskFinding> finding{};  ///< null where there are parts
+  std::vector<TaskOutcome> parts{};  ///< of several recordings one each, but for its tracks, which are among these
+};
+
+/// What the task found. Precondition: it is of that type.
+template <class Finding>
+[[nodiscard]] Finding& found(const TaskOutcome& outcome) {
+  return std::get<Finding>(*outcome.finding);
+}
+
+/// A task on a skeleton with its clips.
+struct TaskOnScene {
+  Expected<TaskOutcome> (*run)(const TaskRequest& request,
+                               const Progress& progress) = nullptr;  ///< null: there is none
+  Expected<void> (*check)(const TaskRequest& request) = nullptr;     ///< as of TaskInfo
+  std::vector<FieldInfo> options{};                                  ///< empty: those of the task
 };
 
 /// A task: what it takes and what it gives.
@@ -113,8 +128,8 @@ struct TaskInfo {
   Expected<TaskOutcome> (*run)(const TaskRequest& request, const Progress& progress);
   /// Of the options, whatever the inputs are, of which those that are there may lack what they hold; null: nothing.
   Expected<void> (*check)(const TaskRequest& request) = nullptr;
-  std::vector<FieldInfo> results_of_gyros{};   ///< in their place, where an input is of a gyro
-  std::vector<FieldInfo> options_of_scenes{};  ///< in the place of the options, where the input is a skeleton
+  std::vector<FieldInfo> results_of_gyros{};  ///< in their place, where an input is of a gyro
+  TaskOnScene on_scene{};                     ///< in its place, where an input is a skeleton
 };
 
 /// THE list of them.
@@ -148,6 +163,7 @@ struct TaskInfo {
 [[nodiscard]] TaskInfo smooth_info();
 [[nodiscard]] TaskInfo tune_info();
 [[nodiscard]] TaskInfo reduce_info();
+[[nodiscard]] TaskInfo reduce_tracks_info();  // without skeletons, for a program that has none
 [[nodiscard]] TaskInfo retime_info();
 [[nodiscard]] TaskInfo bake_info();
 [[nodiscard]] TaskInfo mean_info();
@@ -162,6 +178,7 @@ struct TaskInfo {
 [[nodiscard]] Expected<void> check_retime(const TaskRequest& request);
 [[nodiscard]] Expected<void> check_bake(const TaskRequest& request);
 [[nodiscard]] Expected<void> check_compare(const TaskRequest& request);
+[[nodiscard]] Expected<void> check_reduce_scene(const TaskRequest& request);
 template <class Options>
 [[nodiscard]] Expected<void> check_typed(const TaskRequest& request);
 [[nodiscard]] Expected<TaskOutcome> run_smooth(const TaskRequest& request, const Progress& progress);
@@ -173,6 +190,9 @@ template <class Options>
 [[nodiscard]] Expected<TaskOutcome> run_align(const TaskRequest& request, const Progress& progress);
 [[nodiscard]] Expected<TaskOutcome> run_compare(const TaskRequest& request, const Progress& progress);
 [[nodiscard]] Expected<TaskOutcome> run_inspect(const TaskRequest& request, const Progress& progress);
+[[nodiscard]] Expected<TaskOutcome> run_smooth_scene(const TaskRequest& request, const Progress& progress);
+[[nodiscard]] Expected<TaskOutcome> run_reduce_scene(const TaskRequest& request, const Progress& progress);
+[[nodiscard]] Expected<TaskOutcome> run_inspect_scene(const TaskRequest& request, const Progress& progress);
 [[nodiscard]] Expected<TaskOutcome> run_difference(const TaskRequest& request, const Progress& progress);
 
 }}}  // namespace orispline::jobs

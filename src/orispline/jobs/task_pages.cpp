@@ -157,10 +157,10 @@ struct PageOfFinding {
 }  // namespace
 
 Expected<std::string> page_of(const TaskOutcome& outcome, const pages::PageHead& head, std::string_view after) {
-  if (outcome.findings.size() != 1)
+  if (!outcome.finding)
     return failure(ErrorCode::bad_argument,
-                   formatted("found {} results, wanted one: a page shows one", outcome.findings.size()));
-  auto page = std::visit(PageOfFinding{head, after}, outcome.findings.front());
+                   formatted("found {} results, wanted one: a page shows one", outcome.parts.size()));
+  auto page = std::visit(PageOfFinding{head, after}, *outcome.finding);
   if (!page) return failure(ErrorCode::bad_argument, "found a task without a page, wanted one that has a page");
   return *std::move(page);
 }

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
-#include <initializer_list>
 #include <iterator>
-#include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include <orispline/base/first_error.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/method_text.hpp>
-#include <orispline/fields/typed_numbers.hpp>
-#include <orispline/fields/typed_options.hpp>
 #include <orispline/jobs/align.hpp>
 #include <orispline/jobs/bake.hpp>
 #include <orispline/jobs/compare.hpp>
@@ -21,62 +15,14 @@
 #include <orispline/jobs/reduce.hpp>
 #include <orispline/jobs/retime.hpp>
 #include <orispline/jobs/smooth.hpp>
-#include <orispline/jobs/task_list.hpp>
+#include <orispline/jobs/task_request.hpp>
 #include <orispline/jobs/tune.hpp>
 
-// What is stated for a task by names becomes its request, and its outcome what all tasks have.
+// The tasks on tracks and gyros: what is stated by names becomes a request, and its outcome what all tasks have.
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
 namespace {
-
-StatedValue stated_in(const TaskRequest& request) {
-  return [&request](std::string_view name) { return request.stated(name); };
-}
-
-template <class Options>
-Expected<Options> options_in(const TaskRequest& request) {
-  return stated_options<Options>(stated_in(request));
-}
-
-/// With the name of the option that was wrong.
-auto of_option(std::string_view name) {
-  return [name](Error error) {
-    error.option = name;
-    return error;
-  };
-}
-
-Expected<bool> flag(const TaskRequest& request, std::string_view name) {
-  const FieldValue* const value = request.stated(name);
-  if (!value) return false;
-  if (const bool* const is_set = std::get_if<bool>(value)) return *is_set;
-  const std::string text = text_of(*value);
-  if (text != "true" && text != "false")
-    return Expected<bool>(typed::wanted(text, "true or false")).map_error(of_option(name));
-  return text == "true";
-}
-
-Expected<unsigned> threads_in(const TaskRequest& request) {
-  const FieldValue* const value = request.stated("threads");
-  if (!value) return 0u;
-  return typed::count(text_of(*value), 0)
-      .map([](std::uint64_t count) {
-        return static_cast<unsigned>(std::min<std::uint64_t>(count, std::numeric_limits<unsigned>::max()));
-      })
-      .map_error(of_option("threads"));
-}
-
-/// A number that is greater than 0; absent where none is stated.
-Expected<std::optional<double>> positive_in(const TaskRequest& request, std::string_view name, std::string_view unit) {
-  const FieldValue* const value = request.stated(name);
-  if (!value || is_absent(*value)) return std::nullopt;
-  const double* const number = std::get_if<double>(value);
-  if (number && *number > 0.0 && std::isfinite(*number)) return std::optional(*number);
-  return typed::positive(typed::without_unit(text_of(*value), unit))
-      .map([](double found) { return std::optional(found); })
-      .map_error(of_option(name));
-}
 
 Expected<ChosenMethod> method_in(const TaskRequest& request, const Track& keys, const UsualMethod& usual) {
   if (request.method) return *request.method;
@@ -85,90 +31,11 @@ Expected<ChosenMethod> method_in(const TaskRequest& request, const Track& keys, 
   return method_from_text(*text).and_then([&](const Method& named) { return chosen_method(named, keys, usual); });
 }
 
-/// Absent where none are stated.
-Expected<std::optional<std::vector<LabelledMethod>>> methods_in(const TaskRequest& request) {
-  if (!request.methods.empty()) return request.methods;
-  const std::string* const list = request.option("methods");
-  if (!list) return std::nullopt;
-  const auto texts = method_texts_in(*list);
-  if (!texts) return tl::unexpected(texts.error());
-  std::vector<LabelledMethod> methods;
-  for (const std::string& text : *texts) {
-    auto method = method_from_text(text);
-    if (!method) return tl::unexpected(std::move(method.error()));
-    methods.push_back({text, std::move(*method)});
-  }
-  return methods;
-}
-
-/// Error (bad_argument, of the option): one of these is set, which inputs of another kind take.
-Expected<void> check_unset(const TaskRequest& request, std::initializer_list<std::string_view> names,
-                           std::string_view message) {
-  for (const std::string_view name : names) {
-    const FieldValue* const value = request.stated(name);
-    if (value && !is_absent(*value) && text_of(*value) != "false") return bad_option(name, std::string(message));
-  }
-  return {};
-}
-
-/// Null where no skeleton is stated under that name.
-const MotionFile* scene_in(const TaskRequest& request, std::string_view name) {
-  const TaskValue* const value = request.value(name);
-  const auto* const scene = value ? std::get_if<std::shared_ptr<const MotionFile>>(value) : nullptr;
-  return scene ? scene->get() : nullptr;
-}
-
 /// Null where no gyro is stated under that name.
 std::shared_ptr<const GyroTrack> gyro_in(const TaskRequest& request, std::string_view name) {
   const TaskValue* const value = request.value(name);
   const auto* const gyro = value ? std::get_if<std::shared_ptr<const GyroTrack>>(value) : nullptr;
   return gyro ? *gyro : nullptr;
-}
-
-/// What there is to say of one outcome, and the outcome itself.
-template <class Outcome>
-TaskOutcome told(Outcome outcome, std::vector<Track> tracks = {}) {
-  TaskOutcome all{.document = document_of(outcome), .summary = summary_of(outcome), .tracks = std::move(tracks)};
-  if constexpr (requires { outcome.warnings; }) all.warnings = outcome.warnings;
-  if constexpr (requires { line_of(outcome); }) all.line = line_of(outcome);
-  all.findings.emplace_back(std::move(outcome));
-  return all;
-}
-
-bool is_stated(const TaskRequest& request, std::string_view name) {
-  const FieldValue* const value = request.stated(name);
-  return value && !is_absent(*value);
-}
-
-/// An error about the smoothing time, which the user stated as a cut-off frequency, in terms of that.
-auto of_cutoff(const TaskRequest& request) {
-  return [&request](Error error) {
-    if (!is_stated(request, "cutoff") || error.option != "smoothing_time") return error;
-    error.option = "cutoff";
-    error.message = formatted("its smoothing time 1/(2 pi f) is out of range: {}", error.message);
-    return error;
-  };
-}
-
-/// The smoothing time of the cut-off frequency [Hz] that is stated.
-Expected<std::optional<double>> cutoff_time_in(const TaskRequest& request) {
-  return positive_in(request, "cutoff", "Hz").map([](std::optional<double> frequency) {
-    return frequency ? std::optional(1.0 / (2.0 * std::numbers::pi * *frequency)) : std::nullopt;
-  });
-}
-
-/// The options of smoothing, with what is wrong whatever the recording is.
-Expected<SmoothOptions> smoothing_options_in(const TaskRequest& request) {
-  if (is_stated(request, "noise") + is_stated(request, "smoothing_time") + is_stated(request, "cutoff") > 1)
-    return failure(ErrorCode::bad_argument,
-                   "found several of `noise`, `smoothing_time` and `cutoff`, wanted one: each says how smooth");
-  FirstError checked;
-  auto options = checked(options_in<SmoothOptions>(request));
-  if (const auto time = checked(cutoff_time_in(request))) options.smoothing_time = *time;
-  if (request.value("gyro")) options.gyro = true;
-  return std::move(checked).or_else(std::move(options)).and_then([&](const SmoothOptions& read) {
-    return check(read).map([&] { return read; }).map_error(of_cutoff(request));
-  });
 }
 
 /// Wanted where an option of smoothing is stated.
@@ -198,12 +65,12 @@ TaskOutcome together(std::vector<TaskOutcome> outcomes) {
   if (outcomes.size() == 1) return std::move(outcomes.front());
   TaskOutcome all{.document = Json::array()};
   for (TaskOutcome& one : outcomes) {
-    all.document.push_back(std::move(one.document));
+    all.document.push_back(one.document);
     all.summary += one.summary;
-    std::ranges::move(one.warnings, std::back_inserter(all.warnings));
-    std::ranges::move(one.tracks, std::back_inserter(all.tracks));
-    std::ranges::move(one.findings, std::back_inserter(all.findings));
+    std::ranges::copy(one.warnings, std::back_inserter(all.warnings));
+    std::ranges::move(std::exchange(one.tracks, {}), std::back_inserter(all.tracks));
   }
+  all.parts = std::move(outcomes);
   return all;
 }
 
@@ -241,91 +108,6 @@ Track tuned_track(const TuneOutcome& outcome) {
     return same != given.settings.end() && *same == column && !given.table.rows.empty();
   });
   return keys;
-}
-
-MotionFile with_clips(const MotionFile& file, std::vector<Clip> clips) {
-  MotionFile changed{.name = file.name, .skeleton = file.skeleton, .clips = std::move(clips)};
-  changed.has_no_unit = file.has_no_unit;
-  changed.format = file.format;
-  changed.title = file.title;
-  changed.is_single_precise = file.is_single_precise;
-  return changed;
-}
-
-Expected<TaskOutcome> smooth_scene(const MotionFile& file, const TaskRequest& request) {
-  if (request.value("gyro"))
-    return bad_option("gyro", "found the rates of a gyro for the clips of a skeleton, wanted orientations at times");
-  FirstError checked;
-  SmoothClipsRequest job{.name = file.name,
-                         .skeleton = file.skeleton,
-                         .clips = file.clips,
-                         .options = checked(smoothing_options_in(request)),
-                         .threads = checked(threads_in(request)),
-                         .has_no_unit = file.has_no_unit};
-  return std::move(checked)
-      .or_else(std::move(job))
-      .and_then([](SmoothClipsRequest sound) { return smooth_clips(std::move(sound)); })
-      .map_error(of_cutoff(request))
-      .map([&](SmoothClipsOutcome outcome) {
-        std::vector<Clip> clips;
-        for (const ClipSmoothing& smoothed : outcome.clips) clips.push_back(smoothed.clip);
-        TaskOutcome all = told(std::move(outcome));
-        all.scenes = {with_clips(file, std::move(clips))};
-        return all;
-      });
-}
-
-/// The method of cubics for a skeleton, unless another one is stated.
-Expected<Method> clip_method_in(const TaskRequest& request) {
-  if (const std::string* const text = request.option("methods"); text && *text == cubicspline_method)
-    return Method{cubicspline_method};
-  return methods_in(request).and_then([](const auto& stated) -> Expected<Method> {
-    if (!stated) return Method{cubicspline_method};
-    if (stated->size() == 1) return stated->front().method;
-    return bad_option("methods", formatted("found {} methods for a skeleton, wanted one", stated->size()));
-  });
-}
-
-/// All but the clips.
-Expected<ReduceSceneRequest> reduce_scene_request_in(const MotionFile& file, const TaskRequest& request) {
-  if (request.inputs.size() > 1)
-    return bad_option("recording",
-                      formatted("found {} inputs with a skeleton among them, wanted it alone", request.inputs.size()));
-  constexpr std::string_view smooth_first = "found the clips of a skeleton, wanted the task `smooth` first";
-  for (const FieldInfo& field : fields_of<SmoothOptions>())
-    if (is_stated(request, field.name)) return bad_option(field.name, std::string(smooth_first));
-  if (auto fits = check_unset(request, {"smooth", "cutoff"}, smooth_first); !fits)
-    return tl::unexpected(std::move(fits.error()));
-  FirstError checked;
-  ReduceSceneRequest job{.file = {file.name, file.format, file.has_no_unit, file.is_single_precise},
-                         .options = checked(options_in<ClipReduceOptions>(request)),
-                         .position_scale = checked(positive_in(request, "position_scale", "")),
-                         .threads = checked(threads_in(request))};
-  job.options.method = checked(clip_method_in(request));
-  job.options.closed = checked(flag(request, "closed"));
-  return std::move(checked).or_else(std::move(job));
-}
-
-Expected<TaskOutcome> reduce_scene(const MotionFile& file, const TaskRequest& request) {
-  return reduce_scene_request_in(file, request)
-      .and_then([&](ReduceSceneRequest job) {
-        job.skeleton = file.skeleton;
-        job.clips = file.clips;
-        return jobs::reduce_scene(std::move(job));
-      })
-      .map([&](ReduceSceneOutcome outcome) {
-        std::vector<Clip> clips = outcome.clips();
-        TaskOutcome all = told(std::move(outcome));
-        all.scenes = {with_clips(file, std::move(clips))};
-        return all;
-      });
-}
-
-/// Null where no input is a skeleton.
-const MotionFile* any_scene_in(const TaskRequest& request) {
-  for (const auto& [name, value] : request.inputs)
-    if (const auto* const scene = std::get_if<std::shared_ptr<const MotionFile>>(&value)) return scene->get();
-  return nullptr;
 }
 
 /// All but the recordings.
@@ -387,14 +169,13 @@ Expected<TaskOutcome> align_rates(const TaskRequest& request, const AlignOptions
 }  // namespace
 
 Expected<TaskOutcome> run_smooth(const TaskRequest& request, const Progress& progress) {
-  if (const MotionFile* const scene = scene_in(request, "recording")) return smooth_scene(*scene, request);
   return smoothing_options_in(request)
       .and_then([&](const SmoothOptions& options) {
         SmoothRequest job{.recording = request.input("recording"), .options = options};
         if (const auto gyro = gyro_in(request, "gyro")) job.gyro = rates_beside(*job.recording, *gyro);
         return smooth(std::move(job), progress);
       })
-      .map_error(of_cutoff(request))
+      .map_error([&](Error error) { return with_cutoff(request, std::move(error)); })
       .map([&](SmoothOutcome outcome) {
         outcome.mended = request.reading.mended;
         Track track = with_sigmas(outcome.smoothing);
@@ -418,14 +199,13 @@ Expected<TaskOutcome> run_tune(const TaskRequest& request, const Progress& progr
 }
 
 Expected<TaskOutcome> run_reduce(const TaskRequest& request, const Progress& progress) {
-  if (const MotionFile* const scene = any_scene_in(request)) return reduce_scene(*scene, request);
   auto job = reduce_request_in(request);
   if (!job) return tl::unexpected(std::move(job.error()));
   for (const auto& [name, value] : request.inputs)
     job->recordings.push_back(std::get<std::shared_ptr<const Track>>(value));
   std::vector<TaskOutcome> outcomes;
   for (auto& outcome : reduce(*job, progress)) {
-    if (!outcome) return tl::unexpected(of_cutoff(request)(std::move(outcome.error())));
+    if (!outcome) return tl::unexpected(with_cutoff(request, std::move(outcome.error())));
     outcome->mended = request.reading.mended;
     Track track = outcome->chosen().track;
     outcomes.push_back(told(std::move(*outcome), {std::move(track)}));
@@ -499,10 +279,6 @@ Expected<TaskOutcome> run_compare(const TaskRequest& request, const Progress& pr
 }
 
 Expected<TaskOutcome> run_inspect(const TaskRequest& request, const Progress&) {
-  if (const MotionFile* const scene = scene_in(request, "keys"))
-    return check_unset(request, {"methods"}, "found the clips of a skeleton, wanted orientations at times").map([&] {
-      return told(inspect_scene({.file = *scene, .format = scene->title}));
-    });
   return methods_in(request)
       .and_then([&](const auto& methods) {
         InspectRequest job{.keys = request.input("keys"), .faults = request.reading.faults};
@@ -513,26 +289,11 @@ Expected<TaskOutcome> run_inspect(const TaskRequest& request, const Progress&) {
       .map([](InspectOutcome outcome) { return told(std::move(outcome)); });
 }
 
-Expected<TaskOutcome> run_difference(const TaskRequest& request, const Progress&) {
-  FirstError checked;
-  DifferenceRequest job{.first = *scene_in(request, "first"),
-                        .second = *scene_in(request, "second"),
-                        .shell = checked(options_in<ClipReduceOptions>(request)).shell,
-                        .rate = checked(positive_in(request, "rate", "")),
-                        .threads = checked(threads_in(request))};
-  return std::move(checked)
-      .or_else(std::move(job))
-      .and_then([](DifferenceRequest sound) { return difference(std::move(sound)); })
-      .map([](DifferenceOutcome outcome) { return told(std::move(outcome)); });
-}
-
 Expected<void> check_smooth(const TaskRequest& request) {
   return smoothing_options_in(request).map([](const SmoothOptions&) {});
 }
 
 Expected<void> check_reduce(const TaskRequest& request) {
-  if (const MotionFile* const scene = any_scene_in(request))
-    return reduce_scene_request_in(*scene, request).and_then([](const ReduceSceneRequest& job) { return check(job); });
   return reduce_request_in(request).map([](const ReduceRequest&) {});
 }
 

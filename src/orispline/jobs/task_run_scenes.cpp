@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <utility>
+
+#include <orispline/base/first_error.hpp>
+#include <orispline/base/formatted.hpp>
+#include <orispline/jobs/task_request.hpp>
+
+// The tasks on skeletons with their clips.
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+
+namespace {
+
+/// Of that name. Precondition: it is one.
+const MotionFile& scene_in(const TaskRequest& request, std::string_view name) {
+  return *std::get<std::shared_ptr<const MotionFile>>(*request.value(name));
+}
+
+/// With the clips that the task made.
+TaskOutcome with_clips(TaskOutcome outcome, const MotionFile& file, std::vector<Clip> clips) {
+  outcome.scenes.push_back({.name = file.name,
+                            .skeleton = file.skeleton,
+                            .clips = std::move(clips),
+                            .has_no_unit = file.has_no_unit,
+                            .format = file.format,
+                            .title = file.title,
+                            .is_single_precise = file.is_single_precise});
+  return outcome;
+}
+
+/// The method of cubics for a skeleton, unless another one is stated.
+Expected<Method> clip_method_in(const TaskRequest& request) {
+  if (const std::string* const text = request.option("methods"); text && *text == cubicspline_method)
+    return Method{cubicspline_method};
+  return methods_in(request).and_then([](const auto& stated) -> Expected<Method> {
+    if (!stated) return Method{cubicspline_method};
+    if (stated->size() == 1) return stated->front().method;
+    return bad_option("methods", formatted("found {} methods for a skeleton, wanted one", stated->size()));
+  });
+}
+
+/// All but the clips.
+Expected<ReduceSceneRequest> reduce_scene_request_in(const TaskRequest& request) {
+  if (request.inputs.size() > 1)
+    return bad_option("recording",
+                      formatted("found {} inputs with a skeleton among them, wanted it alone", request.inputs.size()));
+  constexpr std::string_view smooth_first = "found the clips of a skeleton, wanted the task `smooth` first";
+  for (const FieldInfo& field : fields_of<SmoothOptions>())
+    if (is_stated(request, field.name)) return bad_option(field.name, std::string(smooth_first));
+  if (auto fits = check_unset(request, {"smooth", "cutoff"}, smooth_first); !fits)
+    return tl::unexpected(std::move(fits.error()));
+  const MotionFile& file = scene_in(request, "recording");
+  FirstError checked;
+  ReduceSceneRequest job{.file = {file.name, file.format, file.has_no_unit, file.is_single_precise},
+                         .options = checked(options_in<ClipReduceOptions>(request)),
+                         .position_scale = checked(positive_in(request, "position_scale")),
+                         .threads = checked(threads_in(request))};
+  job.options.method = checked(clip_method_in(request));
+  job.options.closed = checked(flag(request, "closed"));
+  return std::move(checked).or_else(std::move(job));
+}
+
+}  // namespace
+
+Expected<TaskOutcome> run_smooth_scene(const TaskRequest& request, const Progress&) {
+  if (request.value("gyro"))
+    return bad_option("gyro", "found the rates of a gyro for the clips of a skeleton, wanted orientations at times");
+  const MotionFile& file = scene_in(request, "recording");
+  FirstError checked;
+  SmoothClipsRequest job{.name = file.name,
+                         .skeleton = file.skeleton,
+                         .clips = file.clips,
+                         .options = checked(smoothing_options_in(request)),
+                         .threads = checked(threads_in(request)),
+                         .has_no_unit = file.has_no_unit};
+  return std::move(checked)
+      .or_else(std::move(job))
+      .and_then([](SmoothClipsRequest sound) { return smooth_clips(std::move(sound)); })
+      .map_error([&](Error error) { return with_cutoff(request, std::move(error)); })
+      .map([&](SmoothClipsOutcome outcome) {
+        std::vector<Clip> clips;
+        for (const ClipSmoothing& smoothed : outcome.clips) clips.push_back(smoothed.clip);
+        return with_clips(told(std::move(outcome)), file, std::move(clips));
+      });
+}
+
+Expected<void> check_reduce_scene(const TaskRequest& request) {
+  return reduce_scene_request_in(request).and_then([](const ReduceSceneRequest& job) { return check(job); });
+}
+
+Expected<TaskOutcome> run_reduce_scene(const TaskRequest& request, const Progress&) {
+  return reduce_scene_request_in(request).and_then([&](ReduceSceneRequest job) {
+    const MotionFile& file = scene_in(request, "recording");
+    job.skeleton = file.skeleton;
+    job.clips = file.clips;
+    return reduce_scene(std::move(job)).map([&](ReduceSceneOutcome outcome) {
+      std::vector<Clip> clips = outcome.clips();
+      return with_clips(told(std::move(outcome)), file, std::move(clips));
+    });
+  });
+}
+
+Expected<TaskOutcome> run_inspect_scene(const TaskRequest& request, const Progress&) {
+  return check_unset(request, {"methods"}, "found the clips of a skeleton, wanted orientations at times").map([&] {
+    const MotionFile& file = scene_in(request, "keys");
+    return told(inspect_scene({.file = file, .format = file.title}));
+  });
+}
+
+Expected<TaskOutcome> run_difference(const TaskRequest& request, const Progress&) {
+  FirstError checked;
+  DifferenceRequest job{.first = scene_in(request, "first"),
+                        .second = scene_in(request, "second"),
+                        .shell = checked(options_in<ClipReduceOptions>(request)).shell,
+                        .rate = checked(positive_in(request, "rate")),
+                        .threads = checked(threads_in(request))};
+  return std::move(checked)
+      .or_else(std::move(job))
+      .and_then([](DifferenceRequest sound) { return difference(std::move(sound)); })
+      .map([](DifferenceOutcome outcome) { return told(std::move(outcome)); });
+}
+
+}}}  // namespace orispline::jobs
