@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The floor law: who may include whom, and how large a room may be. Prints every breach; exits with 1 if there is one."""
+"""The layers: which folder may include which, and how large a file may be. Prints every breach; exits with 1 if there is one."""
 import ast
 import graphlib
 import pathlib
@@ -19,12 +19,12 @@ FLOORS = {  # folder of src/orispline -> what it may include besides itself
     "pages": GROUND | TASKS | {"families", "batch", "analysis", "report", "clip"},
     "jobs": GROUND | TASKS | {"families", "batch", "online", "analysis", "report", "clip", "pages"}}
 CLI_FLOORS = {"options": set(), "output": {"options"}, "papers": {"options", "output"},
-              "commands": {"options", "output"}}  # folder of cli -> likewise; each folder of commands is one for itself
+              "commands": {"options", "output"}}  # folder of cli -> what it may include besides itself; each folder of commands is one for itself
 # The command and the bindings, who compose nothing: what they may include besides the public headers and what these name.
 BINDINGS, BINDING_LAYERS = ("cli/", "bindings/"), GROUND | {"report", "jobs", "io", "scenes"}
 METHOD_LISTS = {"families/registry.hpp", "families/method_text.hpp", "families/method_json.hpp"}  # the list of methods, their texts, and both as data
 C_LEAST = {"base/", "batch/pose_sampler.hpp", "curve/", "families/method_text.hpp", "jobs/curve_of_keys.hpp"}  # what any source of bindings/c may include of the library
-C_PARTS = {  # and those beside, of which a package for the web takes as many as it needs: source -> likewise
+C_PARTS = {  # and those beside, of which a package for the web takes as many as it needs: source -> what it may include besides those
     "bake": {"batch/"}, "json_text": {"fields/"}, "lists": {"families/", "fields/"},
     "analysis": {"analysis.hpp", "families/", "fields/"}, "tasks": {"fields/", "jobs/"},
     "files": {"families/", "fields/", "files.hpp", "scenes/"}, "written": {"fields/"},

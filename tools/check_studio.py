@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The floor law of the studio: who may import whom, and how large a file may be. Prints every breach; exits with 1 if there is one."""
+"""The layers of the studio: which folder may import which, and how large a file may be. Prints every breach; exits with 1 if there is one."""
 import graphlib
 import pathlib
 import posixpath

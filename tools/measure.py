@@ -31,7 +31,7 @@ def arguments():
         if name in ("band", "smoothing", "fidelity"):
             measure.add_argument("--data", type=pathlib.Path, default=ROOT.parent / "shared" / "data", help="the recordings, which lie beside the checkout")
         if name in ("smoothing", "fidelity"):
-            measure.add_argument("--reference", type=pathlib.Path, default=ROOT.parent / "shared" / "math", help="the reference, likewise")
+            measure.add_argument("--reference", type=pathlib.Path, default=ROOT.parent / "shared" / "math", help="the folder of the reference")
         if name == "smoothing":
             measure.add_argument("--recordings", nargs="+", default=["BROAD", "PX4", "MRO"])
             measure.add_argument("--golden", action="store_true", help="writes the reference's figures to tests/data/golden/smooth_recordings.csv")

@@ -181,7 +181,7 @@ class Smoothing(Reported):
 
     @property
     def sigma_of_rates(self) -> NDArray[np.float64] | None:
-        """One standard deviation of every angular velocity along the axes of the body [rad/s], likewise."""
+        """One standard deviation of every angular velocity along the axes of the body [rad/s], of the shape (n, 3); with the option."""
         sigmas = self._task().sigmas()
         return None if sigmas is None else sigmas[1]
 
