@@ -9,6 +9,7 @@
 #include <orispline/fields.hpp>
 #include <orispline/io/rates_file.hpp>
 #include <orispline/io/track_file.hpp>
+#include <orispline/jobs/sample_steps.hpp>
 
 #include "commands/gyro_files.hpp"
 #include "commands/task_command.hpp"

@@ -10,7 +10,7 @@
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
-#include <orispline/jobs/sample.hpp>
+#include <orispline/jobs/sample_steps.hpp>
 #include <orispline/scenes/scene_tracks.hpp>
 
 #include "commands/sample/sample_report.hpp"

@@ -2,7 +2,7 @@
 #include "commands/sample/sample_options.hpp"
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/jobs/sample.hpp>
+#include <orispline/jobs/sample_steps.hpp>
 
 #include "options/method_options.hpp"
 

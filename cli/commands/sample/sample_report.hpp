@@ -6,7 +6,7 @@
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/sample_columns.hpp>
 #include <orispline/jobs/curve_clip.hpp>
-#include <orispline/jobs/sample.hpp>
+#include <orispline/jobs/sample_steps.hpp>
 
 #include "commands/sample/sample_request.hpp"
 #include "output/json_document.hpp"

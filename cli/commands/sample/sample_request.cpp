@@ -5,7 +5,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/fields/typed_numbers.hpp>
-#include <orispline/jobs/sample.hpp>
+#include <orispline/jobs/sample_steps.hpp>
 
 #include "options/file_places.hpp"
 #include "options/scene_input.hpp"

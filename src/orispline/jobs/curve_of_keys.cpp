@@ -78,21 +78,6 @@ Expected<void> check_without_gaps(const Track& keys) {
                               .remedy = is_stated ? "recipe" : ""});
 }
 
-Expected<Track> as_read_again(const Track& keys) {
-  Track track = keys;
-  track.epoch = keys.time_of(0);
-  track.positions_apart = {};  // which files of keys do not have
-  KeyframeData data = keys.keys.data();
-  for (std::size_t k = 0; k < data.times.size(); ++k) {
-    data.times[k] = (keys.time_of(k) - track.epoch).to_double();
-    data.orientations[k] = keys.written(k);
-  }
-  return Keyframes::make(std::move(data), keys.recipe.signs).map([&](const Keyframes& read) {
-    track.keys = read;
-    return track;
-  });
-}
-
 Expected<CurveOfKeys> curve_of_keys(const Method& method, const Track& keys) {
   auto findings = findings_by(method, keys);
   Method found = findings ? with_findings(method, *findings) : method;

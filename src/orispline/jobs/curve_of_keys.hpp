@@ -65,10 +65,6 @@ using Shaping = std::function<Expected<Method>(Method method, NamedBy by)>;
 /// Error (bad_argument): the keys state gaps, and the task is about one curve through all of them.
 [[nodiscard]] ORISPLINE_EXPORT Expected<void> check_without_gaps(const Track& keys);
 
-/// The keys as they come back from a file that holds all of their digits: times count from the first key. The curve
-/// through them is that of the file, bit for bit. Errors: those of Keyframes::make().
-[[nodiscard]] ORISPLINE_EXPORT Expected<Track> as_read_again(const Track& keys);
-
 /// The family of the method that the keys of a file are for; null where they name none. Error (bad_data): a recipe that
 /// cannot be read.
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::shared_ptr<const FamilyInfo>> family_named(const Recipe& recipe,

@@ -8,12 +8,10 @@
 #include <vector>
 
 #include <orispline/analysis/distance.hpp>
-#include <orispline/clip/clip_motion.hpp>
 #include <orispline/curve/extrapolation.hpp>
 #include <orispline/fields/json.hpp>
 #include <orispline/jobs/align.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>
-#include <orispline/jobs/sample_rows.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
@@ -30,9 +28,6 @@ struct TruthDistance {
 [[nodiscard]] ORISPLINE_EXPORT Expected<TruthDistance> distance_to_aligned_truth(const PoseCurve& curve,
                                                                                  std::shared_ptr<const Track> keys,
                                                                                  std::shared_ptr<const Track> truth);
-
-/// In the place of a method, of a joint: what its file says between its keys.
-inline constexpr std::string_view stored_method = "stored";
 
 /// What was sampled, of keys in memory, of keys that came in pieces, or of a joint; the samples are elsewhere.
 struct SampleOutcome {
@@ -62,24 +57,8 @@ struct SampleOutcome {
 [[nodiscard]] ORISPLINE_EXPORT SampleOutcome outcome_of(const Track& keys, const Method& method,
                                                         const CurveOfKeys& shaped);
 
-/// Of a joint that moves as its file says.
-[[nodiscard]] ORISPLINE_EXPORT SampleOutcome outcome_of_joint(std::string source, const PoseCurve& curve);
-
-/// Where the true motion may be beside the curve of `measured`, if a share of it is to be held. Error (bad_argument, of
-/// `band`): another method.
-[[nodiscard]] ORISPLINE_EXPORT Expected<std::optional<BandInStretches>> band_of(const Track& keys, const Method& method,
-                                                                                std::optional<double> share);
-
-/// The joints that a clip moves, in the order of the skeleton: those with keys of their own, and in the world those
-/// that these carry too.
-[[nodiscard]] ORISPLINE_EXPORT std::vector<std::size_t> moved_joints(const Skeleton& skeleton, const Clip& clip,
-                                                                     JointSpace space);
-
-/// Says what became of the samples.
-ORISPLINE_EXPORT void count_rows(SampleOutcome& outcome, const RowPolicy& policy, const RowCounts& counts);
-
-/// Described in docs/inspect-json.md, but for the names of files and the warnings. Members that only a face knows go to
-/// their places: those of the columns that samples have, and of what was mended.
+/// Described in docs/inspect-json.md, but for the names of files and the warnings. Members that only the reader knows
+/// go to their places: those of the columns that samples have, and of what was mended.
 [[nodiscard]] ORISPLINE_EXPORT Json document_of(const SampleOutcome& outcome, Json of_columns, Json of_repairs);
 /// A few lines for people.
 [[nodiscard]] ORISPLINE_EXPORT std::string summary_of(const SampleOutcome& outcome);

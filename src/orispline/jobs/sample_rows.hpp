@@ -24,7 +24,7 @@ struct RowColumns {
 };
 
 /// Successive samples with their times.
-class ORISPLINE_EXPORT SampleBlock {
+class SampleBlock {
  public:
   explicit SampleBlock(const RowColumns& columns) : columns_(columns) {}
 
@@ -54,7 +54,7 @@ class ORISPLINE_EXPORT SampleBlock {
 
 /// What is sampled: a curve, the motion of a joint, or keys that come in pieces. It gives its samples one after the
 /// other, in memory that does not grow with their number.
-class ORISPLINE_EXPORT SampleSource {
+class SampleSource {
  public:
   SampleSource() = default;
   SampleSource(const SampleSource&) = delete;
@@ -78,7 +78,7 @@ struct CurveSampling {
 };
 
 /// Samples of a curve, such as the motion of a joint. It refers to the curve and the times.
-class ORISPLINE_EXPORT CurveSamples final : public SampleSource {
+class CurveSamples final : public SampleSource {
  public:
   CurveSamples(const PoseCurve& curve, const SampleTimes& times, const CurveSampling& sampling = {})
       : curve_(curve), times_(times), sampling_(sampling) {}
@@ -125,7 +125,7 @@ struct RowCounts {
 };
 
 /// Where rows go. They are made in rooms on several threads, each of which has its own.
-class ORISPLINE_EXPORT RowSink {
+class RowSink {
  public:
   RowSink() = default;
   RowSink(const RowSink&) = delete;
@@ -145,7 +145,7 @@ class ORISPLINE_EXPORT RowSink {
 };
 
 /// Takes all samples and makes their rows. Rows before a bad one are written. Errors: those of the source and the sink.
-[[nodiscard]] ORISPLINE_EXPORT Expected<RowCounts> sample_rows(SampleSource& source, const RowColumns& columns,
-                                                               const RowPolicy& policy, RowSink& sink);
+[[nodiscard]] Expected<RowCounts> sample_rows(SampleSource& source, const RowColumns& columns, const RowPolicy& policy,
+                                              RowSink& sink);
 
 }}}  // namespace orispline::jobs

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include <orispline/curve/key_check.hpp>
-#include <orispline/jobs/sample.hpp>
-#include <orispline/jobs/sample_rows.hpp>
+#include <orispline/jobs/sample_steps.hpp>
 #include <orispline/online/track_sampler.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
@@ -38,10 +37,10 @@ struct StreamRequest {
 };
 
 /// Whether samples can be made while the keys come: those of a rate, of a method whose segments depend on a few keys.
-[[nodiscard]] ORISPLINE_EXPORT bool can_stream(const StreamRequest& request);
+[[nodiscard]] bool can_stream(const StreamRequest& request);
 
 /// Samples of keys that come in pieces, in memory that grows with neither.
-class ORISPLINE_EXPORT StreamSamples final : public SampleSource {
+class StreamSamples final : public SampleSource {
  public:
   /// Precondition: can_stream().
   explicit StreamSamples(StreamRequest request);

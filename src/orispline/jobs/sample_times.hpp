@@ -42,27 +42,26 @@ struct TimeRequest {
 };
 
 /// The request with both ends in the keys' own time, whose first key is at `key_epoch`.
-[[nodiscard]] ORISPLINE_EXPORT TimeRequest anchored(TimeRequest request, const Decimal& key_epoch);
+[[nodiscard]] TimeRequest anchored(TimeRequest request, const Decimal& key_epoch);
 
 /// Error (bad_argument): so many samples can hardly be meant.
-[[nodiscard]] ORISPLINE_EXPORT Expected<void> check_number(const TimeRequest& request, double samples);
+[[nodiscard]] Expected<void> check_number(const TimeRequest& request, double samples);
 
 /// `outside_curve`: what is asked for by `from` and `to` begins before or ends after the curve.
-[[nodiscard]] ORISPLINE_EXPORT std::vector<Warning> range_warnings(const TimeRequest& request, const Decimal& key_epoch,
-                                                                   const Domain& domain);
+[[nodiscard]] std::vector<Warning> range_warnings(const TimeRequest& request, const Decimal& key_epoch,
+                                                  const Domain& domain);
 
 // What follows takes an anchored request.
 
 /// The grid that is wanted of keys with that epoch; absent for times that are listed.
-[[nodiscard]] ORISPLINE_EXPORT std::optional<SampleGrid::Request> grid_request(const TimeRequest& request,
-                                                                               const Decimal& key_epoch);
+[[nodiscard]] std::optional<SampleGrid::Request> grid_request(const TimeRequest& request, const Decimal& key_epoch);
 
 /// Errors (bad_argument) of times that end before they start, as far as it is known where the curve does.
-[[nodiscard]] ORISPLINE_EXPORT Expected<void> check_range(const TimeRequest& request, const Decimal& key_epoch,
-                                                          double curve_start, std::optional<double> curve_end);
+[[nodiscard]] Expected<void> check_range(const TimeRequest& request, const Decimal& key_epoch, double curve_start,
+                                         std::optional<double> curve_end);
 
 /// The times of the samples, computed one by one or listed.
-class ORISPLINE_EXPORT SampleTimes {
+class SampleTimes {
  public:
   /// Errors: bad_argument for a grid that ends before it starts or never ends; those of reading a list.
   ///
@@ -106,8 +105,7 @@ struct TimesOnCurve {
 
 /// The times of a request for a curve of keys with that epoch. Errors: those of SampleTimes::make(), and where samples
 /// outside the curve are an error, the first of them.
-[[nodiscard]] ORISPLINE_EXPORT Expected<TimesOnCurve> times_on_curve(const TimeRequest& request,
-                                                                     const Decimal& key_epoch, const Domain& domain,
-                                                                     Extrapolation extrapolation);
+[[nodiscard]] Expected<TimesOnCurve> times_on_curve(const TimeRequest& request, const Decimal& key_epoch,
+                                                    const Domain& domain, Extrapolation extrapolation);
 
 }}}  // namespace orispline::jobs
