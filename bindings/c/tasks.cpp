@@ -88,29 +88,24 @@ Expected<void> take_inputs(Asked& asked, const Call& call) {
   return {};
 }
 
-Expected<Asked> asked_by(const Call& call, Expected<void> (*take)(Asked&, const Call&)) {
+Expected<void> take_call(Asked& asked, const Call& call, Expected<void> (*take)(Asked&, const Call&)) {
   auto stated = stated_options(call.options, call.option_count);
   if (!stated) return tl::unexpected(std::move(stated.error()));
-  Asked asked;
   for (auto& [name, text] : *stated) asked.request.options.emplace_back(std::move(name), std::move(text));
-  if (call.input_count == 0) return asked;
-  return check_pointer(call.inputs, "inputs").and_then([&] { return take(asked, call); }).map([&] {
-    return std::move(asked);
-  });
+  if (call.input_count == 0) return {};
+  if (auto there = check_pointer(call.inputs, "inputs"); !there) return there;
+  return take(asked, call);
 }
 
-orispline_code ran(const Call& call, Expected<void> (*take)(Asked&, const Call&), orispline_outcome** outcome,
-                   orispline_error** error) {
-  return guarded(error, [&] {
-    return cleared(outcome, "outcome")
-        .and_then([&] { return check_pointer(call.task, "task"); })
-        .and_then([&] { return asked_by(call, take); })
-        .and_then([&](const Asked& asked) {
-          return jobs::run_task(call.task, asked.request, progress_by(call.progress, call.context))
-              .map([&](jobs::TaskOutcome made) { return Outcome(std::move(made), asked.file); });
-        })
-        .map([&](Outcome made) { *outcome = handle_of<orispline_outcome>(std::move(made)); });
-  });
+Expected<void> run(const Call& call, Expected<void> (*take)(Asked&, const Call&), orispline_outcome** outcome) {
+  if (auto there = cleared(outcome, "outcome"); !there) return there;
+  if (auto there = check_pointer(call.task, "task"); !there) return there;
+  Asked asked;
+  if (auto taken = take_call(asked, call, take); !taken) return taken;
+  auto made = jobs::run_task(call.task, asked.request, progress_by(call.progress, call.context));
+  if (!made) return tl::unexpected(std::move(made.error()));
+  *outcome = handle_of<orispline_outcome>(Outcome(std::move(*made), asked.file));
+  return {};
 }
 
 const char* text_of(const orispline_outcome* outcome, std::string Outcome::*text) {
@@ -133,15 +128,15 @@ orispline_code orispline_tasks_json(char** json, orispline_error** error) {
 orispline_code orispline_task_run(const char* task, const orispline_input* inputs, size_t input_count,
                                   const char* const* options, size_t option_count, orispline_progress progress,
                                   void* context, orispline_outcome** outcome, orispline_error** error) {
-  return ran({task, inputs, input_count, options, option_count, progress, context}, take_inputs<orispline_input>,
-             outcome, error);
+  const Call call{task, inputs, input_count, options, option_count, progress, context};
+  return guarded(error, [&] { return run(call, take_inputs<orispline_input>, outcome); });
 }
 
 orispline_code orispline_task_run_with(const char* task, const orispline_named_value* inputs, size_t input_count,
                                        const char* const* options, size_t option_count, orispline_progress progress,
                                        void* context, orispline_outcome** outcome, orispline_error** error) {
-  return ran({task, inputs, input_count, options, option_count, progress, context}, take_inputs<orispline_named_value>,
-             outcome, error);
+  const Call call{task, inputs, input_count, options, option_count, progress, context};
+  return guarded(error, [&] { return run(call, take_inputs<orispline_named_value>, outcome); });
 }
 
 const char* orispline_outcome_document(const orispline_outcome* outcome) {

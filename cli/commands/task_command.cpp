@@ -23,10 +23,10 @@ namespace {
 void name_flags(jobs::TaskOutcome& outcome) {
   std::visit(
       [](auto& found) {
-        if constexpr (requires { found.warnings; })
-          for (Warning& warning : found.warnings) warning = with_flags(std::move(warning));
+        if constexpr (requires { found->warnings; })
+          for (Warning& warning : found->warnings) warning = with_flags(std::move(warning));
       },
-      *outcome.finding);
+      outcome.finding);
 }
 
 /// The document with the names of the files around it and the warnings behind.

@@ -24,5 +24,5 @@ export type { FullOrispline as Orispline, LoadOptions };
 /** Loads the compiled code: of the file beside this script, or what the options say. */
 export const load = async (options: LoadOptions = {}): Promise<FullOrispline> => {
   const module = await moduleOf(options, new URL('./full.wasm', import.meta.url)), system = new System();
-  return new FullOrispline(new Engine(module, 'orispline_task_run', String, system), system);
+  return new FullOrispline(new Engine(module, 'orispline_task_run_with', String, system), system);
 };

@@ -123,7 +123,7 @@ struct KeysOf {
 };
 
 std::optional<Keys> keys_of(const TaskOutcome& outcome) {
-  const Track* const track = std::visit(KeysOf(), *outcome.finding);
+  const Track* const track = std::visit([](const auto& found) { return KeysOf()(*found); }, outcome.finding);
   return track ? std::optional(Keys{std::make_shared<const Track>(*track)}) : std::nullopt;
 }
 
@@ -356,7 +356,7 @@ void add_tasks(nb::module_& module) {
       .def_prop_ro("warnings", [](const TaskOutcome& outcome) { return warnings_of(outcome.warnings); })
       .def("attributes",
            [](const TaskOutcome& outcome) {
-             return std::visit([](const auto& finding) { return attributes(finding); }, *outcome.finding);
+             return std::visit([](const auto& finding) { return attributes(*finding); }, outcome.finding);
            })
       .def("members", [](const TaskOutcome& outcome) { return object_of(outcome.document); })
       .def("summary", [](const TaskOutcome& outcome) { return shown(outcome.summary); })

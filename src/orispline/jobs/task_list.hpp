@@ -87,10 +87,13 @@ struct ORISPLINE_EXPORT TaskRequest {
 /// Whether one of the inputs is a skeleton.
 [[nodiscard]] ORISPLINE_EXPORT bool has_scene(const TaskRequest& request);
 
-/// What a task found, as its own function gives it.
-using TaskFinding = std::variant<SmoothOutcome, SmoothClipsOutcome, TuneOutcome, ReduceOutcome, ReduceSceneOutcome,
-                                 RetimeOutcome, BakeOutcome, MeanOutcome, AlignOutcome, RateAlignOutcome,
-                                 CompareOutcome, InspectOutcome, InspectSceneOutcome, DifferenceOutcome>;
+/// What a task found, as its own function gives it. Pointers, so that a program is linked with those alone that it
+/// makes.
+template <class... Outcomes>
+using OneOf = std::variant<std::shared_ptr<Outcomes>...>;
+using TaskFinding = OneOf<SmoothOutcome, SmoothClipsOutcome, TuneOutcome, ReduceOutcome, ReduceSceneOutcome,
+                          RetimeOutcome, BakeOutcome, MeanOutcome, AlignOutcome, RateAlignOutcome, CompareOutcome,
+                          InspectOutcome, InspectSceneOutcome, DifferenceOutcome>;
 
 /// What there is to say of a task that was done, and what it made.
 struct TaskOutcome {
@@ -101,14 +104,14 @@ struct TaskOutcome {
   std::string line{};           ///< the summary in one line without an end; empty where a task has none
   std::vector<GyroTrack> gyros{};
   std::vector<MotionFile> scenes{};
-  std::shared_ptr<TaskFinding> finding{};  ///< null where there are parts
+  TaskFinding finding{};             ///< null where there are parts
   std::vector<TaskOutcome> parts{};  ///< of several recordings one each, but for its tracks, which are among these
 };
 
 /// What the task found. Precondition: it is of that type.
 template <class Finding>
 [[nodiscard]] Finding& found(const TaskOutcome& outcome) {
-  return std::get<Finding>(*outcome.finding);
+  return *std::get<std::shared_ptr<Finding>>(outcome.finding);
 }
 
 /// A task on a skeleton with its clips.

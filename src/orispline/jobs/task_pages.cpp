@@ -146,7 +146,8 @@ struct PageOfFinding {
   [[nodiscard]] static std::string html(const report::SkeletonPage& page) { return report::skeleton_document(page); }
 
   template <class Outcome>
-  [[nodiscard]] std::optional<std::string> operator()(const Outcome& outcome) const {
+  [[nodiscard]] std::optional<std::string> operator()(const std::shared_ptr<Outcome>& found) const {
+    const Outcome& outcome = *found;
     if constexpr (requires { page_of(outcome, head); }) return html(page_of(outcome, head));
     else if constexpr (requires { page_of(outcome, std::string(after), head); })
       return html(page_of(outcome, std::string(after), head));
@@ -157,10 +158,10 @@ struct PageOfFinding {
 }  // namespace
 
 Expected<std::string> page_of(const TaskOutcome& outcome, const pages::PageHead& head, std::string_view after) {
-  if (!outcome.finding)
+  if (!outcome.parts.empty())
     return failure(ErrorCode::bad_argument,
                    formatted("found {} results, wanted one: a page shows one", outcome.parts.size()));
-  auto page = std::visit(PageOfFinding{head, after}, *outcome.finding);
+  auto page = std::visit(PageOfFinding{head, after}, outcome.finding);
   if (!page) return failure(ErrorCode::bad_argument, "found a task without a page, wanted one that has a page");
   return *std::move(page);
 }

@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include <orispline/base/first_error.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/fields/typed_numbers.hpp>
@@ -16,11 +15,9 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 namespace {
 
 /// With the name of the option that was wrong.
-auto of_option(std::string_view name) {
-  return [name](Error error) {
-    error.option = name;
-    return error;
-  };
+tl::unexpected<Error> of_option(std::string_view name, Error error) {
+  error.option = name;
+  return tl::unexpected(std::move(error));
 }
 
 /// The smoothing time of the cut-off frequency [Hz] that is stated.
@@ -42,19 +39,16 @@ Expected<bool> flag(const TaskRequest& request, std::string_view name) {
   if (!value) return false;
   if (const bool* const is_set = std::get_if<bool>(value)) return *is_set;
   const std::string text = text_of(*value);
-  if (text != "true" && text != "false")
-    return Expected<bool>(typed::wanted(text, "true or false")).map_error(of_option(name));
+  if (text != "true" && text != "false") return of_option(name, typed::wanted(text, "true or false").value());
   return text == "true";
 }
 
 Expected<unsigned> threads_in(const TaskRequest& request) {
   const FieldValue* const value = request.stated("threads");
   if (!value) return 0u;
-  return typed::count(text_of(*value), 0)
-      .map([](std::uint64_t count) {
-        return static_cast<unsigned>(std::min<std::uint64_t>(count, std::numeric_limits<unsigned>::max()));
-      })
-      .map_error(of_option("threads"));
+  const auto count = typed::count(text_of(*value), 0);
+  if (!count) return of_option("threads", count.error());
+  return static_cast<unsigned>(std::min<std::uint64_t>(*count, std::numeric_limits<unsigned>::max()));
 }
 
 Expected<std::optional<double>> positive_in(const TaskRequest& request, std::string_view name, std::string_view unit) {
@@ -62,9 +56,9 @@ Expected<std::optional<double>> positive_in(const TaskRequest& request, std::str
   if (!value || is_absent(*value)) return std::nullopt;
   const double* const number = std::get_if<double>(value);
   if (number && *number > 0.0 && std::isfinite(*number)) return std::optional(*number);
-  return typed::positive(typed::without_unit(text_of(*value), unit))
-      .map([](double found) { return std::optional(found); })
-      .map_error(of_option(name));
+  const auto typed = typed::positive(typed::without_unit(text_of(*value), unit));
+  if (!typed) return of_option(name, typed.error());
+  return std::optional(*typed);
 }
 
 Expected<std::optional<std::vector<LabelledMethod>>> methods_in(const TaskRequest& request) {
@@ -86,15 +80,14 @@ Expected<SmoothOptions> smoothing_options_in(const TaskRequest& request) {
   if (is_stated(request, "noise") + is_stated(request, "smoothing_time") + is_stated(request, "cutoff") > 1)
     return failure(ErrorCode::bad_argument,
                    "found several of `noise`, `smoothing_time` and `cutoff`, wanted one: each says how smooth");
-  FirstError checked;
-  auto options = checked(options_in<SmoothOptions>(request));
-  if (const auto time = checked(cutoff_time_in(request))) options.smoothing_time = *time;
-  if (request.value("gyro")) options.gyro = true;
-  return std::move(checked).or_else(std::move(options)).and_then([&](const SmoothOptions& read) {
-    return check(read).map([&] { return read; }).map_error([&](Error error) {
-      return with_cutoff(request, std::move(error));
-    });
-  });
+  auto options = options_in<SmoothOptions>(request);
+  if (!options) return options;
+  const auto time = cutoff_time_in(request);
+  if (!time) return tl::unexpected(time.error());
+  if (*time) options->smoothing_time = **time;
+  if (request.value("gyro")) options->gyro = true;
+  if (auto sound = check(*options); !sound) return tl::unexpected(with_cutoff(request, std::move(sound.error())));
+  return options;
 }
 
 Error with_cutoff(const TaskRequest& request, Error error) {

@@ -43,7 +43,7 @@ template <class Outcome>
   TaskOutcome all{.document = document_of(outcome), .summary = summary_of(outcome), .tracks = std::move(tracks)};
   if constexpr (requires { outcome.warnings; }) all.warnings = outcome.warnings;
   if constexpr (requires { line_of(outcome); }) all.line = line_of(outcome);
-  all.finding = std::make_shared<TaskFinding>(std::move(outcome));
+  all.finding = std::make_shared<Outcome>(std::move(outcome));
   return all;
 }
 

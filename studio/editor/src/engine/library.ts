@@ -16,7 +16,7 @@ export function used<Thing extends { dispose(): void }, Result>(thing: Thing, wo
 export class Library extends FullOrispline {
   constructor(module: WebAssembly.Module) {
     const system = new System();
-    super(new Engine(module, 'orispline_task_run', String, system), system);
+    super(new Engine(module, 'orispline_task_run_with', String, system), system);
   }
 
   /** Whether no fault has ended it. */
