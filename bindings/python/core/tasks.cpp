@@ -89,6 +89,7 @@ std::vector<Decimation> decimations_in(const Decimations& stated) {
 }
 
 using jobs::found;
+using jobs::told;
 
 /// `options` are the task's, `settings` what it takes beside them: those of smoothing, where it smooths first.
 std::vector<TaskOutcome> run(const std::string& task, const std::vector<std::pair<std::string, Input>>& inputs,

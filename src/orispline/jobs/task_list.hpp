@@ -114,6 +114,16 @@ template <class Finding>
   return *std::get<std::shared_ptr<Finding>>(outcome.finding);
 }
 
+/// What there is to say of one outcome, and the outcome itself.
+template <class Outcome>
+[[nodiscard]] TaskOutcome told(Outcome outcome, std::vector<Track> tracks = {}) {
+  TaskOutcome all{.document = document_of(outcome), .summary = summary_of(outcome), .tracks = std::move(tracks)};
+  if constexpr (requires { outcome.warnings; }) all.warnings = outcome.warnings;
+  if constexpr (requires { line_of(outcome); }) all.line = line_of(outcome);
+  all.finding = std::make_shared<Outcome>(std::move(outcome));
+  return all;
+}
+
 /// A task on a skeleton with its clips.
 struct TaskOnScene {
   Expected<TaskOutcome> (*run)(const TaskRequest& request,

@@ -37,14 +37,4 @@ template <class Options>
 [[nodiscard]] Expected<void> check_unset(const TaskRequest& request, std::initializer_list<std::string_view> names,
                                          std::string_view message);
 
-/// What there is to say of one outcome, and the outcome itself.
-template <class Outcome>
-[[nodiscard]] TaskOutcome told(Outcome outcome, std::vector<Track> tracks = {}) {
-  TaskOutcome all{.document = document_of(outcome), .summary = summary_of(outcome), .tracks = std::move(tracks)};
-  if constexpr (requires { outcome.warnings; }) all.warnings = outcome.warnings;
-  if constexpr (requires { line_of(outcome); }) all.line = line_of(outcome);
-  all.finding = std::make_shared<Outcome>(std::move(outcome));
-  return all;
-}
-
 }}}  // namespace orispline::jobs
