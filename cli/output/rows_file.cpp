@@ -18,21 +18,21 @@ class RowsFile final : public jobs::RowSink {
   RowsFile(const std::string& path, const io::SampleColumns& columns, const RowWriting& writing)
       : path_(path), columns_(columns), writing_(writing) {}
 
-  void clear(std::size_t rooms) override {
-    rooms_.resize(rooms, io::SampleRows(columns_, writing_.missing));
-    for (io::SampleRows& rows : rooms_) rows.clear();
+  void clear(std::size_t buffers) override {
+    buffers_.resize(buffers, io::SampleRows(columns_, writing_.missing));
+    for (io::SampleRows& rows : buffers_) rows.clear();
   }
-  [[nodiscard]] Expected<void> add(std::size_t room, const TimeOrigin& origin, const jobs::SampleBlock& samples,
+  [[nodiscard]] Expected<void> add(std::size_t buffer, const TimeOrigin& origin, const jobs::SampleBlock& samples,
                                    std::size_t k) override {
-    return rooms_[room].append(
+    return buffers_[buffer].append(
         origin, samples.offset(k),
         {.motion = samples.motion(k), .linear_motion = samples.linear_motion(k), .band = samples.band(k)});
   }
-  void add_empty(std::size_t room, const TimeOrigin& origin, double offset) override {
-    rooms_[room].append_empty(origin, offset);
+  void add_empty(std::size_t buffer, const TimeOrigin& origin, double offset) override {
+    buffers_[buffer].append_empty(origin, offset);
   }
-  [[nodiscard]] Expected<void> write(std::size_t room, const jobs::SampleSource& source) override {
-    return open(source).and_then([&] { return file_->file.write(rooms_[room]); });
+  [[nodiscard]] Expected<void> write(std::size_t buffer, const jobs::SampleSource& source) override {
+    return open(source).and_then([&] { return file_->file.write(buffers_[buffer]); });
   }
   void written(std::size_t samples) override {
     if (writing_.written) writing_.written(samples);
@@ -49,7 +49,7 @@ class RowsFile final : public jobs::RowSink {
   const std::string& path_;
   const io::SampleColumns& columns_;
   const RowWriting& writing_;
-  std::vector<io::SampleRows> rooms_;
+  std::vector<io::SampleRows> buffers_;
   std::optional<Noted<io::SampleWriter>> file_;
 };
 

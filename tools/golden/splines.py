@@ -227,8 +227,8 @@ def positions(_):
 
     Another way than the library's, from the definition: of all functions with the values f at the times, the one of least
     ∫ (f^(p))² has d' G⁻¹ d of it, d the divided differences of order p, G the Gram matrix of the B-splines that are their Peano
-    kernels. So the smoothing spline has the values f = y - λ W⁻¹ D' (G + λ D W⁻¹ D')⁻¹ D y, here in fractions, dense. Its penalty, and
-    the trace of the hat matrix, likewise. Every double is written by repr, so it reads back exactly.
+    kernels. So the smoothing spline has the values f = y - λ W⁻¹ D' (G + λ D W⁻¹ D')⁻¹ D y, here in fractions, dense. Its penalty and
+    the trace of the hat matrix are made in the same way. Every double is written by repr, so it reads back exactly.
     """
     lines = ["# Positions of smoothing splines, by tools/make_spline_golden.py: dense, in exact fractions. order 2: cubic, 3: quintic.\n"
              "# The minimum of sum weight |p - found|^2 + lambda integral |f^(order)|^2 dt, with that integral and the trace of the hat matrix.\n"

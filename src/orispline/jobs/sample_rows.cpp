@@ -54,7 +54,7 @@ class BlockRows {
   };
 
   /// The samples without an orientation within the domain lie in gaps.
-  [[nodiscard]] Made make(const SampleBlock& block, std::size_t room, std::size_t begin, std::size_t end) {
+  [[nodiscard]] Made make(const SampleBlock& block, std::size_t buffer, std::size_t begin, std::size_t end) {
     const Domain domain = source_.domain();
     const TimeOrigin& origin = source_.origin();
     Made made;
@@ -63,9 +63,9 @@ class BlockRows {
       const bool is_in_gap = policy_.gaps != GapRows::none && !is_outside && !block.has_sample(k);
       made.counts.outside += is_outside ? 1 : 0;
       made.counts.in_gaps += is_in_gap ? 1 : 0;
-      if (is_in_gap && policy_.gaps == GapRows::empty) sink_.add_empty(room, origin, block.offset(k));
+      if (is_in_gap && policy_.gaps == GapRows::empty) sink_.add_empty(buffer, origin, block.offset(k));
       if (is_in_gap || (is_outside && policy_.outside == OutsideRows::left_out)) continue;
-      made.done = sink_.add(room, origin, block, k);
+      made.done = sink_.add(buffer, origin, block, k);
     }
     return made;
   }

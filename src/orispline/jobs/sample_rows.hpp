@@ -124,7 +124,7 @@ struct RowCounts {
   }
 };
 
-/// Where rows go. They are made in rooms on several threads, each of which has its own.
+/// Where rows go. They are made in buffers on several threads, each of which has its own.
 class RowSink {
  public:
   RowSink() = default;
@@ -132,14 +132,14 @@ class RowSink {
   RowSink& operator=(const RowSink&) = delete;
   virtual ~RowSink() = default;
 
-  /// So many rooms, all of them empty.
-  virtual void clear(std::size_t rooms) = 0;
-  /// Makes the row of a sample behind those in a room, or one that has a time alone.
-  [[nodiscard]] virtual Expected<void> add(std::size_t room, const TimeOrigin& origin, const SampleBlock& samples,
+  /// So many buffers, all of them empty.
+  virtual void clear(std::size_t buffers) = 0;
+  /// Makes the row of a sample behind those in a buffer, or one that has a time alone.
+  [[nodiscard]] virtual Expected<void> add(std::size_t buffer, const TimeOrigin& origin, const SampleBlock& samples,
                                            std::size_t k) = 0;
-  virtual void add_empty(std::size_t room, const TimeOrigin& origin, double offset) = 0;
-  /// Takes the rows of a room, the rooms in their order.
-  [[nodiscard]] virtual Expected<void> write(std::size_t room, const SampleSource& source) = 0;
+  virtual void add_empty(std::size_t buffer, const TimeOrigin& origin, double offset) = 0;
+  /// Takes the rows of a buffer, the buffers in their order.
+  [[nodiscard]] virtual Expected<void> write(std::size_t buffer, const SampleSource& source) = 0;
   /// Called when the rows of so many samples have been written.
   virtual void written(std::size_t samples) = 0;
 };
