@@ -8,7 +8,7 @@ from typing import Any, Callable, Mapping, Sequence, TypeVar
 import numpy as np
 
 from . import _core
-from ._checks import real
+from ._checks import real, wrong_type
 from ._errors import ArgumentError
 from ._keys import Keys
 
@@ -25,7 +25,10 @@ def _plain(name: str, value: Any) -> Any:
         return value
     if isinstance(value, (list, tuple)) and value and all(isinstance(word, str) for word in value):
         return list(value)
-    array = np.asarray(value)
+    try:
+        array = np.asarray(value)
+    except (TypeError, ValueError):  # rows of different lengths, or what is no array at all
+        raise wrong_type(name, value, "a number, a few numbers or a text") from None
     if array.dtype.kind not in "fiu":
         raise ArgumentError(f"{name}: found an array of {array.dtype}, wanted numbers, or a text such as on the command line")
     if array.shape == (3, 3):

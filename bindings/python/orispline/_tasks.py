@@ -73,6 +73,8 @@ def smooth(keys: Keys, *, gyro: bool | Rates = False, cutoff: float | str | None
     inputs: dict[str, Any] = {"recording": checked_keys(keys)}
     if isinstance(gyro, Rates):
         inputs["gyro"], gyro = _finite_rates(keys, gyro), True
+    elif gyro is not None and not np.isscalar(gyro):
+        raise wrong_type("gyro", gyro, "True, False or Rates")
     settings = checked_cutoff(cutoff, options)
     return Smoothing._found(Request("smooth", inputs, plain({**options, "gyro": gyro}), settings), keys)
 
