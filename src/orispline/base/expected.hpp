@@ -40,7 +40,7 @@ struct ORISPLINE_EXPORT Error {
   /// The option that is at fault, by the name that the library gives it, such as `time_scale`; empty where there is
   /// none. Each face says in its own terms how it is set, and those that the message has in backquotes.
   std::string option{};
-  /// The option that would mend it, likewise, such as `drop_duplicates`.
+  /// The option that would mend it, such as `drop_duplicates`; empty where there is none.
   std::string remedy{};
 };
 
