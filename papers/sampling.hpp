@@ -36,7 +36,7 @@ namespace orispline::cli {
 /// The largest angle between two curves at the times [rad].
 [[nodiscard]] double largest_distance(const AnyCurve& a, const AnyCurve& b, std::span<const double> times);
 
-/// Likewise, named and drawn as its recipe says.
+/// A figure of the motion over time, named and drawn as the recipe of its curve says.
 [[nodiscard]] report::Series over_time(const Served& served, const std::function<double(const Motion&)>& figure);
 
 /// Series without points, for a legend.

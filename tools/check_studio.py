@@ -10,7 +10,7 @@ import sys
 GROUND = {"data", "look", "motion", "store"}
 VIEWS = {"controls", "plots", "scene", "tables"}
 EDITED = {"document", "edits", "store", "engine"}
-FLOORS = {  # package -> folder of its src -> what it may import besides itself; a file beside the folders may import all
+LAYERS = {  # package -> folder of its src -> what it may import besides itself; a file beside the folders may import all
     "viewer": {
         "data": set(), "look": set(), "motion": {"data"}, "store": {"data", "look", "motion"}, "quantities": GROUND,
         "plots": GROUND | {"quantities"}, "scene": GROUND, "tables": GROUND, "controls": GROUND, "layout": GROUND | VIEWS | {"quantities"}, "style": set()},
@@ -18,7 +18,7 @@ FLOORS = {  # package -> folder of its src -> what it may import besides itself;
         "document": set(), "engine": {"document"}, "edits": {"document"}, "store": {"document", "engine"}, "file": {"document", "engine"},
         "scene": EDITED, "timeline": EDITED, "panels": EDITED, "frame": EDITED | {"file", "scene", "timeline", "panels"}, "style": set()}}
 PACKAGES = {"viewer": set(), "report": {"orispline-viewer", "orispline-widget"}, "widget": {"orispline-viewer"}, "editor": {"orispline-viewer", "orispline"}}  # package of the studio -> those that it may import
-GUESTS = {"three": ("viewer/src/scene/", "editor/src/scene/"), "uplot": ("viewer/src/plots/",)}  # third party -> its only rooms
+THIRD_PARTY = {"three": ("viewer/src/scene/", "editor/src/scene/"), "uplot": ("viewer/src/plots/",)}  # third party -> the only folders that may import it
 EXAMPLES = "../examples/data/"  # files that any source may take in as text
 FILE_LINES = 600
 SOURCES = {".ts", ".css", ".js", ".mjs"}
@@ -27,30 +27,30 @@ SPDX = re.compile(r"(// |/\* )SPDX-License-Identifier: Apache-2\.0( \*/)?\n")
 IMPORT = re.compile(r"""^import\s+(?:[\w\s{},*]*?\bfrom\s*)?['"]([^'"]+)|^export\s+[\w\s{},*]*?\bfrom\s*['"]([^'"]+)|\bimport\(\s*['"]([^'"]+)""", re.M)
 
 
-def floor_of(path):
-    """The folder of a package's src that a file of it is in, where the package has floors; none beside the folders."""
+def layer_of(path):
+    """The folder of a package's src that a file of it is in, where the package has layers; none beside the folders."""
     folder = re.match(r"([^/]+)/src/([^/]+)/", path)
-    return folder and folder[1] in FLOORS and folder[2]
+    return folder and folder[1] in LAYERS and folder[2]
 
 
 def import_breaches(path, names, targets):
-    package, floor = path.partition("/")[0], floor_of(path)
+    package, layer = path.partition("/")[0], layer_of(path)
     for name, target in zip(names, targets):
         if target.startswith(EXAMPLES) and target.endswith("?raw"):
             continue
         if target.startswith("../") or target.partition("/")[0] != package:
             yield f"{path}: wanted a package by its name, found {name}"
-        elif floor and floor_of(target) != floor and floor_of(target) not in FLOORS[package].get(floor, set()):
-            yield f"{path}: floor {floor} must not import {name}"
+        elif layer and layer_of(target) != layer and layer_of(target) not in LAYERS[package].get(layer, set()):
+            yield f"{path}: layer {layer} must not import {name}"
 
 
-def guest_breaches(path, names):
+def third_party_breaches(path, names):
     package = path.partition("/")[0]
     for name in names:
-        guest = name.partition("/")[0]
-        if guest in GUESTS and not path.startswith(GUESTS[guest]):
-            yield f"{path}: {guest} is for {' and '.join(GUESTS[guest])} only"
-        elif guest not in GUESTS and guest not in PACKAGES.get(package, set()):
+        library = name.partition("/")[0]
+        if library in THIRD_PARTY and not path.startswith(THIRD_PARTY[library]):
+            yield f"{path}: {library} is for {' and '.join(THIRD_PARTY[library])} only"
+        elif library not in THIRD_PARTY and library not in PACKAGES.get(package, set()):
             yield f"{path}: {package} must not import {name}"
 
 
@@ -67,7 +67,7 @@ def breaches(sources):
         own = [name for name in names if name.startswith(".")]
         targets = [posixpath.normpath(posixpath.join(posixpath.dirname(path), name)) for name in own]
         yield from import_breaches(path, own, targets)
-        yield from guest_breaches(path, [name for name in names if not name.startswith(".")])
+        yield from third_party_breaches(path, [name for name in names if not name.startswith(".")])
         graph[path.removesuffix(".ts")] = set(targets)
     try:
         graphlib.TopologicalSorter(graph).prepare()

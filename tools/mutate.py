@@ -29,8 +29,8 @@ def arguments():
     parser.add_argument("--sample", type=int, default=300, metavar="N", help="so many mutants (default %(default)s)")
     parser.add_argument("--seed", type=int, default=1, metavar="S", help="which ones (default %(default)s)")
     parser.add_argument("--jobs", type=int, default=2, metavar="J", help="so many at a time (default %(default)s)")
-    parser.add_argument("--rooms", default="", metavar="R",
-                        help="of these rooms only, such as clip,reduce/hermite_*")
+    parser.add_argument("--folders", default="", metavar="F",
+                        help="of these folders only, or of files that fit a pattern, such as clip,reduce/hermite_*")
     parser.add_argument("--targets", default="", help="builds and runs these only, such as math_tests,io_test")
     parser.add_argument("--tests", default="", metavar="REGEX", help="runs only the tests of ctest whose names match")
     parser.add_argument("--aim", type=float, default=0.9, metavar="SHARE",
@@ -43,9 +43,9 @@ def arguments():
 def taken(options):
     """The sample, in a random order: a run that is cut off has tried mutants of everywhere."""
     generator = random.Random(options.seed)
-    found = candidates(set(filter(None, options.rooms.split(","))))
+    found = candidates(set(filter(None, options.folders.split(","))))
     if not found:
-        sys.exit(f"there are no mutants in {options.rooms}, wanted folders or files of src/orispline")
+        sys.exit(f"there are no mutants in {options.folders}, wanted folders or files of src/orispline")
     chosen = sampled(found, round(RESERVE * options.sample), generator)
     print(f"{len(found)} mutants, {len(chosen)} taken", flush=True)
     generator.shuffle(chosen)
@@ -89,21 +89,21 @@ def recorded(options, saved):
 
 
 def report(saved):
-    """Per room, and the survivors as a table."""
-    rooms = collections.defaultdict(collections.Counter)
+    """Per folder, and the survivors as a table."""
+    folders = collections.defaultdict(collections.Counter)
     lines = ["| file | line | kind | original | mutant | |", "|---|---|---|---|---|---|"]
     for m in sorted(saved["mutants"], key=lambda m: (m["file"], m["line"])):
         status = saved["results"].get(str(m["id"]), {}).get("status")
         if not status:
             continue
-        rooms[m["file"].split("/")[0]][status] += 1
+        folders[m["file"].split("/")[0]][status] += 1
         if status != "killed":
             cells = (f"`{m[side]}`".replace("|", "\\|") for side in ("original", "mutated"))
             lines.append(" | ".join([f"| {m['file']}", str(m["line"]), m["kind"], *cells, f"{status} |"]))
-    rooms["all"] = sum(rooms.values(), collections.Counter())
-    table = ["| room | mutants | killed | survived | not reached |", "|---|---|---|---|---|"]
-    for room, count in rooms.items():
-        table.append(f"| {room} | {count.total()} | {count['killed']} | {count['survived']} | {count['not reached']} |")
+    folders["all"] = sum(folders.values(), collections.Counter())
+    table = ["| folder | mutants | killed | survived | not reached |", "|---|---|---|---|---|"]
+    for folder, count in folders.items():
+        table.append(f"| {folder} | {count.total()} | {count['killed']} | {count['survived']} | {count['not reached']} |")
     dropped = f"{share_killed(saved):.1%} killed; {len(saved['dropped'])} others did not compile."
     return "\n".join([*table, "", dropped, "", *lines, ""])
 

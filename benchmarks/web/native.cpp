@@ -4,7 +4,7 @@
 //   sample METHOD RATES COUNT CALLS  that of so many times COUNT samples, with rates up to the order RATES, and their
 //   times,
 //                                    each time into new memory
-//   fill METHOD RATES COUNT CALLS    likewise without times, into memory that was touched before
+//   fill METHOD RATES COUNT CALLS    the same without times, into memory that was touched before
 //   write METHOD RATES COUNT FILE    `written`: the numbers of `sample`, quantity after quantity
 //   draw COUNT CALLS METHOD...       that of drawing a curve of each method, as the studio does: making it, COUNT even
 //                                    samples and both sides of every key with all rates, the orders that keys reach

@@ -41,7 +41,7 @@ std::int64_t number_or_none(const std::optional<std::size_t>& number) {
 }
 
 template <class Of>
-auto said_of(const orispline_error* error, Of of) {
+auto field_of(const orispline_error* error, Of of) {
   static const ToldError none;
   const ToldError* const told = body_of(error);
   return of(told ? *told : none);
@@ -112,34 +112,34 @@ const char* orispline_version(void) { return orispline::version.data(); }
 void orispline_text_free(char* text) { std::free(text); }
 
 orispline_code orispline_error_code(const orispline_error* error) {
-  return said_of(error, [](const ToldError& told) { return told.code; });
+  return field_of(error, [](const ToldError& told) { return told.code; });
 }
 const char* orispline_error_message(const orispline_error* error) {
-  return said_of(error, [](const ToldError& told) { return told.error.message.c_str(); });
+  return field_of(error, [](const ToldError& told) { return told.error.message.c_str(); });
 }
 const char* orispline_error_text(const orispline_error* error) {
-  return said_of(error, [](const ToldError& told) { return told.text.c_str(); });
+  return field_of(error, [](const ToldError& told) { return told.text.c_str(); });
 }
 const char* orispline_error_option(const orispline_error* error) {
-  return said_of(error, [](const ToldError& told) { return told.error.option.c_str(); });
+  return field_of(error, [](const ToldError& told) { return told.error.option.c_str(); });
 }
 const char* orispline_error_remedy(const orispline_error* error) {
-  return said_of(error, [](const ToldError& told) { return told.error.remedy.c_str(); });
+  return field_of(error, [](const ToldError& told) { return told.error.remedy.c_str(); });
 }
 const char* orispline_error_file(const orispline_error* error) {
-  return said_of(error, [](const ToldError& told) { return told.error.where.file.c_str(); });
+  return field_of(error, [](const ToldError& told) { return told.error.where.file.c_str(); });
 }
 int64_t orispline_error_line(const orispline_error* error) {
-  return said_of(error, [](const ToldError& told) { return number_or_none(told.error.where.line); });
+  return field_of(error, [](const ToldError& told) { return number_or_none(told.error.where.line); });
 }
 int64_t orispline_error_column(const orispline_error* error) {
-  return said_of(error, [](const ToldError& told) { return number_or_none(told.error.where.column); });
+  return field_of(error, [](const ToldError& told) { return number_or_none(told.error.where.column); });
 }
 int64_t orispline_error_key(const orispline_error* error) {
-  return said_of(error, [](const ToldError& told) { return number_or_none(told.error.where.key); });
+  return field_of(error, [](const ToldError& told) { return number_or_none(told.error.where.key); });
 }
 int64_t orispline_error_time(const orispline_error* error) {
-  return said_of(error, [](const ToldError& told) { return number_or_none(told.error.where.time_index); });
+  return field_of(error, [](const ToldError& told) { return number_or_none(told.error.where.time_index); });
 }
 
 void orispline_error_free(orispline_error* error) {

@@ -28,9 +28,9 @@ struct HandleOf<orispline_error> {
 
 /// Gives an error to who asked for it, and its code.
 [[nodiscard]] orispline_code tell(Error error, orispline_error** to);
-/// Likewise where memory has run out, which takes none.
+/// Tells that memory has run out, which takes none itself.
 [[nodiscard]] orispline_code tell_no_memory(orispline_error** to) noexcept;
-/// Likewise of an exception that the library should not have thrown.
+/// Tells of an exception that the library should not have thrown.
 [[nodiscard]] orispline_code tell_fault(std::string_view what, orispline_error** to) noexcept;
 
 /// Does what a function of C is to do, so that no exception leaves it. `work` gives an Expected<void>.

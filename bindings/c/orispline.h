@@ -114,7 +114,7 @@ enum {
 /// | `angular_accelerations`  | 3             | [rad/s²], body                                                         |
 /// | `angular_jerks`          | 3             | [rad/s³], body                                                         |
 /// | `inner_leaving`          | 4             | inner quaternion of `squad` on the segment that leaves the key         |
-/// | `inner_arriving`         | 4             | likewise on the one that arrives at it; both in the keys' order        |
+/// | `inner_arriving`         | 4             | that on the segment that arrives at it; both in the keys' order        |
 /// | any other: `tension`, …  | 1             | the setting of that name, which a method takes where its text is silent |
 typedef struct orispline_column {
   const char *name;

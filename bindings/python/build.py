@@ -41,10 +41,10 @@ def packages():
             *(package for group in groups for package in project["dependency-groups"][group])]
 
 
-def place_for(room, wanted):
+def place_for(environments, wanted):
     """The environment of these packages: its name is the hash of all that it is made from. It cannot be moved."""
-    made_from = [sys.version, os.path.realpath(sys.executable), str(room), *sorted(wanted)]
-    return room / hashlib.sha256("\n".join(made_from).encode()).hexdigest()[:16]
+    made_from = [sys.version, os.path.realpath(sys.executable), str(environments), *sorted(wanted)]
+    return environments / hashlib.sha256("\n".join(made_from).encode()).hexdigest()[:16]
 
 
 def make(place, wanted):
@@ -66,10 +66,10 @@ def environment(folder):
         raise Missing(f"found Python {sys.version.split()[0]}, wanted 3.11 or later to build with")
     if not (pathlib.Path(sysconfig.get_path("include")) / "Python.h").exists():
         raise Missing("found no Python.h, wanted Python's headers (Debian's python3-dev)")
-    room, link = folder / "environments", folder / "venv"
+    environments, link = folder / "environments", folder / "venv"
     wanted = packages()
-    place = place_for(room, wanted)
-    for old in set(room.glob("*")) - {place}:
+    place = place_for(environments, wanted)
+    for old in set(environments.glob("*")) - {place}:
         shutil.rmtree(old)
     if not (place / COMPLETE).exists():
         make(place, wanted)

@@ -128,7 +128,7 @@ Expected<TaskJob> inspected_scene(InputRequest input) {
 // compare
 
 constexpr std::size_t default_step = 8;
-constexpr std::string_view all_of_them = "all", methods_option = "--methods";
+constexpr std::string_view all_methods_word = "all", methods_option = "--methods";
 /// Progress looks at the clock only once in 4096 steps.
 constexpr double progress_steps = 4096 * 1000.0;
 
@@ -146,7 +146,7 @@ Expected<jobs::LabelledMethod> named_method(const std::string& text, const OwnFa
 
 /// The methods of a name, which may be `all`.
 Expected<std::vector<jobs::LabelledMethod>> methods_named(const std::string& name, const OwnFamilies& own) {
-  if (name == all_of_them) return jobs::all_methods();
+  if (name == all_methods_word) return jobs::all_methods();
   return named_method(name, own).map([](jobs::LabelledMethod method) { return std::vector{std::move(method)}; });
 }
 
@@ -243,18 +243,18 @@ Error with_its_options(Error error) {
   return error;
 }
 
-Expected<io::TrackFile> warned_of(Expected<io::TrackFile> file) {
+Expected<io::TrackFile> after_warnings(Expected<io::TrackFile> file) {
   if (!file) return tl::unexpected(with_its_options(std::move(file.error())));
   warn(file->warnings);
   return file;
 }
 
 Expected<void> read_compared(const TaskArguments& options, TaskJob& job) {
-  auto file = warned_of(io::read_track(job.input.path, job.input.read, job.input.signs));
+  auto file = after_warnings(io::read_track(job.input.path, job.input.read, job.input.signs));
   if (!file) return tl::unexpected(std::move(file.error()));
   job.request.reading.mended = text_of(file->repairs);
   if (const auto path = file_of(options, "reference")) {
-    auto recording = warned_of(io::read_track_beside(*file, *path, job.input.read));
+    auto recording = after_warnings(io::read_track_beside(*file, *path, job.input.read));
     if (!recording) return tl::unexpected(std::move(recording.error()));
     job.request.inputs.emplace_back("reference", shared(std::move(recording->track)));
   }

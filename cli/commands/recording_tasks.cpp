@@ -334,9 +334,9 @@ const TaskSteps& reducing_steps(const TaskArguments& arguments) {
   return makes_scene(arguments) ? reduce_scene_steps : reduce_steps;
 }
 
-/// The steps for the arguments of each input, as work on it.
+/// How the command works on each input: with the steps that its arguments ask for.
 template <const TaskSteps& (*Steps)(const TaskArguments&)>
-CommandOnInput<TaskArguments> work_by(SceneOutputs scenes) {
+CommandOnInput<TaskArguments> work_with(SceneOutputs scenes) {
   return {.written = "keys",
           .check = [](const TaskArguments& one) { return Steps(one).understand(one).map([](const TaskJob&) {}); },
           .work = [](const TaskArguments& one) { return run_on_one(Steps(one), one); },
@@ -346,11 +346,11 @@ CommandOnInput<TaskArguments> work_by(SceneOutputs scenes) {
 }  // namespace
 
 Expected<void> run_smooth(const TaskArguments& arguments) {
-  return on_inputs(arguments, work_by<smoothing_steps>(SceneOutputs::same));
+  return on_inputs(arguments, work_with<smoothing_steps>(SceneOutputs::same));
 }
 
 Expected<void> run_reduce(const TaskArguments& arguments) {
-  return on_inputs(arguments, work_by<reducing_steps>(SceneOutputs::glb));
+  return on_inputs(arguments, work_with<reducing_steps>(SceneOutputs::glb));
 }
 
 Expected<void> run_align(const TaskArguments& arguments) { return run_on_one(align_steps, arguments); }

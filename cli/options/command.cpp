@@ -103,8 +103,8 @@ std::string missing(const Command& command, std::string_view message) {
                    message.substr(0, message.find(' ')), command.name);
 }
 
-/// In one line.
-std::string said_of(const CLI::ParseError& error, const CLI::App& app, const std::deque<Command>& commands) {
+/// What CLI11 found wrong, in one line.
+std::string parse_message(const CLI::ParseError& error, const CLI::App& app, const std::deque<Command>& commands) {
   const auto named = app.get_subcommands();
   const auto command = std::ranges::find_if(
       commands, [&](const Command& known) { return !named.empty() && known.name == named.front()->get_name(); });
@@ -146,7 +146,7 @@ Expected<Wanted> parsed(const std::deque<Command>& commands, const Program& prog
     std::ranges::reverse(words);  // as CLI11 takes them
     app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) return failure(ErrorCode::bad_argument, said_of(error, app, commands));
+    if (error.get_exit_code() != 0) return failure(ErrorCode::bad_argument, parse_message(error, app, commands));
     std::ostringstream asked_for;
     app.exit(error, asked_for, asked_for);
     return Wanted{.text = asked_for.str()};

@@ -18,9 +18,9 @@ namespace orispline::cli {
 
 namespace {
 
-/// What the library finds wrong with the text of an option begins with that option.
+/// An error that the library finds in the text of an option begins with the name of that option.
 template <class T>
-Expected<T> said_by(std::string_view option, Expected<T> result) {
+Expected<T> naming_flag(std::string_view option, Expected<T> result) {
   if (result || result.error().option.empty()) return result;
   result.error().message = formatted("{}: {}", option, result.error().message);
   result.error().option.clear();
@@ -28,19 +28,19 @@ Expected<T> said_by(std::string_view option, Expected<T> result) {
 }
 
 Expected<Method> with_end_rules(Method method, const MethodOptions& options) {
-  return options.ends ? said_by("--ends", with_ends(std::move(method), *options.ends)) : method;
+  return options.ends ? naming_flag("--ends", with_ends(std::move(method), *options.ends)) : method;
 }
 
 /// Parameters and choices.
 Expected<Method> with_settings(Method method, const MethodOptions& options) {
   Expected<Method> shaped = std::move(method);
-  if (options.tension) shaped = said_by("--tension", with_setting(std::move(*shaped), "tension", *options.tension));
+  if (options.tension) shaped = naming_flag("--tension", with_setting(std::move(*shaped), "tension", *options.tension));
   for (const std::string& text : options.settings) {
     const auto assignment = assignment_in({"--set", text});
     if (!assignment) return tl::unexpected(assignment.error());
     shaped = std::move(shaped).and_then([&](Method so_far) {
       const auto& [name, value] = *assignment;
-      return said_by(formatted("--set {}", name), with_setting(std::move(so_far), name, value));
+      return naming_flag(formatted("--set {}", name), with_setting(std::move(so_far), name, value));
     });
   }
   return shaped;
@@ -55,14 +55,14 @@ Expected<Method> with_rate_option(Method method, CurveEnd end, const std::option
     return usage_failure(formatted("--ends clamped: found no rate for that end, wanted {} as well", option));
   if (!rate) return method;
   // Whether the end can have a rate at all comes before its numbers.
-  if (auto able = said_by(option, with_end_rate(method, end, Eigen::Vector3d::Zero())); !able) return able;
+  if (auto able = naming_flag(option, with_end_rate(method, end, Eigen::Vector3d::Zero())); !able) return able;
   return vector_in({option, *rate}).and_then([&](const Eigen::Vector3d& w) {
     return with_end_rate(std::move(method), end, w);
   });
 }
 
-/// A method as far as the options say nothing.
-Method silent_about(const MethodOptions& options, Method method) {
+/// A method without the settings that options state.
+Method without_stated(const MethodOptions& options, Method method) {
   std::vector<std::string> stated;
   for (const std::string& text : options.settings) stated.push_back(text.substr(0, text.find('=')));
   const auto add = [&](bool is_given, std::string_view name) {
@@ -130,7 +130,7 @@ Expected<OwnFamilies> own_families(const std::vector<std::string>& files) {
 
 Expected<Method> method_request(std::string_view text, const MethodOptions& options, std::string_view option) {
   return own_families(options.blending)
-      .and_then([&](const auto& own) { return said_by(option, method_from_text(text, own)); })
+      .and_then([&](const auto& own) { return naming_flag(option, method_from_text(text, own)); })
       .and_then([&](Method method) { return shaped(std::move(method), options); });
 }
 
@@ -143,7 +143,7 @@ Expected<jobs::ChosenMethod> chosen_method(const std::optional<Method>& named, c
                                            const io::KeyInput& keys, const jobs::UsualMethod& usual) {
   return jobs::chosen_method(named, keys.recipe(), keys.path(), usual, [&](Method method, jobs::NamedBy by) {
     if (by == jobs::NamedBy::nobody) return shaped(std::move(method), options);
-    return shaped(silent_about(options, std::move(method)), options);
+    return shaped(without_stated(options, std::move(method)), options);
   });
 }
 
@@ -151,7 +151,7 @@ Expected<std::vector<std::string>> method_texts(std::string_view option, const s
                                                 const OwnFamilies& own) {
   std::vector<std::string> all;
   for (const std::string& list : typed) {
-    auto texts = said_by(option, method_texts_in(list, own));
+    auto texts = naming_flag(option, method_texts_in(list, own));
     if (!texts) return texts;
     std::ranges::move(*texts, std::back_inserter(all));
   }

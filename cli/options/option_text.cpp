@@ -8,9 +8,9 @@ namespace orispline::cli {
 
 namespace {
 
-/// What is wrong with a text begins with its option.
+/// An error in the text of an option begins with the name of that option.
 template <class T>
-Expected<T> said_of(OptionText option, Expected<T> read) {
+Expected<T> naming_option(OptionText option, Expected<T> read) {
   return std::move(read).map_error([&](Error error) {
     error.message = formatted("{}: {}", option.option, error.message);
     return error;
@@ -51,7 +51,7 @@ tl::unexpected<Error> usage_failure(std::string message) {
 }
 
 tl::unexpected<Error> wanted(OptionText option, std::string_view what) {
-  return tl::unexpected(said_of(option, Expected<void>(typed::wanted(option.text, what))).error());
+  return tl::unexpected(naming_option(option, Expected<void>(typed::wanted(option.text, what))).error());
 }
 
 OptionText without_unit(OptionText option, std::string_view unit) {
@@ -59,13 +59,13 @@ OptionText without_unit(OptionText option, std::string_view unit) {
 }
 
 Expected<Eigen::Vector3d> vector_in(OptionText option) {
-  return said_of(option, typed::vector(option.text)).map([](const std::vector<double>& v) {
+  return naming_option(option, typed::vector(option.text)).map([](const std::vector<double>& v) {
     return Eigen::Vector3d(v.data());
   });
 }
 
 Expected<std::size_t> count_in(OptionText option, std::size_t lowest) {
-  return said_of(option, typed::count(option.text, lowest)).map([](std::uint64_t count) {
+  return naming_option(option, typed::count(option.text, lowest)).map([](std::uint64_t count) {
     return static_cast<std::size_t>(count);
   });
 }
@@ -77,7 +77,7 @@ Expected<Fraction> fraction_in(OptionText option, std::string_view what) {
 }
 
 Expected<double> positive_in(OptionText option, std::string_view what) {
-  return said_of(option, typed::positive(option.text, what));
+  return naming_option(option, typed::positive(option.text, what));
 }
 
 Expected<std::pair<std::string_view, std::string_view>> assignment_in(OptionText option) {

@@ -23,7 +23,7 @@ io::StatedOptions stated_in(const OutputOptions& options) {
 }
 
 /// The error with the option by which the user named the path.
-Error said_of_output(const OutputOptions& options, Error error) {
+Error naming_output_option(const OutputOptions& options, Error error) {
   if (error.option != "path") return with_flags(std::move(error));
   const std::size_t cure = error.message.rfind("; ");
   if (!options.scenes.empty() && cure != std::string::npos)
@@ -119,7 +119,7 @@ io::SampleColumns columns_like(const io::FormatInfo& input, io::SampleColumns co
 Expected<io::SampleColumns> output_columns(const OutputOptions& options) {
   return check_no_skeleton_format(options).and_then([&] {
     return io::columns_of_output(options.path, stated_in(options)).map_error([&](Error error) {
-      return said_of_output(options, std::move(error));
+      return naming_output_option(options, std::move(error));
     });
   });
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The options and results of the tasks as data, for faces that are made from them (ORISPLINE_OPTIMISE).
+// The options and results of the tasks as data, for bindings that are made from them (ORISPLINE_OPTIMISE).
 
 #include <orispline/align/align.hpp>
 #include <orispline/align/rate_alignment.hpp>

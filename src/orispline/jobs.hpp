@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The tasks as every face runs them: a request goes in, an outcome comes out with what there is to say of it
+// The tasks as every binding runs them: a request goes in, an outcome comes out with what there is to say of it
 // (ORISPLINE_OPTIMISE).
 
 #include <orispline/jobs/align.hpp>

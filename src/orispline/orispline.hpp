@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The face of the library: keyframes in, curves with exact rates out.
+// The interface of the library: keyframes in, curves with exact rates out.
 
 #include <orispline/base/version.hpp>
 #include <orispline/curve/extrapolation.hpp>

@@ -27,7 +27,7 @@ class Clocks(CommandTest):
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertEqual(done.stderr.count(TAKEN), 1, done.stderr)
 
-    def test_other_files_are_read_likewise(self):
+    def test_other_files_are_read_in_the_same_way(self):
         self.output_of("convert clock.csv -o keys.csv --quiet")
         for command in ("sample keys.csv --rate 2 --truth clock.csv", "compare keys.csv --reference clock.csv --methods slerp",
                         "tune keys.csv --method timed-c2 --objective fit --reference clock.csv"):

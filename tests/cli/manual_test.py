@@ -42,7 +42,7 @@ class Manual(CommandTest):
             self.assertIn(f"\norispline-{command} - {said[0].lower()}{said[1:]}\n", self.page(command))
             self.assertIn(f"orispline-{command}(1)\n{said}\n", plain(self.pages["orispline.1"]))
 
-    def test_every_option_and_argument_of_the_help_is_explained_likewise(self):
+    def test_every_option_and_argument_of_the_help_is_explained_in_the_same_words(self):
         for command in self.commands:
             said, page = self.output_of(["help", command, "--all"]), self.page(command)
             for term, sentence in self.options_of(said):

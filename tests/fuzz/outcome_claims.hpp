@@ -18,7 +18,7 @@ inline void claim_numbers(const Json& json, const std::string& name = "") {
     for (const auto& [key, member] : *object) claim_numbers(member, name + "." + key);
 }
 
-/// What a face tells of the outcome of a job.
+/// What a binding tells of the outcome of a job.
 template <class Outcome>
 void claim_told(const Outcome& outcome) {
   claim_plain(outcome.warnings);

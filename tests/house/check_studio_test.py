@@ -28,12 +28,12 @@ SOUND = {
 
 def report(**changes):
     """What the script says about the sound studio with some files replaced or added; exit code 0 gives None."""
-    with tempfile.TemporaryDirectory() as house:
+    with tempfile.TemporaryDirectory() as tree:
         for path, text in (SOUND | changes).items():
-            file = pathlib.Path(house, "studio", path)
+            file = pathlib.Path(tree, "studio", path)
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(text, "utf-8")
-        run = subprocess.run([sys.executable, SCRIPT, house], capture_output=True, text=True, check=False)
+        run = subprocess.run([sys.executable, SCRIPT, tree], capture_output=True, text=True, check=False)
         return run.stderr if run.returncode else None
 
 
@@ -46,8 +46,8 @@ class CheckStudio(unittest.TestCase):
 
     def test_finds_an_import_upwards(self):
         for kind in ("import { S } from", "import type { S } from", "import", "export { S } from", "export * from"):
-            self.assert_breach("viewer/src/data/report.ts", SPDX + f"{kind} '../store/store';\n", "data/report.ts: floor data must not import ../store/store")
-        self.assert_breach("viewer/src/data/report.ts", SPDX + "const later = import('../store/store');\n", "floor data must not import")
+            self.assert_breach("viewer/src/data/report.ts", SPDX + f"{kind} '../store/store';\n", "data/report.ts: layer data must not import ../store/store")
+        self.assert_breach("viewer/src/data/report.ts", SPDX + "const later = import('../store/store');\n", "layer data must not import")
 
     def test_accepts_the_text_of_an_example_and_nothing_else_from_outside(self):
         self.assertIsNone(report(**{"viewer/src/data/report.ts": SPDX + "import keys from '../../../../examples/data/keys.csv?raw';\n"}))
@@ -55,20 +55,20 @@ class CheckStudio(unittest.TestCase):
             self.assert_breach("viewer/src/data/report.ts", SPDX + f"import keys from '{outside}';\n", "wanted a package by its name")
 
     def test_finds_an_import_of_a_neighbour(self):
-        self.assert_breach("viewer/src/plots/plot.ts", SPDX + "import { Stage } from '../scene/stage';\n", "floor plots must not import ../scene/stage")
+        self.assert_breach("viewer/src/plots/plot.ts", SPDX + "import { Stage } from '../scene/stage';\n", "layer plots must not import ../scene/stage")
 
-    def test_finds_an_import_of_a_file_beside_the_floors(self):
-        self.assert_breach("viewer/src/plots/plot.ts", SPDX + "import { createViewer } from '../viewer';\n", "floor plots must not import ../viewer")
+    def test_finds_an_import_of_a_file_beside_the_layers(self):
+        self.assert_breach("viewer/src/plots/plot.ts", SPDX + "import { createViewer } from '../viewer';\n", "layer plots must not import ../viewer")
 
-    def test_finds_a_folder_that_is_no_floor(self):
-        self.assert_breach("viewer/src/attic/box.ts", SPDX + "import { Path } from '../data/report';\n", "floor attic must not import")
+    def test_finds_a_folder_that_is_no_layer(self):
+        self.assert_breach("viewer/src/unknown/box.ts", SPDX + "import { Path } from '../data/report';\n", "layer unknown must not import")
 
-    def test_finds_a_guest_in_the_wrong_room(self):
+    def test_finds_third_party_code_in_the_wrong_place(self):
         self.assert_breach("viewer/src/plots/plot.ts", SPDX + "import { Scene } from 'three';\n", "plots/plot.ts: three is for viewer/src/scene/ and editor/src/scene/ only")
         self.assert_breach("viewer/src/scene/stage.ts", SPDX + "import uPlot from 'uplot';\n", "scene/stage.ts: uplot is for viewer/src/plots/ only")
         self.assert_breach("report/src/main.ts", SPDX + "import { Scene } from 'three/addons/c.js';\n", "three is for viewer/src/scene/ and editor/src/scene/ only")
 
-    def test_finds_a_guest_that_nobody_invited(self):
+    def test_finds_third_party_code_that_a_package_must_not_have(self):
         self.assert_breach("viewer/src/plots/plot.ts", SPDX + "import * as d3 from 'd3';\n", "plots/plot.ts: viewer must not import d3")
 
     def test_finds_a_viewer_that_knows_its_page(self):
@@ -77,7 +77,7 @@ class CheckStudio(unittest.TestCase):
     def test_finds_a_way_around_the_name_of_a_package(self):
         self.assert_breach("report/src/main.ts", SPDX + "import { Store } from '../../viewer/src/store/store';\n", "wanted a package by its name")
 
-    def test_finds_a_circle_on_one_floor(self):
+    def test_finds_a_circle_in_one_layer(self):
         circle = {"viewer/src/data/a.ts": SPDX + "import { b } from './b';\n", "viewer/src/data/b.ts": SPDX + "import { a } from './a';\n"}
         self.assertIn("import circle: viewer/src/data/", report(**circle) or "no breach")
 

@@ -32,22 +32,22 @@ class Equivalents(unittest.TestCase):
         self.assertEqual(counts, dict.fromkeys(known, 1))
 
 
-class Rooms(unittest.TestCase):
+class Folders(unittest.TestCase):
     def test_are_folders_or_patterns_of_files_and_without_any_all_but_a_few(self):
-        def listed(rooms):
+        def listed(folders):
             names = ("abi.hpp", "reduce/reduce.cpp", "reduce/hermite_keys.cpp", "scenes/gltf/json.cpp", "report/page.cpp",
                      "scenes/assimp.cpp")
-            return [name for name in names if is_in(pathlib.PurePath(name), set(rooms))]
+            return [name for name in names if is_in(pathlib.PurePath(name), set(folders))]
 
         self.assertEqual(listed([]), ["reduce/reduce.cpp", "reduce/hermite_keys.cpp", "scenes/gltf/json.cpp"])
         self.assertEqual(listed(["report", "scenes"]), ["scenes/gltf/json.cpp", "report/page.cpp"])
         self.assertEqual(listed(["reduce/hermite_*", "gltf/*"]), ["reduce/hermite_keys.cpp", "scenes/gltf/json.cpp"])
         self.assertEqual(listed(["hermite_keys.cpp"]), [])
 
-    def test_have_mutants_where_the_rooms_of_the_newest_are(self):
-        for room in ("clip", "scenes", "jobs", "reduce/hermite_*", "smooth/varying_*", "families/measured*", "least/*",
+    def test_have_mutants_where_the_newest_code_is(self):
+        for folder in ("clip", "scenes", "jobs", "reduce/hermite_*", "smooth/varying_*", "families/measured*", "least/*",
                      "families/biarcs*", "families/rational*"):
-            self.assertGreater(len(candidates({room})), 50, room)
+            self.assertGreater(len(candidates({folder})), 50, folder)
 
 
 class Mutants(unittest.TestCase):

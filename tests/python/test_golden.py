@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rows of the references, computed with 60 digits, through the Python face."""
+"""Rows of the references, computed with 60 digits, through the Python package."""
 import collections
 import math
 

@@ -34,9 +34,9 @@ def imports(node):
 def known(module):
     """What a module imports, as modules of the package; those of others have names that are none."""
     path = MODULES[module]
-    room = ["orispline", *path.relative_to(PACKAGE).parent.parts]
+    package = ["orispline", *path.relative_to(PACKAGE).parent.parts]
     for found in imports(ast.parse(path.read_text("utf-8"))):
-        base = [*(room[:len(room) + 1 - found.level] if found.level else []), *(found.module or "").split(".")]
+        base = [*(package[:len(package) + 1 - found.level] if found.level else []), *(found.module or "").split(".")]
         names = [".".join(filter(None, [*base, alias.name])).removeprefix("orispline.") for alias in found.names]
         yield from (name if name in MODULES else name.rpartition(".")[0] for name in names)
 

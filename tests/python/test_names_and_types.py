@@ -14,9 +14,9 @@ import pytest
 from conftest import ROOT
 
 NAMES = pathlib.Path(__file__).parent / "data/public_names.txt"
-ROOMS = [room for room, needed in (("tables", "pyarrow"), ("spark", "pyspark"), ("notebook", "anywidget")) if importlib.util.find_spec(needed)]
+EXTRAS = [extra for extra, needed in (("tables", "pyarrow"), ("spark", "pyspark"), ("notebook", "anywidget")) if importlib.util.find_spec(needed)]
 MODULES = sorted(name for _, name, _ in pkgutil.walk_packages(ori.__path__, "orispline.", onerror=lambda _: None)
-                 if name != "orispline._core" and (name.split(".")[1] in ROOMS or name.split(".")[1] not in ("tables", "spark", "notebook")))
+                 if name != "orispline._core" and (name.split(".")[1] in EXTRAS or name.split(".")[1] not in ("tables", "spark", "notebook")))
 PACKAGE = pathlib.Path(ori.__file__).parent
 
 
@@ -32,14 +32,14 @@ def public_names():
         yield name
         if inspect.isclass(getattr(ori, name)):
             yield from (f"{name}.{member}" for member in members(getattr(ori, name)))
-    for room in ROOMS:
-        yield from (f"{room}.{name}" for name in importlib.import_module(f"orispline.{room}").__all__)
+    for extra in EXTRAS:
+        yield from (f"{extra}.{name}" for name in importlib.import_module(f"orispline.{extra}").__all__)
 
 
 def test_public_names_are_those_written_down():
     """A name that goes or comes is a decision, to be written down: this file, run as a program, does it."""
     written = NAMES.read_text("utf-8").split()
-    assert list(public_names()) == [name for name in written if name.split(".")[0] in {*ROOMS, *ori.__all__}]
+    assert list(public_names()) == [name for name in written if name.split(".")[0] in {*EXTRAS, *ori.__all__}]
 
 
 def test_all_that_is_public_is_told():
@@ -57,9 +57,9 @@ def test_every_public_name_says_what_it_is(name):
                 assert getattr(thing, member).__doc__, member
 
 
-@pytest.mark.parametrize("room", ROOMS)
-def test_every_function_of_tables_says_what_it_is(room):
-    module = importlib.import_module(f"orispline.{room}")
+@pytest.mark.parametrize("extra", EXTRAS)
+def test_every_function_of_tables_says_what_it_is(extra):
+    module = importlib.import_module(f"orispline.{extra}")
     assert module.__doc__ and all(getattr(module, name).__doc__ for name in module.__all__)
 
 

@@ -17,8 +17,8 @@ inline constexpr double degree = std::numbers::pi / 180.0;
 struct Walk {
   std::size_t samples;
   double step;         ///< largest component of the turn from sample to sample [rad]
-  double noise;        ///< likewise of every sample by itself [rad]
-  double shift;        ///< likewise of positions [m]; 0: there are none
+  double noise;        ///< the same of every sample by itself [rad]
+  double shift;        ///< the same of positions [m]; 0: there are none
   double start = 0.0;  ///< time [s]
 };
 

@@ -19,7 +19,7 @@ using testing_support::relative_error;
 using testing_support::SmoothingCase;
 
 constexpr double within_90 = 1.6448536269514722;        // standard deviations, of nine in ten normal values
-constexpr double angle_within_90 = 2.5002777108094975;  // likewise of a vector of three
+constexpr double angle_within_90 = 2.5002777108094975;  // the same of a vector of three
 
 TEST(NodeSigmas, AreThoseOfTheInverseOfTheWholeMatrix) {
   const DataTable cases("golden/smooth_cases.csv"), nodes("golden/smooth_nodes.csv"), table("golden/smooth_sigmas.csv");

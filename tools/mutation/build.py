@@ -37,22 +37,22 @@ def key_of(mutant, text):
     return mutant.file, text.splitlines()[mutant.line - 1].strip(), mutant.original, mutant.mutated
 
 
-def is_in(name, rooms):
-    """Whether a file lies in one of the rooms, or fits one such as `reduce/hermite_*`; without rooms in any but a few."""
+def is_in(name, folders):
+    """Whether a file lies in one of the folders, or fits one such as `reduce/hermite_*`; without folders in any but a few."""
     if len(name.parts) < 2 or name.as_posix() in NOT_BUILT:
         return False
-    if not rooms:
+    if not folders:
         return name.parts[0] not in WITHOUT
-    return any(room == name.parts[0] or "/" in room and name.match(room) for room in rooms)
+    return any(chosen == name.parts[0] or "/" in chosen and name.match(chosen) for chosen in folders)
 
 
-def candidates(rooms):
-    """All mutants of the library's rooms but equivalent ones, in the order of files and lines."""
+def candidates(folders):
+    """All mutants of the library's folders but equivalent ones, in the order of files and lines."""
     folder = ROOT / LIBRARY
     found, without = [], equivalents()
     for path in sorted([*folder.rglob("*.cpp"), *folder.rglob("*.hpp")]):
         name = path.relative_to(folder)
-        if is_in(name, rooms):
+        if is_in(name, folders):
             text = path.read_text("utf-8")
             found += [m for m in mutants_of(name.as_posix(), text) if key_of(m, text) not in without]
     return found

@@ -17,7 +17,7 @@ export interface Motion {
   angularAcceleration: number[];
   /** [rad/s³], body. */
   angularJerk: number[];
-  /** [m], world, where the keys have positions; likewise what follows. */
+  /** [m], world, where the keys have positions, as is all that follows. */
   position?: number[];
   /** [m/s]. */
   velocity?: number[];
@@ -134,7 +134,7 @@ export class Curve implements Playable {
     return target;
   }
 
-  /** The position [m] likewise, of keys that have positions. */
+  /** Writes the position [m] in the same way, where the keys have positions. */
   positionAt<Target extends Numbers = number[]>(time: number, target = [NaN, NaN, NaN] as Numbers as Target): Target {
     const { engine } = this, from = engine.numbersAt / 8 + 13;
     engine.check('orispline_curve_motion', this.handle, time, 0, this.orderNumber, engine.numbersAt);

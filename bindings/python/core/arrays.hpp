@@ -11,7 +11,7 @@
 
 #include <orispline/math/eigen.hpp>
 
-// NumPy's memory as the library takes it. The face makes all arrays C-contiguous and of the right type before.
+// NumPy's memory as the library takes it. The package makes all arrays C-contiguous and of the right type before.
 
 namespace orispline::python {
 

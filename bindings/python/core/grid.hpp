@@ -9,7 +9,7 @@
 
 namespace orispline::python {
 
-/// The even times that the face asks for, as text: a rate (a number or a fraction) or a count, and where they begin and
+/// The even times that Python asks for, as text: a rate (a number or a fraction) or a count, and where they begin and
 /// end.
 struct GridText {
   std::optional<std::string> rate;

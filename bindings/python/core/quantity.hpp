@@ -10,7 +10,7 @@
 
 namespace orispline::python {
 
-/// What is asked of a curve at a time, in the order that the face numbers it.
+/// What is asked of a curve at a time, in the order that Python numbers it.
 enum class What { orientation, angular_velocity, angular_acceleration, angular_jerk, position, velocity, acceleration };
 
 /// One quantity of a curve, with what must be made beside it.

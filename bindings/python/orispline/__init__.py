@@ -46,7 +46,7 @@ __all__ = ["AccessError", "Alignment", "ArgumentError", "BakedCurve", "Blending"
 __version__: str = _core.version
 
 # Tasks and measures are imported when they are first asked for, so that a curve does not wait for them.
-_ROOMS = {"_comparison": ("Comparison", "compare"),
+_LATER = {"_comparison": ("Comparison", "compare"),
           "_mean": ("Mean", "mean"),
           "_measures": ("DistanceStatistics", "Energies", "HandleTurn", "KeyStatistics", "Peak", "Peaks", "Spread"),
           "_rate_alignment": ("OpenRateDirection", "RateAlignment"),
@@ -58,9 +58,9 @@ _ROOMS = {"_comparison": ("Comparison", "compare"),
 
 
 def __getattr__(name: str) -> Any:
-    for room, names in _ROOMS.items():
+    for module, names in _LATER.items():
         if name in names:
-            found = globals()[name] = getattr(importlib.import_module(f"{__name__}.{room}"), name)
+            found = globals()[name] = getattr(importlib.import_module(f"{__name__}.{module}"), name)
             return found
     raise AttributeError(f"module 'orispline' has no attribute {name!r}")
 

@@ -22,7 +22,7 @@ ORDERS = (ORIENTATION, VELOCITY, ACCELERATION, JERK)
 
 
 class _Twin:
-    """A curve with the face that SciPy gives its own."""
+    """A curve with the interface that SciPy gives its own."""
 
     __slots__ = ("_curve", "_rotation_of", "_rotations", "_times")
 

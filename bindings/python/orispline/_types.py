@@ -50,7 +50,7 @@ if TYPE_CHECKING:
         def __call__(self, t: ArrayLike, *, out: Out, dtype: DTypeLike = ..., threads: int = ...) -> Out: ...
 
     class Rate(Protocol[One]):
-        """Likewise, in the body or the world frame."""
+        """The same of a rate, in the body or the world frame."""
 
         @overload
         def __call__(self, t: Time, frame: Frame = ..., out: None = None, *, threads: int = ...) -> One: ...
@@ -78,7 +78,7 @@ if TYPE_CHECKING:
         def __call__(self, t: ArrayLike, *, out: Out) -> Out: ...
 
     class BakedRate(Protocol):
-        """Likewise, in the body or the world frame."""
+        """The same of a rate, in the body or the world frame."""
 
         @overload
         def __call__(self, t: Time, frame: Frame = ..., out: None = None) -> np.ndarray[tuple[int], np.dtype[Any]]: ...
@@ -91,30 +91,30 @@ if TYPE_CHECKING:
 
 
 def quantity(method: Callable[..., Any]) -> Quantity[Vector]:
-    """Says to type checkers that a method is one of a curve."""
+    """Says to type checkers that a method is a quantity of a curve."""
     return method
 
 
 def rate(method: Callable[..., Any]) -> Rate[Vector]:
-    """Likewise."""
+    """Says to them that a method is a rate of a curve."""
     return method
 
 
 def stacked_quantity(method: Callable[..., Any]) -> Quantity[Vectors]:
-    """Likewise, of a stack of curves."""
+    """Says to them that a method is a quantity of a stack of curves."""
     return method
 
 
 def stacked_rate(method: Callable[..., Any]) -> Rate[Vectors]:
-    """Likewise."""
+    """Says to them that a method is a rate of a stack of curves."""
     return method
 
 
 def baked_quantity(method: Callable[..., Any]) -> BakedQuantity:
-    """Likewise, of a baked curve."""
+    """Says to them that a method is a quantity of a baked curve."""
     return method
 
 
 def baked_rate(method: Callable[..., Any]) -> BakedRate:
-    """Likewise."""
+    """Says to them that a method is a rate of a baked curve."""
     return method

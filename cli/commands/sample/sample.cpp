@@ -230,7 +230,7 @@ Expected<void> sample_keys(const SampleArguments& options) {
 }
 
 Expected<void> sample_one(const SampleArguments& options) {
-  if (!asks_for_stored(options)) return sample_keys(options);
+  if (!asks_for_stored_motion(options)) return sample_keys(options);
   return options.inputs.folder ? sample_joints(options) : sample_joint(options);
 }
 
@@ -238,7 +238,7 @@ Expected<void> check_each(const SampleArguments& options) {
   if (options.rows.list == io::standard_stream || options.truth == io::standard_stream)
     return usage_failure(
         "--output-folder: found '-' for --times or --truth, wanted a file, which is read again for each input");
-  const auto request = asks_for_stored(options) ? stored_request(options) : sample_request(options);
+  const auto request = asks_for_stored_motion(options) ? stored_request(options) : sample_request(options);
   return request.map([](const SampleRequest&) {});
 }
 

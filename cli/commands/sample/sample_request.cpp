@@ -145,7 +145,7 @@ Expected<std::vector<Warning>> settle_method(SampleRequest& request, const io::K
   });
 }
 
-bool asks_for_stored(const SampleArguments& options) {
+bool asks_for_stored_motion(const SampleArguments& options) {
   return is_scene(options.input, options.input.path) &&
          options.method.value_or(std::string(jobs::stored_method)) == jobs::stored_method;
 }

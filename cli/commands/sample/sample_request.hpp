@@ -29,7 +29,7 @@ struct SampleRequest {
 [[nodiscard]] Expected<std::vector<Warning>> settle_method(SampleRequest& request, const io::KeyInput& keys);
 
 /// Whether joints of a file of skeletons are to be sampled as the file says that they move.
-[[nodiscard]] bool asks_for_stored(const SampleArguments& options);
+[[nodiscard]] bool asks_for_stored_motion(const SampleArguments& options);
 /// What is then to be sampled. Error (bad_argument): what does not fit to it.
 [[nodiscard]] Expected<SampleRequest> stored_request(const SampleArguments& options);
 

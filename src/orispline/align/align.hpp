@@ -49,7 +49,7 @@ struct Alignment {
   Eigen::Quaterniond body = Eigen::Quaterniond::Identity();   ///< B
   Decimal offset{};                              ///< [s], so much the stamps of the moved recording are late
   std::optional<double> scale{};                 ///< s; absent unless both recordings have positions
-  std::optional<Eigen::Vector3d> translation{};  ///< d [m]; likewise
+  std::optional<Eigen::Vector3d> translation{};  ///< d [m]; absent unless both recordings have positions
   AlignmentSigmas sigmas{};
   std::vector<OpenDirection> open{};    ///< of length 1 in these units; what is here has no part in the sigmas
   std::vector<std::size_t> compared{};  ///< samples of the fixed recording
@@ -57,7 +57,7 @@ struct Alignment {
   DistanceStatistics distance{};        ///< of the orientations, rejected ones too [rad]; indices of `compared`
   std::optional<DistanceStatistics> position_distance{};  ///< [m]
   double noise = 0.0;                      ///< robust σ of these distances per axis [rad], 1e-6 at least
-  std::optional<double> position_noise{};  ///< likewise [m], at least 1e-6 of how far the positions spread
+  std::optional<double> position_noise{};  ///< that of the positions [m], at least 1e-6 of how far these spread
   std::vector<Warning> warnings{};         ///< `poor_alignment`, `open_alignment`, `ambiguous_offset`
 };
 

@@ -58,7 +58,7 @@ struct RateAlignment {
 [[nodiscard]] ORISPLINE_EXPORT Expected<RateAlignment> align(const GyroTrack& moved, const GyroTrack& fixed,
                                                              const AlignOptions& options = {},
                                                              const Progress& progress = {});
-/// Of a gyro and the orientations of the body that carries it. Errors: likewise, and those of smooth().
+/// Aligns a gyro with the orientations of the body that carries it. Errors: those above, and those of smooth().
 [[nodiscard]] ORISPLINE_EXPORT Expected<RateAlignment> align(const GyroTrack& moved, const Track& fixed,
                                                              const AlignOptions& options = {},
                                                              const Progress& progress = {});

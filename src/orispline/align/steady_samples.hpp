@@ -14,7 +14,7 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// found, also where every tenth is one; runs of them are not.
 [[nodiscard]] std::vector<std::size_t> steady_samples(const Keyframes& keys);
 
-/// Likewise of rates, with straight lines.
+/// Finds such rates in the same way, with straight lines in place of geodesics.
 [[nodiscard]] CountedRates steady_rates(const GyroRates& gyro);
 
 }}  // namespace orispline

@@ -47,9 +47,9 @@ enum class Seam { open, closed };
 /// the orientation is looked at: no rate tells that it jumps.
 [[nodiscard]] ORISPLINE_EXPORT Continuity continuity_at_keys(const AnyCurve& curve, Seam seam = Seam::open);
 
-/// Likewise the order at each knot, where segments meet: the largest k up to 3 for which no rate of order k or lower
-/// jumps there, as the rates of the whole curve go; -1 where the orientation jumps between it and the next one. Ends
-/// are joined to nothing, and have 3; those of a loop are one place. The least of them is the order of the curve.
+/// The order at each knot, where segments meet, found in the same way: the largest k up to 3 for which no rate of order
+/// k or lower jumps there, as the rates of the whole curve go; -1 where the orientation jumps between it and the next.
+/// Ends are joined to nothing, and have 3; those of a loop are one place. The least is the order of the curve.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<int> orders_at_keys(const AnyCurve& curve, Seam seam = Seam::open);
 
 /// Where a path goes at a moment, and how it bends by the angle travelled, whatever its speed.

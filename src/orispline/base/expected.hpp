@@ -13,7 +13,7 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
-/// What kind of thing went wrong; each face maps it to its own habit (exit code, exception type).
+/// What kind of thing went wrong; each binding maps it to its own habit (exit code, exception type).
 enum class ErrorCode {
   bad_data,       ///< the keyframes or the content of a file
   bad_argument,   ///< a method name, parameter, end rule or option
@@ -38,9 +38,9 @@ struct ORISPLINE_EXPORT Error {
   std::string message{};
   Where where{};
   /// The option that is at fault, by the name that the library gives it, such as `time_scale`; empty where there is
-  /// none. Each face says in its own terms how it is set, and those that the message has in backquotes.
+  /// none. Each binding tells in its terms how it is set, as well as those in backquotes in the message.
   std::string option{};
-  /// The option that would mend it, likewise, such as `drop_duplicates`.
+  /// The option that would mend it, such as `drop_duplicates`; empty where there is none.
   std::string remedy{};
 };
 

@@ -80,7 +80,7 @@ template <class T = double>
                                                             const BakeOptions& options = {},
                                                             const Progress& progress = {});
 
-/// Bakes the method's curve through the keys, likewise. Errors: those of make_curve() too.
+/// Bakes the method's curve through the keys in the same way. Errors: those above, and those of make_curve().
 template <class T = double>
 [[nodiscard]] ORISPLINE_EXPORT Expected<BakedCurve<T>> bake(const Method& method, const Keyframes& keys,
                                                             double tolerance, const BakeOptions& options = {},

@@ -23,7 +23,7 @@ struct CubicChannel {
 /// jumps, as steps do, the channel goes from one value to the other in so short a time, and the largest distance is
 /// nearly what it jumps by. Precondition: the tolerance is greater than 0.
 [[nodiscard]] ORISPLINE_EXPORT CubicChannel<Eigen::Quaterniond> cubic_channel(const AnyCurve& curve, double tolerance);
-/// The path of positions as `cubicspline`, likewise, within the tolerance [their unit].
+/// The path of positions as `cubicspline`, found in the same way, within the tolerance [their unit].
 [[nodiscard]] ORISPLINE_EXPORT CubicChannel<Eigen::Vector3d> cubic_channel(const AnyPath& path, double tolerance);
 
 /// The farthest that a channel is from a curve between the first and the last key of it, looked at in 15 places between

@@ -13,7 +13,7 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 template <CurvePoint P>
 [[nodiscard]] std::optional<Channel<P>> held_in_single_precision(Channel<P> channel);
 
-/// Likewise; as it was where no such file can hold it.
+/// The same, but the channel as it was where no such file can hold it.
 template <CurvePoint P>
 [[nodiscard]] Channel<P> in_single_precision(const Channel<P>& channel) {
   return held_in_single_precision(channel).value_or(channel);

@@ -51,8 +51,8 @@ template <CurvePoint P>
 
 /// The motion after one more factor exp(b(t) φ), b as a jet in t.
 ///
-/// ω ← Rᵀω + b'φ, α ← Rᵀα + b'(ω×φ) + b''φ, jerk likewise. Cross products with φ leave out the parts along φ: they are
-/// zero, and exactly so for a single factor.
+/// ω ← Rᵀω + b'φ, α ← Rᵀα + b'(ω×φ) + b''φ, and the jerk in the same way. Cross products with φ leave out the parts
+/// along φ: they are zero, and exactly so for a single factor.
 template <Number T>
 [[nodiscard]] MotionOver<T> with_factor(const MotionOver<T>& m, const Vector3<T>& phi, const Jet<T, 3>& b) noexcept {
   using Vector = Vector3<T>;

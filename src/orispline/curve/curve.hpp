@@ -16,7 +16,7 @@ struct Domain {
   [[nodiscard]] bool contains(double t) const noexcept { return start <= t && t <= end; }
 };
 
-/// Any curve by value: what the registry returns and the faces hold.
+/// Any curve by value: what the registry returns and the bindings hold.
 ///
 /// Immutable, cheap to copy, safe to share between threads. Evaluation allocates nothing. Outside the domain the end
 /// orientation is held at rest (ω = 0); `checked_motion` makes that an error instead. A NaN time gives NaN.

@@ -157,7 +157,7 @@ class ORISPLINE_EXPORT NewFrames {
                                                              const Eigen::Vector3d& origin);
 /// Keys whose orientations take the world into the body, as keys have them. Rates and positions stay.
 [[nodiscard]] ORISPLINE_EXPORT KeyframeData conjugated(KeyframeData data);
-/// Likewise of poses x_body = R x_world + p: positions become those of the body.
+/// The same of poses x_body = R x_world + p, where positions become those of the body.
 [[nodiscard]] ORISPLINE_EXPORT KeyframeData inverted(KeyframeData data);
 
 /// Keys in other frames, with all that they carry. Precondition: check(change).

@@ -42,7 +42,7 @@ class Pyramid {
       return mixed<T>(constant<T>(steps[0]) * fraction_after(t, 0, 1), constant<T>(steps[1]) * fraction(t, 1, 2),
                       fraction(t, 0, 2));
     }
-    /// The right side likewise, from the third point.
+    /// The right side of it there: a rotation vector from the third point [rad].
     template <Number T>
     [[nodiscard]] Vector3<T> right(const T& t) const noexcept {
       return mixed<T>(constant<T>(steps[1]) * fraction_after(t, 1, 2), constant<T>(steps[2]) * fraction(t, 2, 3),

@@ -122,7 +122,7 @@ class BSplineChain {
     return to_world<T>(exp<T>(v * T(value[1])), missing) * T(1.0 / rate[0]);
   }
 
-  /// From the last control p to the ghost, likewise; the turn from p to the curve is that to the key which it meets.
+  /// From the last control p to the ghost, as above; the turn from p to the curve is that to the key which it meets.
   template <Number T>
   [[nodiscard]] Vector3<T> increment_after(const Vector3<T>& w, const Quaternion<T>& p) const {
     if (settings_.end.rule == EndRule::natural) return w;

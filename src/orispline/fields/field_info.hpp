@@ -29,7 +29,7 @@ enum class FieldType {
   vector,            ///< x, y, z, std::vector<double>
   limit,             ///< of a length, double or one number, or of x, y, z, std::vector<double>; or Measured
   symmetric_matrix,  ///< its diagonal and xy, xz, yz, or its diagonal alone, std::vector<double>
-  recording,         ///< orientations at times: faces pass them in their own way
+  recording,         ///< orientations at times: bindings pass them in their own way
   sample,            ///< the index of a sample of the recording, std::uint64_t
   samples,           ///< several of them, std::vector<std::size_t>
   runs,              ///< of successive samples, std::vector<SampleRun>

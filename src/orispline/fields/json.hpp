@@ -17,7 +17,7 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
-/// A JSON value, whose members stay in the order in which they are documented. Each face writes it in its own way.
+/// A JSON value, whose members stay in the order in which they are documented. Each binding writes it in its own way.
 class ORISPLINE_EXPORT Json {
  public:
   using Array = std::vector<Json>;

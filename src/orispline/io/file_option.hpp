@@ -19,7 +19,7 @@ struct Reading {
   std::optional<Signs> signs{};  ///< absent: as the file says, else for the shortest way
 };
 
-/// An option of reading or of writing files as people state it: all that is known of it in the faces.
+/// An option of reading or of writing files as people state it: all that bindings know of it.
 template <class Target>
 struct FileOption {
   std::string_view name;      ///< as a program writes it: `angle_unit`

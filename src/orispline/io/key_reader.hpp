@@ -19,7 +19,7 @@ class ORISPLINE_EXPORT KeyReader {
   /// Reads as far as the first row, which decides how the others are read; keys of another kind all at once. Errors:
   /// those of read_keys().
   [[nodiscard]] static Expected<KeyReader> open(Input input, const ReadOptions& options = {});
-  /// Likewise of a file that was opened before.
+  /// Reads in the same way from a file that was opened before.
   [[nodiscard]] static Expected<KeyReader> open(KeyInput input, const ReadOptions& options);
   KeyReader(KeyRowsSource source, const ReadOptions& options);
   KeyReader(KeyReader&& other) noexcept;

@@ -177,7 +177,7 @@ Expected<Eigen::Quaterniond> KeyRows::orientation_of(const Eigen::Quaterniond& s
   });
 }
 
-/// The inner quaternions of the row, likewise.
+/// The inner quaternions of the row, made unit and conjugated in the same way.
 Expected<KeyRows::InnerQuaternions> KeyRows::inner_of(const KeyRow& key, std::size_t line) {
   InnerQuaternions inner = key.inner;
   for (std::size_t side = 0; side < inner.size(); ++side) {

@@ -74,7 +74,7 @@ class ORISPLINE_EXPORT SampleWriter {
   /// Errors: bad_access; bad_argument for what the format cannot hold.
   [[nodiscard]] static Expected<SampleWriter> open(const std::string& path, const SampleColumns& columns,
                                                    std::size_t rows = 0);
-  /// Likewise into a file that is open, such as one in memory.
+  /// The same with a file that is open, such as one in memory.
   [[nodiscard]] static Expected<SampleWriter> open(OutputFile file, const SampleColumns& columns, std::size_t rows = 0);
 
   /// Writes the sample at a time [s]. Errors: bad_access; those of `SampleRows::append`.

@@ -27,8 +27,8 @@ const RowsOfFile* file_of(const MeanRequest& request, std::size_t row) {
   return next == request.files.begin() || (next - 1)->name.empty() ? nullptr : &*(next - 1);
 }
 
-/// What is at a row of one of several files with the name of that and the number of the row there.
-Where in_its_file(const MeanRequest& request, Where where) {
+/// The place of a row of several files, by the name of its own file and the number of the row there.
+Where place_in_own_file(const MeanRequest& request, Where where) {
   const RowsOfFile* const file = where.key ? file_of(request, *where.key) : nullptr;
   if (!file) return where;
   where.file = file->name;
@@ -39,13 +39,13 @@ Where in_its_file(const MeanRequest& request, Where where) {
 
 Error located(const MeanRequest& request, Error error) {
   if (request.files.empty()) return placed(*request.rows, std::move(error));
-  error.where = in_its_file(request, std::move(error.where));
+  error.where = place_in_own_file(request, std::move(error.where));
   return error;
 }
 
 Warning located(const MeanRequest& request, Warning warning) {
   if (request.files.empty()) return request.rows->located(std::move(warning));
-  warning.where = in_its_file(request, std::move(warning.where));
+  warning.where = place_in_own_file(request, std::move(warning.where));
   return warning;
 }
 

@@ -106,7 +106,7 @@ std::vector<std::string_view> names_in(const List& stated) {
 }
 
 /// `orientations at times, or a skeleton`
-std::string wanted_of(const TaskKinds& takes) {
+std::string wanted_kinds(const TaskKinds& takes) {
   std::vector<std::string_view> kinds;
   if (takes.tracks) kinds.emplace_back("orientations at times");
   if (takes.gyros) kinds.emplace_back("the rates of a gyro");
@@ -132,10 +132,10 @@ Expected<void> check_inputs(const TaskInfo& task, const TaskRequest& request) {
   if (auto fits = check_names("input", names_in(request.inputs), known, repeated); !fits) return fits;
   for (const TaskInput& input : task.inputs) {
     if (input.is_required && !request.value(input.name))
-      return bad_option(input.name, "found none, wanted " + wanted_of(input.takes));
+      return bad_option(input.name, "found none, wanted " + wanted_kinds(input.takes));
     for (const auto& [name, value] : request.inputs)
       if (name == input.name && !takes(input.takes, value))
-        return bad_option(name, formatted("found {}, wanted {}", name_of(value), wanted_of(input.takes)));
+        return bad_option(name, formatted("found {}, wanted {}", name_of(value), wanted_kinds(input.takes)));
   }
   return {};
 }

@@ -20,7 +20,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace mean_of {
 struct Pull {
   double sum = 0.0;
   Eigen::Vector3d towards = Eigen::Vector3d::Zero();  ///< less the gradient, without the points that are here
-  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();  ///< likewise
+  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();  ///< of the same points
   double bound = 0.0;        ///< of the curvature in every direction: a step `towards`/bound lowers the sum
   double weight_here = 0.0;  ///< of points that are here, of the median: there its sum has a corner
   std::size_t nearest = 0;

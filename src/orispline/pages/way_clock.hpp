@@ -12,7 +12,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 /// The times of a motion at which it is at the places of the one that the page follows, key by key. As many keys.
 [[nodiscard]] report::PageClock clock_of_keys(const Keyframes& page, const Keyframes& own);
 
-/// Likewise of curves with other keys, by the angle and the distance that they have travelled.
+/// The same for curves with other keys, by the angle and the distance that they have travelled.
 [[nodiscard]] report::PageClock clock_of_ways(const PoseCurve& page, const PoseCurve& own);
 
 }}}  // namespace orispline::pages

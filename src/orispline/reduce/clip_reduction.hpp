@@ -31,9 +31,9 @@ enum class KeyPrecision { float64, float32 };
 struct ClipReduceOptions {
   double tolerance = std::numeric_limits<double>::infinity();  ///< of rotations, at every key that they had [rad]
   double position_tolerance =
-      std::numeric_limits<double>::infinity();  ///< of translations, likewise [the skeleton's unit]
-  double world_tolerance = std::numeric_limits<double>::infinity();  ///< of the shell distance at all keys, likewise
-  double shell = default_shell;                                      ///< for that distance, likewise
+      std::numeric_limits<double>::infinity();  ///< of translations, at every key [the skeleton's unit]
+  double world_tolerance = std::numeric_limits<double>::infinity();  ///< of the shell distance at all keys [that unit]
+  double shell = default_shell;                                      ///< of its points from a joint [that unit]
   /// That; or `slerp`, whose channels are `linear`; or another one that reduce() takes, of which cubics follow the
   /// curve. The rates of `hermite-c1` are sought with its keys.
   Method method{cubicspline_method};
@@ -68,7 +68,7 @@ struct ClipReduction {
   std::size_t translation_keys = 0, translation_keys_before = 0;
   std::size_t open_tracks = 0;  ///< rotation tracks of `rotation_tracks` that do not end as they begin
   Worst angle{};                ///< of rotations in the frames of the parents, at the keys that each had [rad]
-  Worst translation{};          ///< of translations likewise
+  Worst translation{};          ///< of translations, in the same places [the skeleton's unit]
   Worst distance{};             ///< the shell distance in the world, at all times of keys of the clip before
   /// Of rotations between their keys before: from the curve `auto` through these, and from what the clip says [rad].
   Worst from_smooth{}, from_stored{};

@@ -89,7 +89,7 @@ inline constexpr std::array<std::string_view, 3> reducing_methods{"auto", "timed
                                                                         const Keyframes& samples,
                                                                         std::span<const std::size_t> left_out = {});
 
-/// How far the curve is from the positions of samples [m], likewise. Precondition: the keys and the samples have some.
+/// The same of positions: how far the curve is from those of samples [m]. Precondition: keys and samples have some.
 [[nodiscard]] ORISPLINE_EXPORT Expected<DistanceStatistics> position_distance_of(
     const Reduction& reduction, const Keyframes& samples, std::span<const std::size_t> left_out = {});
 

@@ -172,8 +172,8 @@ struct PageClip {
   PageKeyCounts rotation_keys{}, translation_keys{};
   std::vector<double> times{};            ///< [s], of the positions; increasing
   std::vector<Eigen::Vector3d> before{};  ///< in the world: all joints at the first time, then at the next
-  std::vector<Eigen::Vector3d> after{};  ///< likewise, of joints that are not compared those before; of one motion none
-  std::vector<double> error_times{};     ///< [s]; increasing
+  std::vector<Eigen::Vector3d> after{};   ///< in that order; of joints not compared those before; empty for one motion
+  std::vector<double> error_times{};      ///< [s]; increasing
   std::vector<PageJointErrors> joints{};  ///< as many as the skeleton has
 };
 

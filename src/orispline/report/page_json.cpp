@@ -179,7 +179,7 @@ std::string json_of(const std::vector<PageMethod>& methods) {
 
 constexpr double steps_of_extent = 8000.0;  ///< how finely positions are rounded: a step is less than a pixel
 constexpr double steps_of_largest =
-    500.0;  ///< likewise what is drawn as a line, and differences, which may be magnified
+    500.0;  ///< the same for what is drawn as a line, and for differences, which may be magnified
 
 /// The power of ten that is not larger, in steps of which numbers are rounded as decimals are; 1 where there is nothing
 /// to divide.

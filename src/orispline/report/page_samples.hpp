@@ -60,12 +60,12 @@ struct PageErrors {
 
 /// The orientations with one of NaN between neighbours that a gap is between.
 [[nodiscard]] ORISPLINE_EXPORT PagePath with_gaps(const PagePath& path, const Covers& covers);
-/// The errors with a NaN likewise.
+/// The errors with a NaN in the same places.
 [[nodiscard]] ORISPLINE_EXPORT PageErrors with_gaps(const PageErrors& errors, const Covers& covers);
 
 /// At most about `count` of the orientations, evenly picked, with both ends.
 [[nodiscard]] ORISPLINE_EXPORT PagePath thinned(const PagePath& path, std::size_t count = 600);
-/// Of the keys likewise.
+/// At most about `count` of the keys, picked in the same way.
 [[nodiscard]] ORISPLINE_EXPORT PageKeys thinned(const PageKeys& keys, std::size_t count);
 
 }}}  // namespace orispline::report

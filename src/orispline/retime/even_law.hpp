@@ -11,8 +11,8 @@ struct Advance {
 };
 
 /// From rest to rest, or from speed to speed without an ease: v rises as v (3u² - 2u³) over the ease, stays, and falls
-/// likewise, so that the acceleration does not jump. Where the length is too short for it, v is less and the eases
-/// meet.
+/// in the same way, so that the acceleration does not jump. Where the length is too short for it, v is less and the
+/// eases meet.
 class EvenLaw {
  public:
   /// In the units of the lengths, `speed` and `length` above 0; `ease` [s], 0 for none.

@@ -34,7 +34,7 @@ class LimitedMotion {
   [[nodiscard]] bool is_limited() const noexcept { return !quantities_.empty(); }
   /// The times with all segments but the rests longer by that factor.
   [[nodiscard]] std::vector<double> lengthened(std::vector<double> times, double factor) const;
-  /// Likewise, where the factor is below 1 and no segment shall get below its least_interval().
+  /// The same with a factor below 1, which brings no segment below its least_interval().
   [[nodiscard]] std::vector<double> shortened(std::vector<double> times, double factor) const;
 
   /// The factor that every segment needs at these times [s], by samples.

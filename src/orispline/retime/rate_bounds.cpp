@@ -54,7 +54,7 @@ class Turning {
   Motion m_{};
 };
 
-/// The position on one segment, likewise.
+/// Moving on one segment: the same of the position.
 class Moving {
  public:
   Moving(const AnyPath& path, std::size_t segment, const PathHull& hull, const MotionQuantities& quantities)

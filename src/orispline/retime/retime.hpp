@@ -48,7 +48,7 @@ struct MotionLimits {
 enum class Slowing {
   uniform,       ///< all by one factor s: the same path, ω/s and α/s² everywhere
   per_interval,  ///< each by its own: the method's curve through the keys at their new times
-  fastest_keys   ///< likewise, and they may get shorter too: the times that were typed do not matter
+  fastest_keys   ///< each by its own, and they may get shorter too: the times that were typed do not matter
 };
 
 /// What a motion shall keep, and how it may be slowed for it.

@@ -32,7 +32,7 @@ struct Scene {
   std::size_t bytes = 0;                        ///< of the files that were read; 0 for a scene that was made
   std::vector<Warning> warnings{};              ///< of reading
   const SceneFormat* format = nullptr;          ///< of the file; null for a scene that was made
-  std::shared_ptr<const SceneSource> source{};  ///< null likewise
+  std::shared_ptr<const SceneSource> source{};  ///< null for a scene that was made
 };
 
 struct SceneFormat;

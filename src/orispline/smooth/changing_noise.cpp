@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t shortest_stretch = 30;  // differences: a strike is shorter
 constexpr double least_change = 2.0;          // of σ
 constexpr double sure_change = 40.0;          // of a split, as the square of a normal variable
-constexpr double clear_gain = 4.0;            // likewise, not squared
+constexpr double clear_gain = 4.0;            // of a split, as such a variable, not squared
 constexpr double rounding_share = 0.1;        // of the usual distance, below which a distance tells nothing more
 
 /// Logarithms of the noise between neighbours, and the sample in the middle of each.

@@ -19,8 +19,8 @@ bool leave_out_faults(const SeenPoses& poses, const GyroRates& gyro, const GyroA
 /// says.
 [[nodiscard]] Expected<void> check_frame(const SeenPoses& poses, const GyroRates& gyro);
 
-/// Whether a gyro measures the motion of the orientations. Error (bad_data): likewise with that offset [s], or it turns
-/// many times as fast, or against them.
+/// Whether a gyro measures the motion of the orientations. Error (bad_data): with that offset [s] its rates agree with
+/// them under another meaning, or it turns many times as fast, or against them.
 [[nodiscard]] Expected<void> check_meaning(const SeenPoses& poses, const GyroRates& gyro, const CountedRates& counts,
                                            double offset);
 

@@ -115,7 +115,7 @@ StretchFits choose_lambda(GyroFit& result, const StretchFits& start, SmoothingOb
   return near.fits.empty() ? start : near;
 }
 
-/// How much the bias drifts, likewise: from hardly at all upward, until the likelihood falls for some time.
+/// How much the bias drifts, by the same likelihood: from hardly at all upward, until it falls for some time.
 StretchFits choose_drift(GyroFit& result, const StretchFits& start, SmoothingObjective& objective, double gyro_noise) {
   const StretchProblems parts = representative_parts(result.problems, most_times_for_choice);
   const bool is_all = parts.front().size() == result.problems.front().size();

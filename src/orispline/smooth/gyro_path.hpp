@@ -34,7 +34,7 @@ class GyroPath {
 
   /// The rate there [rad/s], b added, by the cubic through the four rates about it.
   [[nodiscard]] std::optional<Eigen::Vector3d> rate_at(double t) const;
-  /// Likewise, but nothing where a rate beside it is missing or does not count.
+  /// The same, but nothing where a rate beside it is missing or does not count.
   [[nodiscard]] std::optional<Eigen::Vector3d> measured_at(double t) const;
 
   /// Between rates that count [s].

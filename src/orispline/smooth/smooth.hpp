@@ -50,7 +50,7 @@ struct GyroRates {
   } clock = Clock::of_the_recording;
   std::string name{};                  ///< of the file, where it is one by itself
   std::vector<Decimal> exact_times{};  ///< [s], as the file writes them; empty, or one for each
-  std::vector<std::uint32_t> lines{};  ///< of the file, from 1; likewise
+  std::vector<std::uint32_t> lines{};  ///< of the file, from 1; empty, or one for each
 };
 
 /// How a recording is to be smoothed. What is absent is estimated from it.
@@ -76,7 +76,7 @@ struct SmoothOptions {
 enum class SmoothingCriterion {
   gcv,   ///< generalised cross-validation (Craven and Wahba 1979): the noise may be unknown
   ubre,  ///< unbiased risk estimate (Mallows' C_p): the noise is what the weights say
-  reml,  ///< restricted likelihood by Laplace's method: likewise, and for the gyro too
+  reml,  ///< restricted likelihood by Laplace's method: the noise, of the gyro too, is what the weights say
 };
 
 /// λ of least criterion.
@@ -97,7 +97,7 @@ struct SmoothedNodes {
   std::vector<Eigen::Vector3d> angular_accelerations{};  ///< [rad/s²]
   std::vector<Eigen::Vector3d> positions{};
   Eigen::Vector3d gyro_correction = Eigen::Vector3d::Zero();  ///< b [rad/s]: the gyro, b added, has no bias
-  std::vector<Eigen::Vector3d> gyro_corrections{};            ///< likewise, of a bias that drifts; b is their mean
+  std::vector<Eigen::Vector3d> gyro_corrections{};            ///< those of a bias that drifts; b is their mean
 };
 
 /// What the samples leave open of nodes: one standard deviation along each axis of the body.
@@ -215,8 +215,8 @@ inline constexpr std::size_t most_times_for_choice = 10000;
 /// a C2 curve; and positions, where it has some, by the smoothing spline of the same penalty.
 ///
 /// The weight of the penalty follows from `smoothing_time`; else it is chosen: by GCV where nothing is known, by UBRE
-/// where the noise is stated, by REML with a gyro. That of the positions likewise, for themselves; `position_noise`
-/// stands before `smoothing_time`. Errors: bad_data for too few samples (fewer than three in every
+/// where the noise is stated, by REML with a gyro. That of the positions is chosen in the same way, by themselves;
+/// `position_noise` stands before `smoothing_time`. Errors: bad_data for too few samples (fewer than three in every
 /// stretch, four for the jerk; so few beside the outliers), where no smooth motion is near to them or more than half of
 /// them count as outliers, for a gyro without angular velocities and for one that contradicts the orientations, for a
 /// noise of positions without any; those of check(); bad_argument for a smoothing time that does not suit the recording
@@ -229,8 +229,8 @@ inline constexpr std::size_t most_times_for_choice = 10000;
 [[nodiscard]] ORISPLINE_EXPORT Expected<GyroRates> gyro_rates_in(const Track& recording);
 
 /// With the rates of a gyro that stand by themselves; those of the recording play no part. Keys of the result stand at
-/// the times of the rates too, corrected where their clock is their own. Errors: likewise, and bad_data for rates that
-/// do not overlap the recording.
+/// the times of the rates too, corrected where their clock is their own. Errors: those above, and bad_data for rates
+/// that do not overlap the recording.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Smoothing> smooth(const Track& recording, const GyroRates& gyro,
                                                           const SmoothOptions& options, const Progress& progress = {});
 

@@ -200,7 +200,7 @@ constexpr std::array of_orientations{
          .quantity = &quantities::angle,
          .absent = "without a gyro, or where it counts turns"}),
     field<&risk<&GyroFinding::Risk::without>>({.name = "error_without_gyro",
-                                               .sentence = "Likewise without it",
+                                               .sentence = "Root mean square of that error without the gyro",
                                                .quantity = &quantities::angle,
                                                .absent = "without a gyro, or where it counts turns"}),
     field<&rms_distance>({.name = "rms_distance",

@@ -97,7 +97,7 @@ struct SmoothingFit {
 /// weights are iterated.
 ///
 /// `start`: the fit of a similar problem at the same times. Precondition: as many weights as times, at least p of them
-/// positive, and likewise for the gyro where there is one.
+/// positive, and the same for the gyro where there is one.
 [[nodiscard]] SmoothingFit fit_smoothing(const SmoothingProblem& problem, const SmoothingObjective& objective,
                                          const SmoothingIteration& iteration = {},
                                          const SmoothedNodes* start = nullptr);

@@ -14,7 +14,7 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 namespace {
 
 constexpr double huber_threshold = 2.5, tukey_threshold = 6.0;  // in units of σ
-constexpr double tolerance_to_find_outliers = 1e-2;             // of the iteration, likewise
+constexpr double tolerance_to_find_outliers = 1e-2;             // of the iteration, in units of σ
 
 }  // namespace
 

@@ -31,7 +31,7 @@ struct ScalarSmoother {
 [[nodiscard]] std::vector<double> node_variances(const ScalarSmoother& smoother);
 
 /// How much of what the penalty keeps small the samples determine in each interval, per axis: 0 where they say nothing
-/// of it, p where they say all. Likewise.
+/// of it, p where they say all. It is found by the same recursion.
 [[nodiscard]] std::vector<double> interval_freedoms(const ScalarSmoother& smoother);
 
 /// The trace of the hat matrix of the smoother, per axis: how many samples' worth of freedom the curve has.

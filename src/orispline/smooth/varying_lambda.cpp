@@ -43,7 +43,7 @@ struct Softness {
 };
 
 constexpr std::array softnesses{Softness{32.0, 0.05}, Softness{8.0, 0.1}, Softness{2.0, 0.15}, Softness{0.5, 0.15}};
-constexpr double least_gain = 0.01;  // likewise, over the softness before: with less, softer ones are not tried
+constexpr double least_gain = 0.01;  // that gain, over the softness before: with less, softer ones are not tried
 constexpr int most_updates = 10;
 constexpr double settled = 0.1;           // of log λ, in one update
 constexpr double rough_tolerance = 1e-2;  // of the iteration, in units of the noise

@@ -22,7 +22,7 @@ const pageOf = (output) => ({ script: output[0].code, style: output.find(({ file
 /** The viewer as a script, which makes `orispline.createViewer`, and its style. */
 export const viewerBuilt = async () => pageOf(await outputOf(source('viewer.ts'), 'iife'));
 
-/** Likewise what a text exports, which may import any part of the studio. */
+/** What a text exports, as a script with its style; it may import any part of the studio. */
 export async function partsBuilt(text) {
   const entry = fileURLToPath(new URL('parts.ts', import.meta.url)); // is not there
   return pageOf(await outputOf(entry, 'iife', { name: 'parts', enforce: 'pre', resolveId: (id) => (id === entry ? id : undefined), load: (id) => (id === entry ? text : undefined) }));

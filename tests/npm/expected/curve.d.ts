@@ -13,7 +13,7 @@ export interface Motion {
     angularAcceleration: number[];
     /** [rad/s³], body. */
     angularJerk: number[];
-    /** [m], world, where the keys have positions; likewise what follows. */
+    /** [m], world, where the keys have positions, as is all that follows. */
     position?: number[];
     /** [m/s]. */
     velocity?: number[];
@@ -69,7 +69,7 @@ export declare class Curve implements Playable {
     constructor(engine: Engine, forgotten: FinalizationRegistry<Address>, method: string, data: KeyData, settings: Settings);
     /** Writes the orientation at a time [s] into `target` and returns it. It allocates nothing where there is a target. */
     at<Target extends Numbers = number[]>(time: number, target?: Target): Target;
-    /** The position [m] likewise, of keys that have positions. */
+    /** Writes the position [m] in the same way, where the keys have positions. */
     positionAt<Target extends Numbers = number[]>(time: number, target?: Target): Target;
     /** The motion at a time [s]; at a key where rates jump that of the segment behind it, or of the one before it. */
     motion(time: number, side?: 'right' | 'left'): Motion;

@@ -13,9 +13,9 @@ export interface KeyData {
     positions?: ArrayLike<number>;
     /** [rad/s], body; a row of NaN is left to the method. */
     angularVelocities?: ArrayLike<number>;
-    /** [rad/s²], body, likewise. */
+    /** [rad/s²], body; a row of NaN is left to the method. */
     angularAccelerations?: ArrayLike<number>;
-    /** [rad/s³], body, likewise. */
+    /** [rad/s³], body; a row of NaN is left to the method. */
     angularJerks?: ArrayLike<number>;
     /** Whether to go from key to key the short way round, or as the signs of the quaternions say. */
     signs?: 'shortest' | 'as-given';

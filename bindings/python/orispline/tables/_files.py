@@ -143,10 +143,10 @@ def _beside(place: str) -> Iterator[str]:
         raise AccessError(f"{place}: cannot be written: {os.strerror(refusal)}")
     folder, name = os.path.split(target)
     try:
-        room = tempfile.mkdtemp(prefix=f".{name}.", dir=folder)
+        scratch = tempfile.mkdtemp(prefix=f".{name}.", dir=folder)
     except OSError as error:
         raise AccessError(f"{place}: cannot be written: {error.strerror}") from None
-    part = os.path.join(room, "part")
+    part = os.path.join(scratch, "part")
     try:
         yield part
         _sync(part)
@@ -158,7 +158,7 @@ def _beside(place: str) -> Iterator[str]:
     except OSError as error:
         raise AccessError(f"{place}: cannot be written: {error.strerror or str(error).splitlines()[0]}") from None
     finally:
-        shutil.rmtree(room, ignore_errors=True)
+        shutil.rmtree(scratch, ignore_errors=True)
 
 
 def _refusal(target: str) -> int | None:

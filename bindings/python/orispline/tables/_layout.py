@@ -97,7 +97,7 @@ def layout(by: Any, time: Any, quaternion: Any, position: Any) -> Layout:
 
 
 def set_layout(by: Any, time: Any, quaternion: Any, position: Any, weight: Any) -> SetLayout:
-    """Likewise, without a time or weight where they are None."""
+    """Of arguments, of which time and weight may be None. Raises TypeError and ArgumentError."""
     made = SetLayout(_names("by", by, None), "" if time is None else _names("time", time, 1)[0], *_of_poses(quaternion, position),
                      () if weight is None else _names("weight", weight, 1))
     _check_named_once(made, "by, time, quaternion, position and weight")

@@ -63,8 +63,8 @@ def _table_of(frame: Any, what: str) -> Any:
 
 def _is_frame(given: Any) -> bool:
     """One of pandas or Polars, which is in memory."""
-    room, _, _ = type(given).__module__.partition(".")
-    return room in ("pandas", "polars") and type(given).__name__ == "DataFrame"
+    library, _, _ = type(given).__module__.partition(".")
+    return library in ("pandas", "polars") and type(given).__name__ == "DataFrame"
 
 
 def files_named(path: str) -> list[str]:

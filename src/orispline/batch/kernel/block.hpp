@@ -96,7 +96,7 @@ template <Rates Wanted, class T>
   if constexpr (Wanted >= Rates::third) lay_out(planes.jerk, count, target.angular_jerk, at, target.planes);
 }
 
-/// One sample likewise.
+/// Writes one sample to that layout.
 template <class T>
 [[gnu::always_inline]] inline void put(const Lanes<T>& q, std::size_t at, const Target<T>& target) {
   if (!target.orientation) return;

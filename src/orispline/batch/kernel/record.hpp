@@ -114,8 +114,8 @@ struct Kernels {
   bool (*are_in_order)(const double* times, std::size_t count);  ///< whether they rise or stay, none being NaN
   /// From sample `first` on, a whole number like all k: exact up to 2⁵³.
   void (*write_even_times)(const EvenTimes&, double first, std::size_t count, double* times);
-  /// Likewise, where all offsets are from 10^decade on to below ten times that; NaN where it is not sure which double
-  /// is the nearest. How many these are.
+  /// The same where all offsets are from 10^decade on to below ten times that; NaN where it is not sure which double is
+  /// the nearest. Returns how many these are.
   std::size_t (*write_decimal_times)(const DecimalTimes&, int decade, double first, std::size_t count, double* times);
   const PolynomialKernels* polynomials;
 };

@@ -78,7 +78,7 @@ class NumberFinder {
   const Frames& frames_;
   const Source* source_;
   std::vector<const RotationChannel*> rotations_;   // by their joints
-  std::vector<const VectorChannel*> translations_;  // likewise
+  std::vector<const VectorChannel*> translations_;  // by their joints
   std::vector<std::size_t> first_columns_;          // of the joints in a frame of the source
 };
 

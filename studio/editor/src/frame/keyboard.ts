@@ -72,7 +72,7 @@ const elsewhere: [keys: string, does: string][] = [
   ['Home, End', 'Go to the first or the last moment that is shown'],
 ];
 const places: [where: string, lines: [string, string][]][] = [
-  ['On the body or the sphere', [['← → ↑ ↓', 'Turn the chosen key about the axes of the screen by 1°, with Shift by 10°, with Ctrl by 0.1°'], ['Page Up, Page Down', 'Turn it about the line of sight likewise'], ['Alt+← → ↑ ↓', 'Look from elsewhere']]],
+  ['On the body or the sphere', [['← → ↑ ↓', 'Turn the chosen key about the axes of the screen by 1°, with Shift by 10°, with Ctrl by 0.1°'], ['Page Up, Page Down', 'Turn it about the line of sight by the same angles'], ['Alt+← → ↑ ↓', 'Look from elsewhere']]],
   ['On a key of the timeline', [['← →', 'Move it in time, with Shift ten times as far, with Ctrl a tenth'], ['↑ ↓', 'Choose the key before, the next one'], ['Page Up, Page Down', 'Choose the key ten before, ten later'], ['Home, End', 'Choose the first or last key'], ['Tab', 'Go to its bar']]],
   ['On a bar', [['↑ ↓, ← →', 'Change the value, with Shift ten times as much, with Ctrl a tenth'], ['Page Up, Page Down', 'Change it ten times as much']]],
   ['On the slider All keys', [['← → ↑ ↓', 'Change the value of all keys'], ['Page Up, Page Down', 'Change it ten times as much'], ['Home, End', 'Go to the least and the most']]],

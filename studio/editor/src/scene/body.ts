@@ -33,7 +33,7 @@ const below = 0.72; // the ground, of the size of the body
 const square = 0.25; // of the ground, where there are no positions
 const opacity = { second: 0.42, key: 0.3 };
 const same = 1e-3; // [deg] no eye tells them apart
-const near = 1e-3; // length of the scene, likewise
+const near = 1e-3; // length of the scene: no eye tells them apart
 const view = { eye: new Vector3(0.62, -1, 0.62).normalize(), points: ball(0.6), share: { width: 0.66, height: 0.66 } };
 
 const pathOf = once((method: Method) => new FlightPath(method, { step }));

@@ -10,9 +10,9 @@ import type { Key } from '../document/document';
 type Pair = readonly [before: Key | undefined, after: Key | undefined];
 
 const onPath = 0.6; // size there
-const atSide = 0.46; // likewise, of half the picture's height
+const atSide = 0.46; // size there, of half the picture's height
 const margin = 0.72; // from the side, in sizes
-const nameBelow = { atSide: 0.74, onPath: 0.5 }; // likewise
+const nameBelow = { atSide: 0.74, onPath: 0.5 }; // below the middle of a neighbour, in sizes
 const opacity = 0.5;
 const least = 22; // [px] within which one is hit
 

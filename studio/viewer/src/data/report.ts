@@ -143,7 +143,7 @@ export interface Report {
   reference: Path | null;
   marks: Marks | null;
   limits: Record<string, number>; // by the id of the quantity
-  units: Record<string, Unit>; // likewise
+  units: Record<string, Unit>; // by the id of the quantity
   columns: Column[];
   sorted_by: string;
   first: string; // names of the methods that are shown at first

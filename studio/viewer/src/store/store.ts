@@ -180,7 +180,7 @@ export class Store {
     this.atEnd(() => target.removeEventListener(type, listener as EventListener));
   }
 
-  /** Tells of each change of an element's size, likewise. */
+  /** Tells of each change of an element's size, for as long as there is the viewer. */
   watchSize(element: Element, update: () => void): void {
     const observer = new ResizeObserver(update);
     observer.observe(element);

@@ -11,7 +11,7 @@ interface Look {
 
 const thickness = 0.1; // of the length of a bone
 const thickest = 0.035; // lengths of the scene
-const thin = 0.004; // likewise, of what is no bone
+const thin = 0.004; // the same of what is no bone
 const ball = 0.8; // radius of a joint, of the thickness
 
 /** From 0 to 1 along y. */

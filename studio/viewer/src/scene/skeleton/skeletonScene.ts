@@ -23,7 +23,7 @@ export const sides: [string, Vector3][] = [
 ].map(([name, eye]) => [name as string, (eye as Vector3).normalize()]);
 
 const ring = 0.09; // radius of what marks a joint
-const dot = 0.016; // likewise of a key
+const dot = 0.016; // radius of what marks a key
 const mostDots = 300; // of a joint: more would hide its way
 
 /** Seen through all that is before it. */

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""check_floors.py finds each kind of breach in a small house that is sound otherwise."""
+"""check_layers.py finds each kind of breach in a small tree that is sound otherwise."""
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
 
-SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "tools" / "check_floors.py"
+SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "tools" / "check_layers.py"
 SPDX = "// SPDX-License-Identifier: Apache-2.0\n"
 HEADER = SPDX + "#pragma once\n"
 SOUND = {
@@ -29,13 +29,13 @@ SOUND = {
 
 
 def report(**changes):
-    """What the script says about the sound house with some files replaced or added; exit code 0 gives None."""
-    with tempfile.TemporaryDirectory() as house:
+    """What the script says about the sound tree with some files replaced or added; exit code 0 gives None."""
+    with tempfile.TemporaryDirectory() as tree:
         for path, text in (SOUND | changes.get("files", {})).items():
-            file = pathlib.Path(house, path)
+            file = pathlib.Path(tree, path)
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(text, "utf-8")
-        run = subprocess.run([sys.executable, SCRIPT, house], capture_output=True, text=True, check=False)
+        run = subprocess.run([sys.executable, SCRIPT, tree], capture_output=True, text=True, check=False)
         return run.stderr if run.returncode else None
 
 
@@ -43,19 +43,19 @@ def function_of(lines, head="int f(int a) {"):
     return head + "\n" + "  a += 1;\n" * (lines - 2) + "}\n"
 
 
-class CheckFloors(unittest.TestCase):
+class CheckLayers(unittest.TestCase):
     def assert_breach(self, path, text, message):
         self.assertIn(message, report(files={path: text}) or "no breach")
 
     def assert_sound(self, path, text):
         self.assertIsNone(report(files={path: text}))
 
-    def test_accepts_a_sound_house(self):
+    def test_accepts_a_sound_tree(self):
         self.assertIsNone(report())
 
     def test_finds_an_include_upwards(self):
         self.assert_breach("src/orispline/math/so3.hpp", HEADER + "#include <orispline/curve/keyframe.hpp>\n",
-                           "math/so3.hpp: floor math must not include orispline/curve/keyframe.hpp")
+                           "math/so3.hpp: layer math must not include orispline/curve/keyframe.hpp")
 
     def test_finds_a_part_of_the_interface_to_c_that_needs_more_than_it_may(self):
         text = SPDX + "#include <orispline/batch/sample.hpp>\n"
@@ -68,27 +68,27 @@ class CheckFloors(unittest.TestCase):
         self.assert_breach("examples/story.cpp", SPDX + "#include <orispline/curve/knots.hpp>\n",
                            "examples/story.cpp: wanted a public header")
 
-    def test_finds_an_include_of_a_neighbouring_wing(self):
+    def test_finds_an_include_of_a_neighbouring_folder(self):
         self.assert_breach("src/orispline/io/csv.cpp", SPDX + "#include <orispline/families/slerp.hpp>\n",
-                           "floor io must not include orispline/families/slerp.hpp")
+                           "layer io must not include orispline/families/slerp.hpp")
 
-    def test_finds_the_umbrella_header_inside_the_house(self):
-        self.assert_breach("src/orispline/io/csv.cpp", SPDX + "#include <orispline/orispline.hpp>\n", "floor io must not")
+    def test_finds_the_umbrella_header_inside_the_library(self):
+        self.assert_breach("src/orispline/io/csv.cpp", SPDX + "#include <orispline/orispline.hpp>\n", "layer io must not")
 
-    def test_finds_a_folder_that_is_no_floor(self):
-        self.assert_breach("src/orispline/attic/box.cpp", SPDX + "#include <orispline/math/so3.hpp>\n", "floor attic")
+    def test_finds_a_folder_that_is_no_layer(self):
+        self.assert_breach("src/orispline/unknown/box.cpp", SPDX + "#include <orispline/math/so3.hpp>\n", "layer unknown")
 
     def test_finds_a_page_that_reads_files(self):
         self.assert_breach("src/orispline/pages/page.hpp", HEADER + "#include <orispline/io/csv.hpp>\n",
-                           "floor pages must not include orispline/io/csv.hpp")
+                           "layer pages must not include orispline/io/csv.hpp")
 
     def test_finds_a_task_that_draws_pages(self):
         self.assert_breach("src/orispline/smooth/smooth.cpp", SPDX + "#include <orispline/pages/page.hpp>\n",
-                           "floor smooth must not include orispline/pages/page.hpp")
+                           "layer smooth must not include orispline/pages/page.hpp")
 
     def test_finds_a_job_that_opens_files(self):
         self.assert_breach("src/orispline/jobs/retime.cpp", SPDX + "#include <orispline/io/csv.hpp>\n",
-                           "floor jobs must not include orispline/io/csv.hpp")
+                           "layer jobs must not include orispline/io/csv.hpp")
 
     def test_finds_a_binding_that_composes(self):
         for path in ("cli/commands/retime/retime.cpp", "bindings/python/core/tasks.cpp"):
@@ -102,25 +102,25 @@ class CheckFloors(unittest.TestCase):
         for path, name in (("options/text.hpp", "output/summary.hpp"), ("output/summary.hpp", "commands/smooth/smooth.hpp"),
                            ("options/text.hpp", "commands/smooth/smooth.hpp"), ("papers/table.cpp", "commands/smooth/smooth.hpp")):
             self.assert_breach(f"cli/{path}", HEADER + f'#include "{name}"\n',
-                               f"cli/{path}: floor {path.partition('/')[0]} of the command must not include {name}")
+                               f"cli/{path}: layer {path.partition('/')[0]} of the command must not include {name}")
 
     def test_finds_a_command_that_knows_another(self):
         self.assert_breach("cli/commands/reduce/reduce.cpp", SPDX + '#include "commands/smooth/smooth.hpp"\n',
-                           "reduce.cpp: floor commands/reduce of the command must not include commands/smooth/smooth.hpp")
+                           "reduce.cpp: layer commands/reduce of the command must not include commands/smooth/smooth.hpp")
 
-    def test_finds_a_folder_of_the_command_that_is_no_floor(self):
-        self.assert_breach("cli/attic/box.cpp", SPDX + '#include "options/text.hpp"\n', "floor attic of the command must not include")
+    def test_finds_a_folder_of_the_command_that_is_no_layer(self):
+        self.assert_breach("cli/unknown/box.cpp", SPDX + '#include "options/text.hpp"\n', "layer unknown of the command must not include")
 
     def test_finds_a_circle_in_the_command(self):
         circle = {"cli/options/a.hpp": HEADER + '#include "options/b.hpp"\n', "cli/options/b.hpp": HEADER + '#include "options/a.hpp"\n'}
         self.assertIn("include circle: cli/options/", report(files=circle) or "no breach")
 
-    def test_finds_a_circle_on_one_floor(self):
+    def test_finds_a_circle_in_one_layer(self):
         circle = {"src/orispline/math/a.hpp": HEADER + "#include <orispline/math/b.hpp>\n",
                   "src/orispline/math/b.hpp": HEADER + "#include <orispline/math/a.hpp>\n"}
         self.assertIn("include circle: src/orispline/math/", report(files=circle) or "no breach")
 
-    def test_finds_a_guest_in_the_wrong_room(self):
+    def test_finds_third_party_code_in_the_wrong_place(self):
         self.assert_breach("src/orispline/math/so3.hpp", HEADER + "#include <nlohmann/json.hpp>\n",
                            "nlohmann/json.hpp is for cli/output/json_document.cpp or src/orispline/io/blending_file.cpp or src/orispline/scenes/gltf/ or tests/c/ or tests/bindings/ only")
 
@@ -192,9 +192,9 @@ class CheckFloors(unittest.TestCase):
     def test_finds_a_header_without_pragma_once(self):
         self.assert_breach("src/orispline/math/so3.hpp", SPDX, "so3.hpp: no #pragma once")
 
-    def test_finds_a_name_that_is_no_room(self):
-        self.assert_breach("src/orispline/math/utils.hpp", HEADER, "utils.hpp: this name is not a room")
-        self.assert_breach("cli/detail/print.cpp", SPDX, "detail/print.cpp: this name is not a room")
+    def test_finds_a_name_that_says_nothing(self):
+        self.assert_breach("src/orispline/math/utils.hpp", HEADER, "utils.hpp: this name does not say what is in it")
+        self.assert_breach("cli/detail/print.cpp", SPDX, "detail/print.cpp: this name does not say what is in it")
 
 
 if __name__ == "__main__":

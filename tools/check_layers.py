@@ -10,7 +10,7 @@ import sys
 
 GROUND = {"base", "math", "fields", "curve"}
 TASKS = {"smooth", "reduce", "tune", "retime", "mean", "align"}
-FLOORS = {  # folder of src/orispline -> what it may include besides itself
+LAYERS = {  # folder of src/orispline -> what it may include besides itself
     "base": set(), "math": {"base"}, "fields": {"base", "math"}, "curve": GROUND, "families": GROUND, "io": GROUND, "report": GROUND, "clip": GROUND, "scenes": GROUND | {"clip", "io"},
     "batch/kernel": {"base"}, "batch": GROUND | {"families", "batch/kernel"}, "online": GROUND | {"families", "batch"},
     "analysis": GROUND | {"families", "batch"}, "smooth": GROUND | {"families", "analysis", "clip"}, "tune": GROUND | {"families", "analysis"}, "mean": GROUND,
@@ -18,9 +18,9 @@ FLOORS = {  # folder of src/orispline -> what it may include besides itself
     "reduce": GROUND | {"families", "batch", "analysis", "clip"}, "retime": GROUND | {"families", "batch", "analysis"},
     "pages": GROUND | TASKS | {"families", "batch", "analysis", "report", "clip"},
     "jobs": GROUND | TASKS | {"families", "batch", "online", "analysis", "report", "clip", "pages"}}
-CLI_FLOORS = {"options": set(), "output": {"options"}, "papers": {"options", "output"},
+CLI_LAYERS = {"options": set(), "output": {"options"}, "papers": {"options", "output"},
               "commands": {"options", "output"}}  # folder of cli -> what it may include besides itself; each folder of commands is one for itself
-# The command and the bindings, who compose nothing: what they may include besides the public headers and what these name.
+# The command and the bindings, which compose nothing: what they may include besides the public headers and what these name.
 BINDINGS, BINDING_LAYERS = ("cli/", "bindings/"), GROUND | {"report", "jobs", "io", "scenes"}
 METHOD_LISTS = {"families/registry.hpp", "families/method_text.hpp", "families/method_json.hpp"}  # the list of methods, their texts, and both as data
 C_LEAST = {"base/", "batch/pose_sampler.hpp", "curve/", "families/method_text.hpp", "jobs/curve_of_keys.hpp"}  # what any source of bindings/c may include of the library
@@ -29,24 +29,24 @@ C_PARTS = {  # and those beside, of which a package for the web takes as many as
     "analysis": {"analysis.hpp", "families/", "fields/"}, "tasks": {"fields/", "jobs/"},
     "files": {"families/", "fields/", "files.hpp", "scenes/"}, "written": {"fields/"},
     "skeletons": {"fields/", "files.hpp", "math/euler.hpp", "scenes/"}, "values": {"fields/", "jobs/", "scenes/scene_file.hpp"}}
-GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/options/command.cpp", "nlohmann/": ("cli/output/json_document.cpp", "src/orispline/io/blending_file.cpp", "src/orispline/scenes/gltf/", "tests/c/", "tests/bindings/"),
-          "assimp/": "src/orispline/scenes/assimp.cpp", "benchmark/": "benchmarks/", "glm/": "benchmarks/",
-          "smooth/so3": "benchmarks/", "smooth/spline/": "benchmarks/", "sophus/": "benchmarks/", "basalt/": "benchmarks/"}  # third party -> its only room
-ROOMS = ("src", "cli", "papers", "tests", "examples", "tools", "bindings", "benchmarks")
+THIRD_PARTY = {"fast_float/": "src/orispline/io/", "CLI/": "cli/options/command.cpp", "nlohmann/": ("cli/output/json_document.cpp", "src/orispline/io/blending_file.cpp", "src/orispline/scenes/gltf/", "tests/c/", "tests/bindings/"),
+               "assimp/": "src/orispline/scenes/assimp.cpp", "benchmark/": "benchmarks/", "glm/": "benchmarks/",
+               "smooth/so3": "benchmarks/", "smooth/spline/": "benchmarks/", "sophus/": "benchmarks/", "basalt/": "benchmarks/"}  # third party -> the only places that may include it
+FOLDERS = ("src", "cli", "papers", "tests", "examples", "tools", "bindings", "benchmarks")
 FILE_LINES, FUNCTION_LINES, MEDIAN_LINES = 600, 60, 200
 EXCEPTIONS = {}  # path -> the reason why it may be larger
 SPDX = re.compile(r"(#!.*\n# |# |// )SPDX-License-Identifier: Apache-2\.0\n")
-NO_ROOM = re.compile(r"(.*/)?(utils?|helpers?|common|misc|detail|impl)[/.]")
+EMPTY_NAME = re.compile(r"(.*/)?(utils?|helpers?|common|misc|detail|impl)[/.]")
 SYSTEM_MATH = re.compile(r"(?<!\w)(std)?::(a?(cos|sin|tan)h?|atan2|exp2?|expm1|log(2|10|1p)?|pow|cbrt|hypot|erfc?|[lt]gamma)[fl]?(?=\()")
 SILENT = re.compile(r'R"(\w*)\(.*?\)\1"|"(\\.|[^"\\\n])*"|\'(\\.|[^\'\\\n])\'|//[^\n]*|/\*.*?\*/|^#([^\n]*\\\n)*[^\n]*', re.M | re.S)
 
 
-def floor_of(include):
+def layer_of(include):
     """The innermost folder that the table names, of a file of the library; else its first one, that no table allows."""
     if not (folders := re.match(r"orispline/(.+)/", include)):
         return None
     folder = folders[1]
-    while "/" in folder and folder not in FLOORS:
+    while "/" in folder and folder not in LAYERS:
         folder = folder.rpartition("/")[0]
     return folder
 
@@ -62,7 +62,7 @@ def binding_breaches(path, names, public):
     """The command and the bindings include what is composed."""
     if path.startswith(BINDINGS):
         yield from (f"{path}: the command and the bindings must not include {name}, wanted jobs, io, scenes or a public header" for name in names
-                    if (floor := floor_of(name)) and name not in public and floor.partition("/")[0] not in BINDING_LAYERS
+                    if (layer := layer_of(name)) and name not in public and layer.partition("/")[0] not in BINDING_LAYERS
                     and name.removeprefix("orispline/") not in METHOD_LISTS)
 
 
@@ -74,26 +74,26 @@ def c_breaches(path, names):
                     if name.startswith("orispline/") and not any(name.removeprefix("orispline/").startswith(entry) for entry in allowed))
 
 
-def cli_floor_of(path):
+def cli_layer_of(path):
     """`options`, or `commands/smooth`; none for a file of cli itself."""
     folder = re.match(r"(commands/[^/]+|[^/]+)/", path)
     return folder and folder[1]
 
 
 def library_breaches(path, names):
-    floor = floor_of(path.removeprefix("src/"))
+    layer = layer_of(path.removeprefix("src/"))
     for name in names:
-        if floor and name.startswith("orispline/") and floor_of(name) not in FLOORS.get(floor, set()) | {floor}:
-            yield f"{path}: floor {floor} must not include {name}"
+        if layer and name.startswith("orispline/") and layer_of(name) not in LAYERS.get(layer, set()) | {layer}:
+            yield f"{path}: layer {layer} must not include {name}"
 
 
 def cli_breaches(path, names):
-    """In cli, names in quotes begin with a folder of cli; `papers`, which lies beside it, is a floor of the same program."""
-    floor = cli_floor_of(path.removeprefix("cli/"))
-    allowed = CLI_FLOORS.get(floor and floor.partition("/")[0], set()) | {floor}
+    """In cli, names in quotes begin with a folder of cli; `papers`, which lies beside it, is a layer of the same program."""
+    layer = cli_layer_of(path.removeprefix("cli/"))
+    allowed = CLI_LAYERS.get(layer and layer.partition("/")[0], set()) | {layer}
     for name in names:
-        if floor and cli_floor_of(name) not in allowed:
-            yield f"{path}: floor {floor} of the command must not include {name}"
+        if layer and cli_layer_of(name) not in allowed:
+            yield f"{path}: layer {layer} of the command must not include {name}"
 
 
 def include_breaches(sources):
@@ -114,8 +114,8 @@ def include_breaches(sources):
         if path.startswith("examples/"):
             yield from (f"{path}: wanted a public header, <orispline/NAME.hpp>, found {name}" for name in names
                         if re.match(r"orispline/.+/", name))
-        yield from (f"{path}: {name} is for {room if isinstance(room, str) else ' or '.join(room)} only" for name in names for guest, room in GUESTS.items()
-                    if name.startswith(guest) and not path.startswith(room))
+        yield from (f"{path}: {name} is for {place if isinstance(place, str) else ' or '.join(place)} only" for name in names for library, place in THIRD_PARTY.items()
+                    if name.startswith(library) and not path.startswith(place))
     try:
         graphlib.TopologicalSorter(graph).prepare()
     except graphlib.CycleError as circle:
@@ -200,16 +200,16 @@ def bits_breaches(path, text):
 
 def file_breaches(path, text):
     lines, longest = text.count("\n"), max((b - a + 1, a) for a, b in [(1, 1), *functions(path, text)])
-    laws = ((path not in EXCEPTIONS and lines > FILE_LINES, f"{lines} lines, at most {FILE_LINES}"),
-            (path not in EXCEPTIONS and longest[0] > FUNCTION_LINES, "function of {} lines at line {}".format(*longest)),
-            (not SPDX.match(text), "the first line is not the SPDX line"),
-            (path.endswith(".hpp") and "#pragma once" not in text, "no #pragma once"),
-            (NO_ROOM.match(path), "this name is not a room"))
-    return [f"{path}: {breach}" for broken, breach in laws if broken]
+    rules = ((path not in EXCEPTIONS and lines > FILE_LINES, f"{lines} lines, at most {FILE_LINES}"),
+             (path not in EXCEPTIONS and longest[0] > FUNCTION_LINES, "function of {} lines at line {}".format(*longest)),
+             (not SPDX.match(text), "the first line is not the SPDX line"),
+             (path.endswith(".hpp") and "#pragma once" not in text, "no #pragma once"),
+             (EMPTY_NAME.match(path), "this name does not say what is in it"))
+    return [f"{path}: {breach}" for broken, breach in rules if broken]
 
 
 root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
-files = [f for room in ROOMS for f in sorted((root / room).rglob("*")) if f.suffix in {".hpp", ".cpp", ".py", ".h", ".c"}]
+files = [f for folder in FOLDERS for f in sorted((root / folder).rglob("*")) if f.suffix in {".hpp", ".cpp", ".py", ".h", ".c"}]
 sources = {f.relative_to(root).as_posix(): f.read_text("utf-8") for f in files}
 breaches = [*include_breaches(sources), *class_breaches(sources), *(b for path, text in sources.items() for b in (*file_breaches(path, text), *flag_breaches(path, text), *bits_breaches(path, text),
                                                                                              *dropped_result_breaches(path, text)))]
