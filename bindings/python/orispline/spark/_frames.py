@@ -7,8 +7,12 @@ import pickle
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
+import pyarrow as pa
+from pyspark.sql import functions
 from pyspark.sql.pandas.types import from_arrow_type, to_arrow_schema
 from pyspark.sql.types import StructField, StructType
+
+from ..tables._kinds import struct_member
 
 
 def arrow_schema(df: Any) -> Any:
@@ -17,9 +21,32 @@ def arrow_schema(df: Any) -> Any:
     return to_arrow_schema(df.schema, **zone)
 
 
-def spark_schema(arrow: Any, known: dict[str, Any]) -> StructType:
-    """Of what a job gives: the columns that the data frame has keep their types."""
-    return StructType([StructField(field.name, known.get(field.name) or from_arrow_type(field.type)) for field in arrow])
+def readable(df: Any, schema: Any, layout: Any) -> Any:
+    """The columns of that schema, each as the type that it is read as, out of those that the layout reads them from."""
+    given = arrow_schema(df)
+
+    def column(field: Any) -> Any:
+        name, names, k = layout.place(field.name)
+        value, kind = functions.col(name), given.field(name).type
+        if names:
+            member = kind.field(struct_member(kind, names[k]))
+            value, kind = value.getField(member.name), member.type
+        if pa.types.is_date(kind) and pa.types.is_timestamp(field.type):
+            value = value.cast("timestamp_ntz")
+        if pa.types.is_decimal(kind) and pa.types.is_floating(field.type):
+            value = value.cast("double")
+        return value.alias(field.name)
+
+    return df.select(*map(column, schema))
+
+
+def spark_schema(arrow: Any, known: dict[str, Any], given: Any) -> StructType:
+    """Of what a job gives: the columns that the data frame has keep their types, where Arrow has one for both."""
+    def kind(field: Any) -> Any:
+        keeps = field.name in known and (field.name not in given.names or field.type == given.field(field.name).type)
+        return known[field.name] if keeps else from_arrow_type(field.type)
+
+    return StructType([StructField(field.name, kind(field)) for field in arrow])
 
 
 def types_of(*frames: Any) -> dict[str, Any]:
@@ -29,7 +56,7 @@ def types_of(*frames: Any) -> dict[str, Any]:
 
 def mapped(job: Any, df: Any, by: Sequence[str], order: Sequence[str], schema: StructType) -> Any:
     """What a job makes of every partition, in which each track is whole and its rows are in order."""
-    rows = df.repartition(*by).sortWithinPartitions(*order)
+    rows = df.repartition(*by).sortWithinPartitions(*(functions.col(name).asc_nulls_last() for name in order))
     return rows.mapInArrow(on_a_worker(pickle.dumps((job,))), schema)
 
 

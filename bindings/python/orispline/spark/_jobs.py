@@ -2,6 +2,7 @@
 """What is done with data frames: the functions of `orispline.tables`, with their arguments."""
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -9,13 +10,15 @@ from pyspark.sql import functions
 
 from ..tables import _jobs as jobs
 from ..tables._layout import UNIT_QUATERNION, Layout, layout
+from ..tables._times import tell_of_types
 from ..tables._works import SIDE
-from ._frames import arrow_schema, mapped, spark_schema, types_of
+from ._frames import arrow_schema, mapped, readable, spark_schema, types_of
 
 if TYPE_CHECKING:
     from .._types import Extrapolate, Method
 
 ONE_THREAD = 1  # a task of Spark has a core
+FINEST = "us"  # unit of Spark's stamps
 
 
 def resample(df: Any, *, by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION,
@@ -36,13 +39,16 @@ def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str
              extrapolate: Extrapolate = "nan", errors: str = "row", **settings: Any) -> Any:
     """The orientation of each track at the rows of another data frame: `orispline.tables.evaluate`."""
     columns = layout(by, time, quaternion, position)
+    read, beside = columns.read(arrow_schema(keys), "keys"), jobs.beside_schema(columns, arrow_schema(at))
+    tell_of_types(time, arrow_schema(at).field(time).type, beside.field(time).type, None)
+    keys, at = readable(keys, read, columns), readable(at, beside, Layout(columns.by, columns.time, ()))
     schema, job = jobs.evaluation(columns, arrow_schema(keys), arrow_schema(at), method, derivatives, frame, extrapolate, errors,
                                   ONE_THREAD, settings)
     job.check()
-    known = types_of(keys.select(*columns.names), at)
+    known = types_of(keys, at)
     both = _with_all(keys, schema.names, known, 0).unionByName(_with_all(at, schema.names, known, 1))
     answer = job.answer(schema).schema
-    return mapped(job, both, columns.by, [*columns.by, SIDE, columns.time], spark_schema(answer, known))
+    return mapped(job, both, columns.by, [*columns.by, SIDE, columns.time], spark_schema(answer, known, schema))
 
 
 def smooth(df: Any, *, by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION,
@@ -72,18 +78,23 @@ def compare(df: Any, methods: Sequence[Method] | Method | None = None, keep_ever
     return _run(jobs.comparison(layout(by, time, quaternion, None), methods, keep_every, errors, ONE_THREAD, options), df)
 
 
-def checked(job: Any, df: Any) -> Any:
-    """The columns of a data frame that a job takes, when both are found to be sound."""
-    columns: Layout = job.layout
-    columns.check(arrow_schema(df), "df")
+def checked(job: Any, df: Any) -> tuple[Any, Any]:
+    """The job for the stamps of Spark, and the columns of a data frame that it takes, when both are found to be sound."""
+    columns: Layout = dataclasses.replace(job.layout, finest=FINEST)
+    given = arrow_schema(df)
+    read = columns.read(given, "df")
     job.check()
-    return df.select(*columns.names)
+    job = dataclasses.replace(job, layout=columns)
+    rows = readable(df, read, columns)
+    if columns.time in job.answer(arrow_schema(rows)).schema.names:
+        columns.tell_of_times(given.field(columns.time).type, job.step)
+    return job, rows
 
 
 def _run(job: Any, df: Any) -> Any:
-    rows = checked(job, df)
-    answer = job.answer(arrow_schema(rows)).schema
-    return mapped(job, rows, job.layout.by, job.layout.order, spark_schema(answer, types_of(rows)))
+    job, rows = checked(job, df)
+    given = arrow_schema(rows)
+    return mapped(job, rows, job.layout.by, job.layout.order, spark_schema(job.answer(given).schema, types_of(rows), given))
 
 
 def _with_all(df: Any, names: Sequence[str], known: dict[str, Any], side: int) -> Any:

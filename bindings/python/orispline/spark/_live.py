@@ -11,6 +11,7 @@ import pyarrow as pa
 
 from .. import _core
 from .._errors import DataError, Error
+from ..tables._times import absent
 from ..tables._resampling import NO_ID, SAMPLES_AT_A_TIME, Resampling, sampled_names
 
 
@@ -59,8 +60,12 @@ class LiveTrack:
 
     def _append(self, given: Any, numbers: list[Any]) -> None:
         """Key by key where some are refused: the others belong to the track all the same."""
-        columns = [self._seconds(given), *numbers]
-        first = 0
+        missing = pandas.isna(given)
+        for row in np.flatnonzero(missing):
+            values = dict(zip(self._job.layout.numbers, (float(column[row]) for column in numbers)))
+            self._errors.append((None, absent(self._job.layout.time, values, "null" if self._unit else "null or nan")))
+        columns = [self._seconds(given[~missing]), *(column[~missing] for column in numbers)]
+        given, first = given[~missing], 0
         while first < len(given):
             before = self._sampler.keys
             try:
@@ -74,14 +79,10 @@ class LiveTrack:
     def _seconds(self, given: Any) -> Any:
         if self._unit is None:
             return given.astype(np.float64)
-        missing = pandas.isna(given)
-        stamps = np.where(missing, 0, given).astype(np.int64)
-        if self._origin is None:
-            first = stamps[~missing][:1]
-            self._origin = int(self._times.origins(first)[0]) if len(first) else None
-        seconds = self._times.seconds_of(stamps - (self._origin or 0))
-        seconds[missing] = np.nan
-        return seconds
+        stamps = given.astype(np.int64)
+        if self._origin is None and len(stamps):
+            self._origin = int(self._times.origins(stamps[:1])[0])
+        return self._times.seconds_of(stamps - (self._origin or 0))
 
     def _ready(self) -> Iterator[Any]:
         while self._sampler.ready:

@@ -30,7 +30,7 @@ def resample_to(df: Any, path: str, rounds: int = 8, **options: Any) -> Any:
         raise TypeError(f"path: found {path!r}, wanted the folder as text")
     found = resample(df, **options)  # what is wrong is said before anything is looked for
     job = resampling_of(options)
-    keys = checked(job, df)
+    _, keys = checked(job, df)
     spark = df.sparkSession
     done = _notes(spark, f"{path}/done")
     made_by = {"version": _core.version, "rounds": count, "job": job.stated, "keys": _contents(keys)}

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from pyspark.sql import functions
 from pyspark.sql.streaming.state import GroupStateTimeout
-from pyspark.sql.types import BinaryType, LongType, StructField, StructType, TimestampNTZType, TimestampType
+from pyspark.sql.types import BinaryType, FractionalType, LongType, StructField, StructType, TimestampNTZType, TimestampType
 
 from .._errors import ArgumentError
 from ..tables import _jobs as jobs
@@ -44,13 +44,16 @@ def resample_stream(df: Any, *, by: str | Sequence[str] = "track", time: str = "
     """
     job = jobs.resampling(layout(by, time, quaternion, position), rate, align, method, derivatives, frame, gap, errors, ONE_THREAD,
                           settings)
-    rows = checked(job, df)
-    known = types_of(rows)
-    answer = job.answer(arrow_schema(rows)).schema
+    job, rows = checked(job, df)
+    known, given = types_of(rows), arrow_schema(rows)
+    answer = job.answer(given).schema
     kind = known[job.layout.time]
     is_calendar = isinstance(kind, (TimestampType, TimestampNTZType))
+    if not is_calendar and not isinstance(kind, FractionalType):
+        raise ArgumentError(f"df: found {kind.simpleString()} in the column {job.layout.time!r}, wanted float seconds or timestamps in a stream: "
+                            "cast it")
     unit = "us" if is_calendar else None
-    out = spark_schema(answer, {**known, **({job.layout.time: LongType()} if is_calendar else {})})
+    out = spark_schema(answer, {**known, **({job.layout.time: LongType()} if is_calendar else {})}, given)
     patience = None if idle is None else _milliseconds(idle)
     work = _on_a_worker(pickle.dumps((job, unit)), patience)
     counted = rows.withColumn(job.layout.time, _microseconds(job.layout.time, kind)) if is_calendar else rows

@@ -13,16 +13,19 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import pyarrow as pa
+import pyarrow.csv
 import pyarrow.dataset as ds
 import pyarrow.parquet as pq
 
 from .. import _core
 from .._errors import AccessError, ArgumentError, Error
+from ._readers import taken
 from ._sealed import Summary, close, seal, sealed
 from ._source import files_named
 
 ROWS_OF_A_GROUP = 1 << 17
 COMPRESSION = "zstd"
+PARQUET, ARROW, CSV = (".parquet", ".pq"), (".arrow", ".feather"), (".csv",)
 
 
 class _Counted:
@@ -54,13 +57,15 @@ def _in_words(row: dict[str, Any]) -> str:
 
 
 def write(reader: Any, path: Any, partition_by: str | Sequence[str] | None = None) -> Summary:
-    """Writes a stream, such as `resample` gives, as a Parquet file.
+    """Writes a stream, such as `resample` gives, as a file: Parquet if it ends in `.parquet` or `.pq` or has no ending, Arrow if it
+    ends in `.arrow` or `.feather`, CSV if it ends in `.csv`.
 
     With `partition_by`, one or several columns, as a folder of files such as `track=7/part-0.parquet`. It is written
     beside its place and renamed at the end: what was there stays until then, and for good if something goes wrong. A
     symbolic link stays, and the file that it leads to is written. A folder must not be there before.
 
-    Raises AccessError for what cannot be written, and whatever the stream raises.
+    Raises ArgumentError for another ending and for a reader that has been read to its end, AccessError for what cannot be written,
+    and whatever the stream raises.
 
     Examples
     --------
@@ -76,9 +81,12 @@ def write(reader: Any, path: Any, partition_by: str | Sequence[str] | None = Non
 def written(reader: Any, path: Any, partition_by: str | Sequence[str] | None = None, made_by: str | None = None,
             shown: Callable[[int], None] | None = None) -> Summary:
     """The same, with somebody who is told of the rows so far; a file that says by what it was made is sealed."""
-    stream = reader if isinstance(reader, pa.RecordBatchReader) else pa.RecordBatchReader.from_stream(
-        reader if hasattr(reader, "__arrow_c_stream__") else _no_stream(reader))
+    if not hasattr(reader, "__arrow_c_stream__"):
+        raise TypeError(f"reader: found {type(reader).__name__}, wanted a pyarrow reader or table, such as resample() gives")
     place = os.fspath(path)
+    ending = PARQUET[0] if partition_by is not None or made_by is not None else _ending(place)
+    schema, stream = taken(reader, "reader")
+    _check_types(ending, schema)
     counted = _Counted()
 
     def batches() -> Iterator[Any]:
@@ -90,9 +98,9 @@ def written(reader: Any, path: Any, partition_by: str | Sequence[str] | None = N
 
     if partition_by is None:
         with _beside(place) as part:
-            with pq.ParquetWriter(part, stream.schema, compression=COMPRESSION, use_dictionary=_repeated(stream.schema)) as writer:
+            with _writer(part, ending, schema) as writer:
                 for group in _groups(batches()):
-                    writer.write_table(pa.Table.from_batches(group, stream.schema), row_group_size=ROWS_OF_A_GROUP)
+                    writer.write_table(pa.Table.from_batches(group, schema), ROWS_OF_A_GROUP)
                 if made_by is not None:
                     writer.add_key_value_metadata(seal(made_by, counted.summary(place)))
             if made_by is not None:
@@ -100,20 +108,46 @@ def written(reader: Any, path: Any, partition_by: str | Sequence[str] | None = N
     else:
         names = [partition_by] if isinstance(partition_by, str) else list(partition_by)
         for name in names:
-            if name not in stream.schema.names:
-                raise ArgumentError(f"partition_by: found {name!r}, wanted one of {', '.join(map(repr, stream.schema.names))}")
+            if name not in schema.names:
+                raise ArgumentError(f"partition_by: found {name!r}, wanted one of {', '.join(map(repr, schema.names))}")
         if os.path.lexists(place):
             raise AccessError(f"{place}: is there already, wanted a folder that is not")
         with _beside(place) as part:
-            kinds = pa.schema([stream.schema.field(name) for name in names])
-            ds.write_dataset(pa.RecordBatchReader.from_batches(stream.schema, batches()), part, format="parquet",
+            kinds = pa.schema([schema.field(name) for name in names])
+            ds.write_dataset(pa.RecordBatchReader.from_batches(schema, batches()), part, format="parquet",
                              partitioning=ds.partitioning(kinds, flavor="hive"), basename_template="part-{i}.parquet",
                              max_partitions=1 << 20, file_options=ds.ParquetFileFormat().make_write_options(compression=COMPRESSION))
     return counted.summary(place)
 
 
-def _no_stream(reader: Any) -> Any:
-    raise TypeError(f"reader: found {type(reader).__name__}, wanted a pyarrow reader or table, such as resample() gives")
+def _ending(place: str) -> str:
+    """Which says what kind of file it is. Raises ArgumentError for one that says nothing known; without any it is Parquet."""
+    ending = os.path.splitext(place)[1].lower()
+    if ending and ending not in PARQUET + ARROW + CSV:
+        raise ArgumentError(f"path: found {place}, wanted a name that ends in .parquet, .arrow or .csv: the ending says what is written")
+    return ending
+
+
+def _writer(part: str, ending: str, schema: Any) -> Any:
+    """Of a file of that kind."""
+    if ending in ARROW:
+        return pa.ipc.new_file(part, schema)
+    if ending in CSV:
+        return pyarrow.csv.CSVWriter(part, schema)
+    return pq.ParquetWriter(part, schema, compression=COMPRESSION, use_dictionary=_repeated(schema))
+
+
+def _check_types(ending: str, schema: Any) -> None:
+    """Raises ArgumentError for a column that such a file cannot have."""
+    for field in schema:
+        try:
+            if ending in CSV and "binary" in str(field.type):
+                raise pa.ArrowInvalid("bytes are no text")
+            with _writer(pa.BufferOutputStream(), ending, pa.schema([field])) as writer:
+                writer.write_table(pa.schema([field]).empty_table())
+        except pa.ArrowException as error:
+            raise ArgumentError(f"path: found {field.type} in the column {field.name!r}, which pyarrow cannot write to a file of this kind "
+                                f"({str(error).splitlines()[0]}), wanted it cast, or another ending") from None
 
 
 def _repeated(schema: Any) -> list[str]:

@@ -14,11 +14,14 @@ from .._checks import FRAMES, flag, in_world, index_of, rate_text, real, text, t
 from .._curve import BEYOND
 from .._errors import ArgumentError
 from .._methods import method_text
-from ._layout import UNIT_QUATERNION, Layout, converted, layout, set_layout
+from ._kinds import converted, id_type, plain_type, time_type
+from ._layout import UNIT_QUATERNION, Layout, layout, set_layout
 from ._means import Means
 from ._per_track import PerTrack
+from ._readers import giving
 from ._resampling import Resampling, sampled_schema
 from ._source import Source, ordered, selected, source_of
+from ._times import tell_of_types
 from ._works import SIDE, SIDES, Comparison, Evaluation, Reduction, Smoothing, united
 
 if TYPE_CHECKING:
@@ -131,8 +134,10 @@ def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str
     """
     columns = layout(by, time, quaternion, position)
     given, beside = source_of(keys, "keys"), source_of(at, "at")
-    columns.check(given.schema, "keys")
-    given, beside = selected(given, columns.names), selected(beside, beside.schema.names)
+    kind = beside_schema(columns, beside.schema)
+    tell_of_types(time, beside.schema.field(time).type, kind.field(time).type, None)
+    given = selected(given, columns.read(given.schema, "keys"), columns, "keys")
+    beside = selected(beside, kind, Layout(columns.by, columns.time, ()), "at")
     schema, job = evaluation(columns, given.schema, beside.schema, method, derivatives, frame, extrapolate, errors, threads, settings)
     count = None if given.rows is None or beside.rows is None else given.rows + beside.rows
     both = Source(schema, Both(given, beside, schema), given.in_memory and beside.in_memory, count)
@@ -270,10 +275,6 @@ def comparison(columns: Layout, methods: Any, keep_every: Any, errors: str, thre
 def evaluation(columns: Layout, keys: Any, at: Any, method: Method, derivatives: int, frame: str, extrapolate: Extrapolate, errors: str,
                threads: int, settings: dict[str, Any]) -> tuple[Any, PerTrack]:
     """The schema of the rows of both tables together, of tables with these schemas, and the job for them."""
-    columns.check(keys, "keys")
-    for name in (*columns.by, columns.time):
-        if at.names.count(name) != 1:
-            raise ArgumentError(f"at: found the columns {', '.join(map(repr, at.names))}, wanted {name!r} once")
     beside = tuple(name for name in at.names if name not in (*columns.by, columns.time))
     work = Evaluation(_method(method, settings), _derivatives(derivatives), FRAMES[index_of("frame", frame, FRAMES)],
                       BEYOND[index_of("extrapolate", extrapolate, BEYOND)], at.field(columns.time).type, beside)
@@ -282,6 +283,16 @@ def evaluation(columns: Layout, keys: Any, at: Any, method: Method, derivatives:
     if twice is not None:
         raise ArgumentError(f"at: found the column {twice!r}, which the result has too: leave it out or give it another name")
     return united(columns, keys, at, beside), PerTrack(columns, work, _errors(errors), thread_count(threads))
+
+
+def beside_schema(columns: Layout, at: Any) -> Any:
+    """The columns of the other table as they are read. Raises ArgumentError where one is missing or of a type that it cannot have."""
+    for name in (*columns.by, columns.time):
+        if at.names.count(name) != 1:
+            raise ArgumentError(f"at: found the columns {', '.join(map(repr, at.names))}, wanted {name!r} once")
+    roles = {**dict.fromkeys(columns.by, id_type), columns.time: time_type}
+    return pa.schema([pa.field(field.name, roles[field.name]("at", field.name, field.type) if field.name in roles else plain_type(field.type))
+                      for field in at])
 
 
 @dataclasses.dataclass(frozen=True)
@@ -311,22 +322,19 @@ class Both:
 
 def run(job: Job, source: Source, *, assume_sorted: bool, memory_limit: str, progress: Progress | None) -> Any:
     """The reader of a job over a source."""
-    job.layout.check(source.schema)
-    rows = selected(source, job.layout.names)
+    rows = selected(source, job.layout.read(source.schema), job.layout)
     assume_sorted, memory_limit = flag("assume_sorted", assume_sorted), text("memory_limit", memory_limit)
-    return reader(job, rows, counted(rows, lambda: ordered(rows, job.layout.order, assume_sorted=assume_sorted, threads=job.threads,
+    made = reader(job, rows, counted(rows, lambda: ordered(rows, job.layout.order, assume_sorted=assume_sorted, threads=job.threads,
                                                            memory_limit=memory_limit), progress))
+    if job.layout.time in made.schema.names:
+        job.layout.tell_of_times(source.schema.field(job.layout.time).type, job.step)
+    return made
 
 
 def reader(job: Job, source: Source, rows: Callable[[], Iterable[Any]]) -> Any:
     """The job's rows, made as they are asked for."""
     job.check()
-    schema = job.answer(source.schema).schema
-
-    def batches() -> Iterator[Any]:
-        yield from job(rows(), source.schema)
-
-    return pa.RecordBatchReader.from_batches(schema, batches())
+    return giving(job.answer(source.schema).schema, lambda: job(rows(), source.schema))
 
 
 def counted(source: Source, rows: Callable[[], Iterable[Any]], progress: Progress | None) -> Callable[[], Iterable[Any]]:

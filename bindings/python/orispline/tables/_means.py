@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import dataclasses
+import fractions
+import functools
 from typing import Any
 
 import numpy as np
 import pyarrow as pa
 
 from .._mean import Mean, mean
-from ._layout import Layout, SetLayout, number_column
+from ._layout import Layout, SetLayout
 from ._per_track import Result, columns_of, track_of
-from ._works import tried
+from ._times import number_column
+from ._works import tried, turning_keys
 
 AXES = "xyz"
 
@@ -22,6 +25,13 @@ class Means:
 
     options: dict[str, Any]
 
+    @functools.cached_property
+    def step(self) -> fractions.Fraction | None:
+        """Half a window, in the middle of which its time is; None without windows."""
+        if self.options["every"] is None:
+            return None
+        return fractions.Fraction(repr(mean(turning_keys(2), every=self.options["every"])[0].time))
+
     def check(self, layout: Layout) -> None:
         """Raises what the options are refused by."""
         tried(layout, lambda keys: mean(keys, **self.options))
@@ -31,7 +41,8 @@ class Means:
         assert isinstance(layout, SetLayout)
         found = {"count": pa.int64(), "weight_sum": pa.float64(), "rms_distance_rad": pa.float64(), "largest_distance_rad": pa.float64(),
                  **{f"sigma_{axis}_rad": pa.float64() for axis in AXES}, "certified": pa.bool_(), "error": pa.string()}
-        return pa.schema([*(given.field(name) for name in layout.ids),
+        times = [pa.field(layout.time, layout.times(given.field(layout.time).type, self.step).made)] if layout.time else []
+        return pa.schema([*(given.field(name) for name in layout.by), *times,
                           *(pa.field(name, pa.float64()) for name in (*layout.quaternion, *layout.position)),
                           *(pa.field(name, kind) for name, kind in found.items())])
 
@@ -39,7 +50,7 @@ class Means:
         """Rows without a time of their own are a set."""
         assert isinstance(layout, SetLayout)
         if layout.time:
-            track = track_of(layout, rows)
+            track = track_of(layout, rows, self.step)
             columns = np.column_stack(track.numbers)
             found = mean(track.keys(), weights=_weights(layout, columns), **self.options)
             times = [track.back(np.array([one.time for one in found]))]

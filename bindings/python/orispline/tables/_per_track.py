@@ -5,6 +5,7 @@ from __future__ import annotations
 import collections
 import concurrent.futures
 import dataclasses
+import fractions
 import os
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any, Protocol
@@ -13,8 +14,9 @@ import numpy as np
 
 from .._errors import DataError, Error, ShapeWarning, collected, tell
 from .._keys import Keys
-from ._layout import Floats, Layout, Times, Whole, number_column, text_of
+from ._layout import Layout, text_of
 from ._resampling import NO_ID, Answer
+from ._times import Floats, Times, Whole, number_column
 from ._tracks import LongTrack, tracks_in, without_id
 
 START = np.zeros(1, np.int64)
@@ -52,6 +54,10 @@ class Result:
 class Work(Protocol):
     """What is done on every track."""
 
+    @property
+    def step(self) -> fractions.Fraction | None:
+        """Times of the result are whole numbers of steps behind those of keys [s]; None where they are those of keys."""
+
     def check(self, layout: Layout) -> None:
         """Raises ArgumentError for options that no track can have."""
 
@@ -70,6 +76,11 @@ class PerTrack:
     work: Work
     errors: str
     threads: int
+
+    @property
+    def step(self) -> fractions.Fraction | None:
+        """That of the work."""
+        return self.work.step
 
     def check(self) -> None:
         """Raises what the options of the work are refused by."""
@@ -150,9 +161,12 @@ def in_threads(work: Callable[[Any], Any], items: Iterable[Any], threads: int) -
                 future.cancel()
 
 
-def track_of(layout: Layout, rows: Any) -> Track:
-    """The keys among the rows of one track."""
-    times = Times(rows.schema.field(layout.time).type)
+def track_of(layout: Layout, rows: Any, step: fractions.Fraction | None = None) -> Track:
+    """The keys among the rows of one track, for results at whole numbers of steps behind their times. Raises DataError for times that
+    are not there."""
+    times = layout.times(rows.schema.field(layout.time).type, step)
+    for fault in layout.faults(rows, START, times).values():
+        raise DataError(fault)
     seconds, origin = times.seconds(rows.column(layout.time), START)
     return Track(times, origin, np.ascontiguousarray(seconds), [number_column(rows.column(name)) for name in layout.numbers])
 

@@ -15,7 +15,8 @@ import pyarrow.compute as pc
 from .. import _core
 from .._errors import DataError, Error
 from .._methods import blending_of
-from ._layout import Layout, Times, Whole, number_column, period_of, text_of
+from ._layout import Layout, text_of
+from ._times import Times, Whole, number_column, period_of
 from ._tracks import LongTrack, Tracks, tracks_in, without_id
 
 SAMPLES_AT_A_TIME = 1 << 17
@@ -87,13 +88,18 @@ class Resampling:
         """Raises what a method, a rate or a gap is refused by."""
         self.sampler()
 
+    @property
+    def step(self) -> fractions.Fraction:
+        """From one sample to the next [s]."""
+        return 1 / fractions.Fraction(self.rate)
+
     def times(self, kind: Any) -> Times:
         """Of a column of that type."""
-        return Times(kind, period_of(self.rate) if self.at_multiples else 0)
+        return self.layout.times(kind, self.step, period_of(self.rate) if self.at_multiples else 0)
 
     def answer(self, given: Any) -> Answer:
         """For rows of such columns."""
-        return Answer(self.layout, sampled_schema(self.layout, given, self.derivatives, self.world), self.errors)
+        return Answer(self.layout, sampled_schema(self.layout, given, self.derivatives, self.world, self.step), self.errors)
 
     def __call__(self, batches: Iterable[Any], given: Any) -> Iterator[Any]:
         """Samples of the tracks of a stream in order, whose schema is `given`."""
@@ -105,10 +111,10 @@ class Resampling:
     def _of_whole(self, tracks: Tracks, times: Times, answer: Answer) -> Iterator[Any]:
         batch, starts = tracks.batch, tracks.starts
         seconds, origins = times.seconds(batch.column(self.layout.time), starts)
-        nameless = without_id(batch, starts, self.layout.by)
-        if len(nameless):
+        faults = {**self.layout.faults(batch, starts, times), **dict.fromkeys(without_id(batch, starts, self.layout.by).tolist(), NO_ID)}
+        if faults:
             seconds = seconds.copy()
-            seconds[starts[nameless]] = np.nan  # so that nothing comes of them
+            seconds[starts[list(faults)]] = np.nan  # so that nothing comes of them
         columns = [np.ascontiguousarray(seconds), *self._numbers(batch)]
         core = _core.TrackBatch(self.method, np.append(starts, batch.num_rows), columns, self.rate, self.at_multiples, self.gap,
                                 self.threads)
@@ -121,9 +127,8 @@ class Resampling:
             here = np.diff(np.clip(ends, taken, taken + count), prepend=taken)
             yield answer.rows(batch, np.repeat(starts, here), [times.back(t, np.repeat(origins, here)), *rest])
             taken += count
-        named = {int(track): NO_ID for track in nameless}
         yield from answer.without_result(batch, starts[[track for track, _ in errors]],
-                                         [named.get(track, message) for track, message in errors])
+                                         [faults.get(track, message) for track, message in errors])
 
     def _of_long(self, track: LongTrack, times: Times, answer: Answer) -> Iterator[Any]:
         """Samples that are final are given out and forgotten, so that an error comes behind those before it."""
@@ -131,6 +136,7 @@ class Resampling:
         start, origin = np.zeros(1, np.int64), None
         refused = NO_ID if len(without_id(track.first_row, start, self.layout.by)) else None
         for piece in track:
+            refused = refused or self.layout.faults(piece, start, times).get(0)
             if refused is None:
                 seconds, origin = times.seconds(piece.column(self.layout.time), start, origin)
                 refused = _refusal(sampler.append, [np.ascontiguousarray(seconds), *self._numbers(piece)])
@@ -164,11 +170,13 @@ class Resampling:
         return [np.ascontiguousarray(number_column(batch.column(name))) for name in self.layout.numbers]
 
 
-def sampled_schema(layout: Layout, given: Any, derivatives: int, world: bool) -> Any:
-    """Of samples: the columns of the keys, then the rates of the rotation and those of the position, then the error."""
+def sampled_schema(layout: Layout, given: Any, derivatives: int, world: bool, step: fractions.Fraction | None = None) -> Any:
+    """Of samples: the columns of the keys, then the rates of the rotation and those of the position, then the error. Samples that are
+    not at the times of the keys are at whole numbers of steps [s]."""
     names = sampled_names(layout, derivatives, world)
     known = len(layout.order)
-    return pa.schema([*(pa.field(name, given.field(name).type) for name in names[:known]),
+    return pa.schema([*(pa.field(name, given.field(name).type) for name in layout.by),
+                      pa.field(layout.time, layout.times(given.field(layout.time).type, step).made),
                       *(pa.field(name, pa.float64()) for name in names[known:]), pa.field("error", pa.string())])
 
 

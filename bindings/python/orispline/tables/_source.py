@@ -18,7 +18,10 @@ import pyarrow.parquet as pq
 from pyarrow.fs import LocalFileSystem
 
 from .._errors import AccessError, ArgumentError, DataError, Error
-from ._layout import converted, plain, plain_type
+from ._kinds import converted, part, plain, plain_type, read
+from ._layout import Layout
+from ._readers import taken
+from ._spark_files import noted
 from ._tracks import ROWS_AT_A_TIME, in_order
 
 ROWS_OF_DUCKDB = 1 << 14  # in a batch: what it holds of them lies beyond its memory_limit
@@ -48,23 +51,38 @@ def source_of(given: Any, what: str = "source") -> Source:
     if isinstance(given, ds.Dataset):
         return _of_dataset(given)
     if isinstance(given, pa.RecordBatchReader) or hasattr(given, "__arrow_c_stream__"):
-        reader = given if isinstance(given, pa.RecordBatchReader) else pa.RecordBatchReader.from_stream(given)
-        return Source(reader.schema, reader)
+        return Source(*taken(given, what))
     raise TypeError(f"{what}: found {type(given).__name__}, wanted {WANTED}")
 
 
 def _table_of(frame: Any, what: str) -> Any:
+    frame = frame.collect() if hasattr(frame, "collect") else frame
     try:
-        return pa.table(frame)
-    except (pa.ArrowInvalid, pa.ArrowTypeError) as error:  # such as a column of numbers and texts
+        return _arrow_of(frame)
+    except (pa.ArrowException, TypeError) as error:  # such as a column of numbers and texts, or 128 bits
         reason = str(error.args[0] if error.args else error).splitlines()[0]
-        raise ArgumentError(f"{what}: found a data frame that is no table ({reason}), wanted columns of one type each") from None
+        raise ArgumentError(f"{what}: found a data frame that is no table ({_column_at_fault(frame)}{reason}), wanted columns of one type "
+                            "each that pyarrow has") from None
+
+
+def _arrow_of(frame: Any) -> Any:
+    return frame.to_arrow() if hasattr(frame, "to_arrow") else pa.table(frame)
+
+
+def _column_at_fault(frame: Any) -> str:
+    """The first column that is none of a table, with its type, in words."""
+    for name in frame.columns:
+        try:
+            _arrow_of(frame[[name]])
+        except (pa.ArrowException, TypeError):
+            return f"{frame[name].dtype} in the column {name!r}: "
+    return ""
 
 
 def _is_frame(given: Any) -> bool:
-    """One of pandas or Polars, which is in memory."""
+    """One of pandas or Polars, which is in memory or is made there."""
     library, _, _ = type(given).__module__.partition(".")
-    return library in ("pandas", "polars") and type(given).__name__ == "DataFrame"
+    return library in ("pandas", "polars") and type(given).__name__ in ("DataFrame", "LazyFrame")
 
 
 def files_named(path: str) -> list[str]:
@@ -86,8 +104,9 @@ def _files(given: Any, what: str) -> Source:
             if len(listed) > 1:
                 raise ArgumentError(f"{what}: found {path!r} among several, wanted one address, or files of this machine")
             return _of_dataset(ds.dataset(path, format="parquet", partitioning="hive"))
-        for each in files_named(path):
-            found += sorted(map(str, pathlib.Path(each).rglob("*.parquet"))) if os.path.isdir(each) else [each]
+        named = files_named(path)
+        inside = [file for each in named for file in (sorted(map(str, pathlib.Path(each).rglob("*.parquet"))) if os.path.isdir(each) else [each])]
+        found += inside if inside == [path] else noted(inside)
     if not found:
         raise AccessError(f"{os.fspath(listed[0])}: found no Parquet file in it")
     rows = 0
@@ -162,24 +181,29 @@ def _bit_by_bit(path: str, names: list[str]) -> Iterator[Any]:
         yield from file.iter_batches(ROWS_AT_A_TIME, columns=names, use_threads=False)
 
 
-def selected(source: Source, names: Sequence[str]) -> Source:
-    """Of those columns only, in that order, each without a dictionary."""
-    schema = pa.schema([pa.field(name, plain_type(source.schema.field(name).type)) for name in names])
+def selected(source: Source, schema: Any, layout: Layout, what: str = "source") -> Source:
+    """Of the columns of that schema only, as that says, out of those that the layout reads them from."""
     batches = source.batches
     if isinstance(batches, _Scanned):
-        batches = dataclasses.replace(batches, columns=tuple(names))
-    return Source(schema, _Selected(batches, schema), source.in_memory, source.rows)
+        batches = dataclasses.replace(batches, columns=tuple(dict.fromkeys(layout.place(name)[0] for name in schema.names)))
+    return Source(schema, _Selected(batches, schema, layout, what), source.in_memory, source.rows)
 
 
 @dataclasses.dataclass(frozen=True)
 class _Selected:
     batches: Iterable[Any]
     schema: Any
+    layout: Layout
+    what: str
 
     def __iter__(self) -> Iterator[Any]:
         for batch in self.batches:
-            columns = [converted(plain(batch.column(field.name)), field.type, "source", field.name) for field in self.schema]
-            yield pa.RecordBatch.from_arrays(columns, schema=self.schema)
+            yield pa.RecordBatch.from_arrays([self._column(batch, field) for field in self.schema], schema=self.schema)
+
+    def _column(self, batch: Any, field: Any) -> Any:
+        name, names, k = self.layout.place(field.name)
+        column = batch.column(name)
+        return read(part(column, names, k) if names else column, field.type, self.what, name)
 
 
 def ordered(source: Source, order: Sequence[str], *, assume_sorted: bool, threads: int, memory_limit: str) -> Iterator[Any]:
@@ -220,7 +244,7 @@ def _by_duckdb(source: Source, order: Sequence[str], threads: int, memory_limit:
         rows = result.to_arrow_reader(ROWS_OF_DUCKDB) if hasattr(result, "to_arrow_reader") else result.fetch_record_batch(
             ROWS_OF_DUCKDB)
         for batch in rows:
-            yield pa.RecordBatch.from_arrays([column.cast(field.type) for column, field in zip(batch.columns, source.schema)],
+            yield pa.RecordBatch.from_arrays([_uncarried(column, field.type) for column, field in zip(batch.columns, source.schema)],
                                              schema=source.schema)
     except Exception as error:
         if failures:
@@ -238,9 +262,18 @@ def _by_duckdb(source: Source, order: Sequence[str], threads: int, memory_limit:
 
 def _carrier(kind: Any) -> Any:
     """The type as which DuckDB takes a column: the same wherever it can hold and order it."""
-    if pa.types.is_timestamp(kind) or pa.types.is_duration(kind):
+    types = pa.types
+    if types.is_timestamp(kind) or types.is_duration(kind) or types.is_time64(kind) or types.is_date64(kind):
         return pa.int64()
-    return pa.float32() if pa.types.is_float16(kind) else kind
+    if types.is_time32(kind):
+        return pa.int32()
+    if types.is_fixed_size_binary(kind):
+        return pa.binary()
+    return pa.float32() if types.is_float16(kind) else pa.int8() if types.is_null(kind) else kind
+
+
+def _uncarried(column: Any, kind: Any) -> Any:
+    return pa.nulls(len(column)) if pa.types.is_null(kind) else column.cast(kind)
 
 
 def _carried(batches: Iterable[Any], schema: Any, failures: list[BaseException]) -> Iterator[Any]:

@@ -11,7 +11,8 @@ import pyarrow as pa
 import pyarrow.compute as pc
 
 from .._errors import DataError
-from ._layout import Whole, text_of
+from ._layout import text_of
+from ._times import Whole
 
 ROWS_AT_A_TIME = 1 << 16
 LONGEST_WHOLE_TRACK = 1 << 16  # rows; what is longer comes in pieces

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import fractions
 import functools
 from typing import TYPE_CHECKING, Any
 
@@ -15,9 +16,10 @@ from .._curve import Curve
 from .._errors import ArgumentError, DataError, Error, collected
 from .._keys import Keys
 from .._tasks import reduce, smooth
-from ._layout import Layout, Times, Whole
+from ._layout import Layout
 from ._per_track import START, Result, columns_of, track_of
 from ._resampling import sampled_schema
+from ._times import Whole, common_type
 
 if TYPE_CHECKING:
     from .._types import Extrapolate
@@ -26,6 +28,7 @@ SIDE = "side"  # of rows of two tables: 0 of keys, 1 of those that orientations 
 SIDES = ("keys", "at")
 OF_THIS_MACHINE = ("build_seconds", "seconds")  # measures that another run does not repeat
 OUTSIDE = "found a time outside the keys of the track"
+NO_TIME = "found {} in the column {!r}, wanted a time"
 NO_KEYS = "found no keys of this track"
 
 
@@ -60,17 +63,22 @@ class Smoothing:
     frame: str
     options: dict[str, Any]
 
+    @property
+    def step(self) -> fractions.Fraction | None:
+        """From one sample to the next [s]; None at the times of the keys."""
+        return None if self.rate is None else 1 / fractions.Fraction(self.rate)
+
     def check(self, layout: Layout) -> None:
         """Raises what the options are refused by."""
         tried(layout, lambda keys: smooth(keys, **self.options))
 
     def schema(self, layout: Layout, given: Any) -> Any:
         """The columns of samples."""
-        return sampled_schema(layout, given, self.derivatives, self.frame == "world")
+        return sampled_schema(layout, given, self.derivatives, self.frame == "world", self.step)
 
     def of_track(self, layout: Layout, rows: Any, given: Any) -> Result:
         """Even samples leave out the gaps that were not smoothed across."""
-        track = track_of(layout, rows)
+        track = track_of(layout, rows, self.step)
         keys = track.keys()
         smoothing = smooth(keys, **self.options)
         wanted = {"times": keys.times} if self.rate is None else {"rate": self.rate}
@@ -88,6 +96,7 @@ class Reduction:
 
     tolerance: Any
     options: dict[str, Any]
+    step = None
 
     def check(self, layout: Layout) -> None:
         """Raises what the options are refused by."""
@@ -126,6 +135,7 @@ class Comparison:
     """How near methods come to each track, in the words of `orispline.compare`, but for what was the time of this machine."""
 
     options: dict[str, Any]
+    step = None
 
     def members(self) -> dict[str, Any]:
         """The columns with their types, of a comparison of little work that has the same options."""
@@ -164,6 +174,7 @@ class Evaluation:
     extrapolate: Extrapolate
     kind: Any  # of the times of that table
     beside: tuple[str, ...]  # its other columns
+    step = None
 
     def check(self, layout: Layout) -> None:
         """Raises what the method is refused by."""
@@ -189,8 +200,15 @@ class Evaluation:
         except Error as error:
             return Result(at, everyone, [*own, *self._nothing(layout, given, at.num_rows)],
                           pa.array([str(error)] * at.num_rows, pa.string()))
-        failures = pa.array([OUTSIDE] * at.num_rows, pa.string(), mask=~outside)
+        failures = pa.array(self._reasons(layout, at.column(layout.time)), pa.string(), mask=~outside)
         return Result(at, everyone, [*own, *(pa.array(column, mask=outside) for column in columns)], failures)
+
+    @staticmethod
+    def _reasons(layout: Layout, times: Any) -> Any:
+        """Why there is no orientation at each of these times, where there is none."""
+        absent, no_time = (pc.is_null(times, nan_is_null=nan).to_numpy(zero_copy_only=False) for nan in (False, True))
+        null, nan = (NO_TIME.format(what, layout.time) for what in ("null", "nan"))
+        return np.select([absent, no_time], [null, nan], OUTSIDE)
 
     def _nothing(self, layout: Layout, given: Any, count: int) -> list[Any]:
         fields = list(self.schema(layout, given))[len(layout.by) + 1 + len(self.beside):-1]
@@ -211,7 +229,7 @@ class Evaluation:
 
 def united(layout: Layout, keys: Any, at: Any, beside: tuple[str, ...]) -> Any:
     """The schema of rows of both: all columns, the finer of two units of time, and the side."""
-    kind = Times(at.field(layout.time).type).finer(keys.field(layout.time).type)
+    kind = common_type(at.field(layout.time).type, keys.field(layout.time).type)
     return pa.schema([*(at.field(name) for name in layout.by), pa.field(layout.time, kind),
                       *(keys.field(name) for name in layout.numbers), *(at.field(name) for name in beside),
                       pa.field(SIDE, pa.int8())])
