@@ -1,15 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables in files: what is written, what is not made again, and the command."""
+import json
 import os
 import subprocess
 import sys
+import urllib.parse
 
 import numpy as np
+import orispline as ori
 import pytest
 from track_data import expect_samples_of_curves, shuffled, table_of, tracks
 
 pa = pytest.importorskip("pyarrow")
 pytest.importorskip("duckdb")
+import pyarrow.csv as csv  # noqa: E402
+import pyarrow.feather as feather  # noqa: E402
 import pyarrow.parquet as pq  # noqa: E402
 from orispline import tables  # noqa: E402
 from orispline._options import FIELDS  # noqa: E402
@@ -268,3 +273,73 @@ def test_without_pyarrow_it_says_what_to_install(tmp_path):
 def test_tables_are_not_imported_before_they_are_asked_for():
     code = "import sys, orispline; print(sorted({'orispline.tables', 'pyarrow'} & set(sys.modules)))"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "[]"
+
+
+def test_the_ending_says_what_is_written(tmp_path):
+    expected = tables.resample(table_of(MADE), rate=1).read_all()
+    for name, read in (("a.parquet", pq.read_table), ("b.PQ", pq.read_table), ("c", pq.read_table), ("d.arrow", feather.read_table),
+                       ("e.feather", feather.read_table), ("f.csv", csv.read_csv)):
+        assert tables.write(expected, tmp_path / name).rows == len(expected)
+        found = read(tmp_path / name)
+        assert found.column_names == expected.column_names and found.drop_columns("error").cast(expected.drop_columns("error").schema).equals(
+            expected.drop_columns("error"))
+    for name in ("g.txt", "h.json", "i.xlsx", "j.csv.gz", "k."):
+        with pytest.raises(ori.ArgumentError, match=f"^path: found .*{name}, wanted a name that ends in .parquet, .arrow or .csv: the ending says"):
+            tables.write(expected, tmp_path / name)
+    for kind in (pa.list_(pa.int64()), pa.struct([("a", pa.int64())]), pa.binary()):
+        with pytest.raises(ori.ArgumentError, match=r"^path: found (list|struct|binary).* in the column 'a', which pyarrow cannot write to a file of this kind"):
+            tables.write(pa.table({"a": pa.nulls(1, kind)}), tmp_path / "l.csv")
+    assert len(os.listdir(tmp_path)) == 6
+
+
+def test_a_reader_that_is_spent_is_refused(keys, tmp_path):
+    wanted = "^(reader|source|at): found a reader that has been read to its end, wanted a new one: rows come out of it once$"
+    written, read = tables.resample(keys, rate=1), tables.resample(keys, rate=1)
+    tables.write(written, tmp_path / "a.parquet")
+    read.read_all()
+    stranger = table_of(MADE).to_reader()
+    assert tables.resample(stranger, rate=1).read_all().num_rows
+    for spent in (written, read, stranger):
+        for use in (lambda: tables.write(spent, tmp_path / "b.parquet"), lambda: tables.resample(spent), lambda: tables.evaluate(keys, spent)):
+            with pytest.raises(ori.ArgumentError, match=wanted):
+                use()
+    assert not (tmp_path / "b.parquet").exists()
+    assert tables.write(tables.resample(table_of(MADE).slice(0, 0)), tmp_path / "none.parquet").rows == 0
+    again = table_of(MADE).to_reader()
+    first, second = tables.resample(again), tables.resample(again)
+    assert first.read_all().num_rows
+    with pytest.raises(ori.ArgumentError, match=wanted):
+        second.read_all()
+
+
+def noted_by_spark(folder, name, *entries):
+    """As its sink of files notes a batch: the folder may have been elsewhere then."""
+    (folder / "_spark_metadata").mkdir(exist_ok=True)
+    lines = [json.dumps({"path": f"file:///elsewhere/{urllib.parse.quote(file)}", "size": 1, "isDir": False, "modificationTime": 1, "blockReplication": 1,
+                         "blockSize": 1, "action": action}) for file, action in entries]
+    (folder / "_spark_metadata" / name).write_text("\n".join(["v1", *lines]), encoding="utf-8")
+
+
+def test_files_that_no_batch_of_a_stream_has_noted_are_left_out(tmp_path):
+    """As after a query that was killed: one is empty, one has no end, one is whole, and would give its keys twice."""
+    live = tmp_path / "live"
+    (live / "day=1").mkdir(parents=True)
+    names = [f"part {k}.parquet" for k in range(6)]
+    for track, name in enumerate(names):
+        pq.write_table(table_of({track: MADE[track]}), live / ("day=1" if track == 5 else ".") / name)
+    whole = (live / names[0]).read_bytes()
+    for name, content in (("empty", b""), ("no end", whole[:-9]), ("again", whole)):
+        (live / f"{name}.parquet").write_bytes(content)
+    noted_by_spark(live, "0", ("no end.parquet", "add"), (names[0], "add"))
+    noted_by_spark(live, "1.compact", *((name, "add") for name in names[:4]))
+    noted_by_spark(live, "2", (names[1], "delete"), (names[5], "add"))
+    (live / "_spark_metadata/.2.crc").write_bytes(b"crc")
+    for source, noted in ((live, {0, 2, 3, 5}), (str(live / "*.parquet"), {0, 2, 3}), ([live / "day=1"], {5}), (str(tmp_path / "*"), {0, 2, 3, 5})):
+        assert set(tables.resample(source, rate=1, errors="raise").read_all()["track"].to_pylist()) == noted, source
+    assert set(tables.resample(live / names[4], rate=1).read_all()["track"].to_pylist()) == {4}, "a file that is named is read"
+    (live / names[3]).unlink()
+    with pytest.raises(ori.AccessError, match="live: found no part 3.parquet, which _spark_metadata says is part of it"):
+        tables.resample(live)
+    (live / "_spark_metadata/3").write_text("v1\n{", encoding="utf-8")
+    with pytest.raises(ori.DataError, match="_spark_metadata/3: found no notes of a stream of Spark"):
+        tables.resample(live)

@@ -230,20 +230,19 @@ def _by_duckdb(source: Source, order: Sequence[str], threads: int, memory_limit:
     connection = duckdb.connect()
     try:
         try:
-            connection.execute("SET memory_limit = ?", [memory_limit])
+            connection.execute(f"SET memory_limit = {_quoted(memory_limit)}")
         except duckdb.Error:
             raise ArgumentError(f"memory_limit: found {memory_limit!r}, wanted a size such as '1GB'") from None
-        connection.execute("SET temp_directory = ?", [folder])
+        connection.execute(f"SET temp_directory = {_quoted(folder)}")
         connection.execute("SET preserve_insertion_order = false")
         connection.execute("SET enable_progress_bar = false")  # it would go to standard output
         if threads:
-            connection.execute("SET threads = ?", [threads])
+            connection.execute(f"SET threads = {threads}")
         connection.register("given", reader)
         keys = ", ".join(f"c{source.schema.names.index(name)} ASC NULLS LAST" for name in order)
         result = connection.sql(f"SELECT * FROM given ORDER BY {keys}")
-        rows = result.to_arrow_reader(ROWS_OF_DUCKDB) if hasattr(result, "to_arrow_reader") else result.fetch_record_batch(
-            ROWS_OF_DUCKDB)
-        for batch in rows:
+        read = result.to_arrow_reader if hasattr(result, "to_arrow_reader") else result.fetch_arrow_reader  # its name until 1.4
+        for batch in read(ROWS_OF_DUCKDB):
             yield pa.RecordBatch.from_arrays([_uncarried(column, field.type) for column, field in zip(batch.columns, source.schema)],
                                              schema=source.schema)
     except Exception as error:
@@ -258,6 +257,11 @@ def _by_duckdb(source: Source, order: Sequence[str], threads: int, memory_limit:
     finally:
         connection.close()
         shutil.rmtree(folder, ignore_errors=True)
+
+
+def _quoted(text: str) -> str:
+    """As SQL has it: version 1.0 takes no parameters of settings."""
+    return "'" + text.replace("'", "''") + "'"
 
 
 def _carrier(kind: Any) -> Any:
