@@ -54,7 +54,7 @@ test: build
 test-more: test
 	ctest --preset release-more -j $(JOBS)
 	ctest --preset release-timing
-	$(call python_package,--timing --or-skip)
+	$(call python_package,--timing --oldest --or-skip)
 
 # The wheel and the source of the Python package in build/python/dist, tested in an environment of its own.
 python: build

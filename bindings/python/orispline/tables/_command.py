@@ -139,7 +139,7 @@ class _Parser(argparse.ArgumentParser):
 def _parser() -> argparse.ArgumentParser:
     parser = _Parser(
         prog="orispline-tables", allow_abbrev=False,
-        description="Resamples, smooths, reduces, averages and compares tables of many tracks, Parquet in and out. One row is one key.")
+        description="Resamples, smooths, reduces, averages and compares tables of many tracks, which are Parquet files. One row is one key.")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     for add in (_resample, _evaluate, _smooth, _reduce, _mean, _compare):
         add(commands)
@@ -155,10 +155,11 @@ def _command(commands: Any, name: str, summary: str, *, sides: bool = False) -> 
         parser.add_argument("--at", nargs="+", required=True, metavar="FILE", help="Parquet files of the rows to add orientations to")
     else:
         parser.add_argument("--assume-sorted", action="store_true", default=None, help="the rows are in order of track and time")
-    parser.add_argument("-o", "--output", required=True, metavar="FILE", help="Parquet file to write, or folder with --partition-by")
+    parser.add_argument("-o", "--output", required=True, metavar="FILE", help="file to write, as its ending says: .parquet, .arrow or "
+                        ".csv; or folder with --partition-by")
     parser.add_argument("--by", type=_names, metavar="NAME,…", help="columns that tell tracks apart (default: track)")
-    parser.add_argument("--time", metavar="NAME", help="column of times, float seconds or timestamps (default: t)")
-    parser.add_argument("--quaternion", type=_names, metavar="X,Y,Z,W", help="columns of the quaternion (default: qx,qy,qz,qw)")
+    parser.add_argument("--time", metavar="NAME", help="column of times: seconds, timestamps, durations or dates (default: t)")
+    parser.add_argument("--quaternion", type=_names, metavar="X,Y,Z,W", help="columns of the quaternion, or one of structs or lists (default: qx,qy,qz,qw)")
     parser.add_argument("--errors", choices=_jobs.ERRORS, help="what a bad track becomes: a row with its message (default), the end of "
                         "the work, or nothing")
     parser.add_argument("--threads", type=int, metavar="N", help="at most so many at work; 0, the default, means one for each core")

@@ -43,16 +43,18 @@ def resample(source: Any, *, by: str | Sequence[str] = "track", time: str = "t",
     ----------
     source
         Paths of Parquet files (patterns and folders too), a pyarrow table, dataset or reader, or anything with
-        `__arrow_c_stream__`, such as data frames of pandas and Polars and relations of DuckDB. One row is one key. Rows
+        `__arrow_c_stream__`, such as frames of pandas and Polars, lazy ones too, and relations of DuckDB. One row is one key. Rows
         may stand in any order.
     by : str or list of str
         The columns that tell tracks apart, of any type that can be put in order.
     time : str
-        The column of times: float seconds, or timestamps, which stay what they are.
-    quaternion : four str
-        The columns of x, y, z and w, body to world.
-    position : three str, optional
-        The columns of x, y and z [m].
+        The column of times: float or decimal seconds, timestamps, durations, or dates. Stamps of the result have the longest
+        unit that holds them, none longer than that of the keys; a warning says where the result has another type.
+    quaternion : four str, or one
+        The columns of x, y, z and w, body to world; or one column of structs with these members or of fixed-size lists in this
+        order, of which the result has the columns `qx`, `qy`, `qz` and `qw`.
+    position : three str, or one, optional
+        The columns of x, y and z [m], or one, which becomes `px`, `py` and `pz`.
     rate : number or str
         Samples per second; a fraction such as `"30000/1001"` is exact.
     align : {"start", "epoch"}
@@ -98,6 +100,11 @@ def resample(source: Any, *, by: str | Sequence[str] = "track", time: str = "t",
     AccessError, DataError
         A file that cannot be read; with `errors="raise"` the first bad track.
 
+    Warns
+    -----
+    ShapeWarning
+        The times of the result are of another type than those of the keys.
+
     Examples
     --------
     >>> import orispline.tables as tables, pyarrow as pa
@@ -118,7 +125,8 @@ def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str
 
     `at` has the columns `by` and `time`, and any others: its rows come back, track by track in the order of time, each
     with all of its columns and with those of the orientation. `keys` and the other arguments are those of `resample`. A
-    time outside the keys of its track has no orientation and says so in `error`; `extrapolate="hold"`, `"rate"` or
+    time outside the keys of its track has no orientation and says so in `error`, and stamps with a time zone do not meet those
+    without one; `extrapolate="hold"`, `"rate"` or
     `"segment"` give it one, as of `Curve`. `errors="drop"` leaves rows without an orientation out.
 
     A track is held as a whole, and its rows with it.

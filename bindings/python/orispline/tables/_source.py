@@ -273,7 +273,9 @@ def _carrier(kind: Any) -> Any:
         return pa.int32()
     if types.is_fixed_size_binary(kind):
         return pa.binary()
-    return pa.float32() if types.is_float16(kind) else pa.int8() if types.is_null(kind) else kind
+    if types.is_null(kind) or types.is_boolean(kind):  # whose bits version 1.0 mistakes in a slice of a batch
+        return pa.int8()
+    return pa.float32() if types.is_float16(kind) else kind
 
 
 def _uncarried(column: Any, kind: Any) -> Any:
