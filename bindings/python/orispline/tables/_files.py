@@ -2,11 +2,14 @@
 """Parquet files out of a stream: complete, or not at all."""
 from __future__ import annotations
 
+import concurrent.futures
 import contextlib
 import errno
+import functools
 import json
 import os
 import pathlib
+import queue
 import shutil
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
@@ -114,10 +117,34 @@ def written(reader: Any, path: Any, partition_by: str | Sequence[str] | None = N
             raise AccessError(f"{place}: is there already, wanted a folder that is not")
         with _beside(place) as part:
             kinds = pa.schema([schema.field(name) for name in names])
-            ds.write_dataset(pa.RecordBatchReader.from_batches(schema, batches()), part, format="parquet",
-                             partitioning=ds.partitioning(kinds, flavor="hive"), basename_template="part-{i}.parquet",
-                             max_partitions=1 << 20, file_options=ds.ParquetFileFormat().make_write_options(compression=COMPRESSION))
+            write = functools.partial(
+                ds.write_dataset, base_dir=part, format="parquet", partitioning=ds.partitioning(kinds, flavor="hive"),
+                basename_template="part-{i}.parquet", max_partitions=1 << 20,
+                file_options=ds.ParquetFileFormat().make_write_options(compression=COMPRESSION))
+            _handed(schema, batches(), write)
     return counted.summary(place)
+
+
+def _handed(schema: Any, batches: Iterator[Any], write: Callable[[Any], None]) -> None:
+    """Batches of this thread, written by another: where pyarrow 17 asks for them in a thread of its own, DuckDB comes to a standstill."""
+    waiting: queue.Queue[Any] = queue.Queue(4)
+    with concurrent.futures.ThreadPoolExecutor(1) as pool:
+        job = pool.submit(lambda: write(pa.RecordBatchReader.from_batches(schema, iter(waiting.get, None))))
+
+        def hand(batch: Any) -> None:
+            while not job.done():
+                with contextlib.suppress(queue.Full):
+                    waiting.put(batch, timeout=0.1)
+                    return
+
+        try:
+            for batch in batches:
+                hand(batch)
+                if job.done():  # of an error
+                    break
+        finally:
+            hand(None)
+        job.result()
 
 
 def _ending(place: str) -> str:
