@@ -79,3 +79,11 @@ def test_a_package_above_its_budget_is_refused(part, build, tmp_path, monkeypatc
     monkeypatch.setitem(build.BUDGET, part, 3_999_999)
     with pytest.raises(SystemExit, match="found the package larger than its budget"):
         build.report_sizes(wheel)
+
+
+def test_the_oldest_versions_are_those_that_are_stated(build, tmp_path, monkeypatch):
+    wanted = []
+    monkeypatch.setattr(build, "make", lambda place, packages: wanted.extend(packages))
+    assert build.oldest(tmp_path, "orispline.whl") == tmp_path / "oldest/bin/python"
+    assert {package.partition("==")[0] for package in wanted} >= {"numpy", "pyarrow", "duckdb", "polars", "pandas", "pytest"}
+    assert all(package.endswith(".*") and ">" not in package for package in wanted)

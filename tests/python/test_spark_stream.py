@@ -185,20 +185,6 @@ def test_bad_keys_are_left_out(errors, stream):
     assert np.array_equal(columns(found.filter(found["error"].is_null()), QUATERNION), columns(good, QUATERNION))
 
 
-@pytest.mark.parametrize("kind", [pa.float64(), pa.timestamp("us", "UTC")], ids=str)
-def test_a_null_time_is_said_with_its_row(kind, stream):
-    table = table_of(tracks(2, least=9))
-    table = table if kind == pa.float64() else as_stamps(table, kind)
-    row = {name: table[name][4].as_py() for name in QUATERNION}
-    null = table.set_column(1, "t", pa.array([*table["t"].to_pylist()[:4], None, *table["t"].to_pylist()[5:]], kind))
-    good = tables.resample(null.filter(null["t"].is_valid()), rate=50).read_all()
-    found = stream(table, rate=50).trigger(null, good.num_rows + 1, idle=0.01)
-    what = "null or nan" if kind == pa.float64() else "null"  # which pandas does not tell apart
-    assert found["error"].drop_null().to_pylist() == [f"found {what} in the column 't', wanted a time in every row: see the row with "
-                                                      + ", ".join(f"{name} {value!r}" for name, value in row.items())]
-    assert np.array_equal(columns(found.filter(found["error"].is_null()), QUATERNION), columns(good, QUATERNION))
-
-
 def test_a_method_that_solves_over_all_keys_waits_for_the_end(stream):
     table = table_of(tracks(8, least=3))
     live = stream(table, rate=50, method="rotation-spline", idle=0.01)

@@ -232,6 +232,7 @@ def in_this_process(words):
     (["resample", "none.parquet", "-o", "x.parquet"], 3, "none.parquet: found no such file"),
     (["resample", "keys.parquet", "-o", "no/folder.parquet"], 3, "no/folder.parquet: cannot be written"),
     (["resample", "keys.parquet", "-o", "."], 2, "found the folder"),
+    (["resample", "keys.parquet", "-o", "x.txt"], 2, "found x.txt, wanted a name that ends in .parquet, .arrow or .csv"),
     (["resample", "keys.parquet", "--method", "squadd", "-o", "x.parquet"], 2, "did you mean 'squad'"),
     (["resample", "keys.parquet", "--by", "vehicle", "-o", "x.parquet"], 2,
      "wanted 'vehicle' once: name the columns by --by, --time, --quaternion and --position"),

@@ -157,7 +157,7 @@ def test_the_orientation_of_a_row_is_that_at_its_stamp(job, rate, monkeypatch):
 @pytest.mark.parametrize("kind", [pa.timestamp, pa.duration])
 def test_another_type_of_times_is_said(kind):
     _, keys = stamped("s", kind)
-    wanted = rf"^the column 't' of the result is {kind('ms')}, that of the keys {kind('s')}: since".replace("[", r"\[").replace("]", r"\]")
+    wanted = rf"^the column 't' of the result is {kind('ms')}, that of the keys {kind('s')}: as {kind('s')} its times would be rounded".replace("[", r"\[").replace("]", r"\]")
     for job in (lambda: tables.resample(keys, rate=20), lambda: tables.smooth(keys, rate=20), lambda: tables.mean(keys, every="500ms")):
         with pytest.warns(ori.ShapeWarning, match=wanted) as said:
             assert job().schema.field("t").type == kind("ms")
@@ -227,3 +227,22 @@ def test_a_time_that_is_wanted_may_be_missing():
         found = tables.evaluate(keys, wanted, **options).read_all().sort_by("row")["error"].to_pylist()
         assert found == [None, None if options else "found a time outside the keys of the track", "found null in the column 't', wanted a time",
                          "found nan in the column 't', wanted a time"]
+
+
+@pytest.mark.parametrize("unit", [None, "us"])
+def test_a_live_track_goes_on_without_a_null_time(unit):
+    pytest.importorskip("pyspark")
+    pandas = pytest.importorskip("pandas")
+    from orispline.spark._live import LiveTrack
+    from orispline.tables._jobs import resampling_of
+    job = resampling_of({"rate": 4, "derivatives": 0, "method": "slerp"})
+    live = LiveTrack(job, unit, (1,), None)
+    times = [None, 0.0, 1.0, None, 2.0] if unit is None else [None, 0, 10**6, None, 2 * 10**6]
+    live.add(pandas.DataFrame({"track": 1, "t": pandas.array(times, "float64" if unit is None else "Int64"), "qx": 0.0, "qy": 0.0,
+                               "qz": [0.0, 0.0, 0.6, 0.28, 0.8], "qw": [1.0, 1.0, 0.8, 0.96, 0.6]}))
+    rows = pandas.concat([*live.samples(), *LiveTrack(job, unit, (1,), live.state).ended()])
+    what = "null" if unit else "null or nan"  # which pandas does not tell apart
+    assert rows["error"].dropna().tolist() == [f"found {what} in the column 't', wanted a time in every row: see the row with qx 0.0, qy 0.0, {rest}"
+                                               for rest in ("qz 0.0, qw 1.0", "qz 0.28, qw 0.96")]
+    assert rows["qw"].dropna().tolist() == ori.Curve([0.0, 1.0, 2.0], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 0.8, 0.6]], "slerp").sample(
+        rate=4).orientations[:, 3].tolist()

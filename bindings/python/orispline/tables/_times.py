@@ -51,7 +51,7 @@ def tell_of_types(name: str, given: Any, read: Any, step: fractions.Fraction | N
     """Warns where the times of a result are of another type than those of the keys, or are rounded because there is none."""
     made = result_type(read, step, finest)
     if made != plain_type(given):
-        why = "as which such times are read" if made == read else f"since {read} has no room for times so close together"
+        why = "as which such times are read" if made == read else f"as {read} its times would be rounded"
         tell([(f"the column {name!r} of the result is {made}, that of the keys {given}: {why}", "time_type", {})])
     if made != result_type(read, step):
         tell([(f"the stamps in the column {name!r} are rounded to {made}, since Spark has none that are finer, wanted steps of whole "
