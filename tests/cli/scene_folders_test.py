@@ -55,6 +55,12 @@ class Folders(SceneTest):
                           "axes, wanted another one for the world\norispline: 1 of 1 input failed; nothing was written")
         self.assertFalse((self.folder / "out").exists())
 
+    def test_an_output_that_cannot_be_written_is_named_with_the_count_of_those_that_were(self):
+        (self.folder / "out/arm/Elbow.csv").mkdir(parents=True)
+        self.assert_fails("sample arm.bvh --rate 5 --output-folder out", BAD_ACCESS,
+                          "out/arm/Elbow.csv: cannot write: Is a directory\norispline: 1 of 1 input failed; 1 file was written and is complete")
+        self.assertEqual(self.files_in("out"), ["arm/Shoulder.csv"])
+
     def test_a_joint_that_is_named_is_taken_of_each_file(self):
         done = self.run_command("sample arm.bvh swing.gltf --joint Elbow --rate 5 --output-folder out")
         self.assertEqual(done.returncode, BAD_DATA)
