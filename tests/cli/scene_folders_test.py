@@ -19,6 +19,12 @@ class Folders(SceneTest):
         for joint in ("Elbow", "Shoulder"):
             self.assertEqual(self.read(f"out/arm/{joint}.csv"), self.output_of(f"sample arm.bvh --joint {joint} --rate 5"))
 
+    def test_a_file_that_is_too_large_is_refused_before_it_is_read(self):
+        for name in ("large.bvh", "large.glb"):
+            with open(self.folder / name, "wb") as file:
+                file.truncate(2**31 + 1)  # holds no blocks of the disk
+            self.assert_fails(f"inspect {name}", BAD_ACCESS, f"{name}: found more than 2 GiB, wanted a smaller file")
+
     def test_several_files_have_a_folder_each(self):
         (self.folder / "in/deep").mkdir(parents=True)
         os.rename(self.folder / "arm.bvh", self.folder / "in/deep/arm.1.bvh")
