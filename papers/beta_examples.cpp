@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // He et al. 2022, examples 1 and 2.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -219,6 +220,8 @@ report::Table effect_table(const std::vector<Variant>& all, const std::string& t
                                   {"beta2"},
                                   {"first joint to point 1 [degrees]", Notation::fixed, 3},
                                   {"moved by at most [degrees]", Notation::fixed, 3},
+                                  {"at u", Notation::fixed, 3},
+                                  {"at the first joint", Notation::fixed, 3},
                                   {"at the last joint", Notation::fixed, 3}}};
   for (const std::size_t signs : {0U, 1U}) {
     const AnyCurve base(all[0].examples[signs].example.curve);
@@ -226,13 +229,15 @@ report::Table effect_table(const std::vector<Variant>& all, const std::string& t
       const auto& [name, example] = variant.examples[signs];
       const AnyCurve curve(example.curve);
       const Domain domain = curve.domain();
+      const auto moved = [&](double t) { return degrees * angular_distance(curve(t), base(t)); };
+      const double most = std::ranges::max(even_times(domain, 401), {}, moved);
       table.rows.push_back({name, variant.beta2_of_point1,
                             degrees * angular_distance(curve(domain.start), example.keys.orientations()[1]),
-                            degrees * largest_distance(curve, base, even_times(domain, 401)),
-                            degrees * angular_distance(curve(domain.end), base(domain.end))});
+                            moved(most), most - domain.start, moved(domain.start), moved(domain.end)});
     }
   }
-  table.notes = {"A larger beta2 draws the joint to its control point. The last joint depends on other points only."};
+  table.notes = {"A larger beta2 draws the joint to its control point. The last joint depends on other points only.",
+                 "u counts from the first joint, 1 at the next one."};
   return table;
 }
 

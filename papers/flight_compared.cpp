@@ -91,7 +91,7 @@ constexpr auto xing_note =
 constexpr auto small_note =
     "In the paper a small β is the best. Here it is not: its curve slows down at every key, and the aircraft does not.";
 constexpr auto measured_note =
-    "Continuity is measured at the keys, C in time and G of the path. Times are those of the curve and 961 "
+    "Continuity is measured at the keys, C in time and G of the path. Processor times of the curve and 961 "
     "orientations on this machine, medians of rounds in which the rows take turns.";
 
 void add_printed_figures(report::Table& table) {

@@ -51,6 +51,7 @@ Expected<report::Table> approximations(const Keyframes& keys) {
                       .columns = {{"curve"},
                                   {"RMS with α = 0.5 [degrees]", Notation::fixed, 3},
                                   {"RMS of the nearest", Notation::fixed, 3},
+                                  {"their ratio", Notation::fixed, 3},
                                   {"its maximum", Notation::fixed, 3},
                                   {"its tensions"}}};
   const auto all = models(keys);
@@ -64,8 +65,9 @@ Expected<report::Table> approximations(const Keyframes& keys) {
     const auto curve = curve_of(*recipe, keys);
     if (!curve) return tl::unexpected(curve.error());
     const DistanceStatistics after = distance_to(model, *curve);
-    table.rows.push_back({model.recipe.label, degrees * distance_to(model, *before).rms, degrees * after.rms,
-                          degrees * after.largest, text_of(recipe->tension)});
+    const double rms_before = distance_to(model, *before).rms;
+    table.rows.push_back({model.recipe.label, degrees * rms_before, degrees * after.rms,
+                          finite_or_dash(after.rms / rms_before), degrees * after.largest, text_of(recipe->tension)});
   }
   table.notes = {"The tensions are those of the least mean square of the angle to the curve, at 401 times."};
   return table;

@@ -45,8 +45,8 @@ namespace orispline::cli {
 /// Marks at the knots, with their times where there is room for these.
 [[nodiscard]] std::vector<report::Mark> marks_at(std::span<const double> knots);
 
-/// Median times that works take [s], of nine rounds. A round does each of them once, so that what slows the machine for
-/// a while slows all of them.
+/// Median times that works take the processor [s], of nine rounds. They work in this thread only. A round does each of
+/// them once, so that what slows the machine for a while slows all of them.
 [[nodiscard]] std::vector<double> seconds_in_turn(std::span<const std::function<void()>> works);
 
 /// The work to build a curve through keys and to compute its orientations at times [s]. The keys and times are not

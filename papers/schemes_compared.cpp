@@ -36,8 +36,7 @@ std::vector<PrintedRow> printed_table() {
 }
 
 constexpr auto times_note =
-    "Times are for building the curve and the orientations of all frames: medians of nine rounds on this machine, in "
-    "each "
+    "Processor times of the curve and the orientations of all frames: medians of nine rounds on this machine, in each "
     "of which the rows take turns.";
 
 /// Times to build the curves and to compute their frames [s].

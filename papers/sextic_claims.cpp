@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The 6th degree: a claim of section 4.1, and the future work of section 5.
+#include <algorithm>
 #include <array>
 #include <functional>
+#include <iterator>
 
 #include <orispline/analysis/curve_measures.hpp>
 #include <orispline/analysis/distance.hpp>
@@ -10,6 +12,7 @@
 
 #include "papers/flight.hpp"
 #include "papers/sampling.hpp"
+#include "papers/sextic_qualities.hpp"
 
 namespace orispline::cli {
 
@@ -41,8 +44,8 @@ report::Table times_table(const Flight& flight) {
     table.rows.push_back({all[i].recipe.label, all[i].recipe.method, 1e3 * seconds[i], all[i].seconds});
   table.notes = {
       formatted(
-          "Times are for the curve through {} and 20 001 orientations: medians of nine rounds on this machine, in "
-          "each of which the three take turns.",
+          "Processor times of the curve through {} and 20 001 orientations: medians of nine rounds on this machine, "
+          "in each of which the three take turns.",
           flight.name),
       "The three differ in the degree of three polynomials only; the products of quaternions take the time."};
   return table;
@@ -90,7 +93,11 @@ Expected<Findings> experiment::sextic_claims() {
   auto flight = best_tensions(*all, {"sextic", "timed-sextic"}, timed_note);
   if (!turn) return tl::unexpected(std::move(turn.error()));
   if (!flight) return tl::unexpected(std::move(flight.error()));
-  return Findings{{times_table(*five), std::move(*turn), std::move(*flight)}};
+  return sextic_qualities(*five).map([&](std::vector<report::Table> tables) {
+    Findings findings{{times_table(*five), std::move(*turn), std::move(*flight)}};
+    std::ranges::move(tables, std::back_inserter(findings.tables));
+    return findings;
+  });
 }
 
 Expected<Findings> experiment::sextic_claims_on(const Flight& flight) {

@@ -80,6 +80,22 @@ double error_of_printed_lemma1_iv(Dice& dice) {
   });
 }
 
+/// C_j(t; β, β) = C_(3−j)(1 − t; β, β).
+double error_of_symmetry(Dice& dice) {
+  const double beta = dice.between(-0.1, 0.3), t = dice.between(0.0, 1.0);
+  const families::Sextic::Basis basis{PerKey({beta, beta})};
+  const Knots knots({0.0, 1.0});
+  const auto functions_at = [&](double at) {
+    const auto sums = basis(knots.span(0), Jet<double, 3>::variable(at));
+    const auto s = [&](std::size_t k) { return sums[k].derivative(0); };
+    return std::array{1.0 - s(0), s(0) - s(1), s(1) - s(2), s(2)};
+  };
+  const auto here = functions_at(t), mirrored = functions_at(1.0 - t);
+  double largest = 0.0;
+  for (std::size_t j = 0; j < 4; ++j) largest = std::max(largest, std::abs(here[j] - mirrored[3 - j]));
+  return largest;
+}
+
 double error_of_lemma2(Dice& dice) {
   const Spline s(dice);
   return std::max(s.error(0, s.q()), s.error(1, 6.0 * s.tension() * (s.q() * (s.a() + s.b()))));
@@ -162,6 +178,7 @@ double error_of_functions_in_abstract(Dice& dice) {
 
 constexpr std::array identities{
     Identity{"3.1.1", "C₀ + C₁ + C₂ + C₃ = 1", error_of_functions},
+    Identity{"3.1.1 (ii)", "C_j(t) = C_(3−j)(1 − t) where both β are the same", error_of_symmetry},
     Identity{"3.1.1", "p, p', p'' at both ends of a segment in space", error_in_space},
     Identity{"3.1.1", "p''' = (30 − 360β)(P_(k+1) − P_(k−1)) at both ends, corrected",
              [](Dice& dice) { return error_of_third_in_space(dice, third); }},

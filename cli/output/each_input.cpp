@@ -53,26 +53,29 @@ class InOrder {
   [[nodiscard]] Expected<void> finish() {
     for (const auto& [text, count] : warned_)
       if (count > 1) warn(formatted("{} more {}: {}", count - 1, count == 2 ? "input" : "inputs", text));
-    if (failed_ > 0 && finishing_ == Finishing::with_the_others) return said(failed("nothing was written"));
+    if (failed_ > 0 && finishing_ == Finishing::with_the_others) return said(failed());
     if (auto finished = finish_outputs(); !finished) return finished;
     tell(told_);
     if (summary_.json)
       if (auto printed = print_document(document_ + (document_.empty() ? "[]\n" : "\n]\n")); !printed) return printed;
     if (failed_ == 0) return {};
-    return said(failed(failed_ == turns_.size() ? "nothing was written" : "the outputs of the others are complete"));
+    return said(failed());
   }
 
  private:
   /// Those that wait for each other; an interruption comes before all of them or behind.
   [[nodiscard]] Expected<void> finish_outputs() {
     const InterruptionHeld held;
-    for (const auto& finish_output : unfinished_)
-      if (auto finished = finish_output(); !finished) return finished;
+    for (const auto& finish_output : unfinished_) {
+      if (auto finished = finish_output(); !finished) return said(with_written(std::move(finished.error()), finished_));
+      ++finished_;
+    }
     return {};
   }
 
   void say(Turn& turn) {
     const std::string& input = turn.gathered.input;
+    finished_ += turn.gathered.finished;
     for (const std::string& warning : turn.gathered.warnings)
       if (warned_[warning]++ == 0) warn(warning.starts_with(input) ? warning : formatted("{}: {}", input, warning));
     if (turn.error) return say_failed(input, std::move(*turn.error));
@@ -98,14 +101,14 @@ class InOrder {
       if (!line.empty()) document_.append("\n  ").append(line);
   }
 
-  [[nodiscard]] Error failed(std::string_view outcome) const {
-    return {gravest_, formatted("{} of {} failed; {}", failed_, counted(turns_.size(), "input"), outcome)};
+  [[nodiscard]] Error failed() const {
+    return with_written({gravest_, formatted("{} of {} failed", failed_, counted(turns_.size(), "input"))}, finished_);
   }
   static Expected<void> said(Error error) { return tl::unexpected(std::move(error)); }
 
   std::mutex mutex_;
   std::vector<std::optional<Turn>> turns_;
-  std::size_t next_ = 0, failed_ = 0;
+  std::size_t next_ = 0, failed_ = 0, finished_ = 0;
   Finishing finishing_;
   SummaryOptions summary_;
   ExitCode gravest_code_ = ExitCode::success;

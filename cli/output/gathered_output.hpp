@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -26,6 +27,7 @@ struct Gathered {
   std::string told{};                                         ///< for standard error
   std::vector<std::string> documents{};                       ///< for standard output
   std::vector<std::function<Expected<void>()>> unfinished{};  ///< outputs that are complete, beside their places
+  std::size_t finished = 0;                                   ///< outputs in their places
 };
 
 /// While it lives, what this thread would say goes there.
@@ -47,7 +49,8 @@ class GatheringHere {
 template <class File>
 [[nodiscard]] Expected<void> put_in_place(Noted<File> output) {
   Gathered* const gathered = gathered_here();
-  if (!gathered || gathered->finishing == Finishing::at_once) return output.file.finish();
+  if (!gathered) return output.file.finish();
+  if (gathered->finishing == Finishing::at_once) return output.file.finish().map([&] { ++gathered->finished; });
   return output.file.close().map([&] {
     auto closed = std::make_shared<Noted<File>>(std::move(output));
     gathered->unfinished.emplace_back([closed] { return closed->file.finish(); });

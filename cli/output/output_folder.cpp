@@ -86,6 +86,13 @@ Expected<void> check_folder(const std::string& folder) {
   return made(folder, reason);
 }
 
+Error with_written(Error error, std::size_t files) {
+  error.message += files == 0   ? "; nothing was written"
+                   : files == 1 ? "; 1 file was written and is complete"
+                                : formatted("; {} files were written and are complete", files);
+  return error;
+}
+
 Expected<std::vector<std::string>> outputs_in(const std::string& folder, std::span<const InputFile> inputs,
                                               std::string_view extension, const std::optional<std::string>& list,
                                               SceneOutputs scenes) {

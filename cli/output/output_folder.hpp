@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,9 @@ namespace orispline::cli {
 
 /// Whether make_folder() would make it, or it is there; leaves nothing behind. Error: bad_access.
 [[nodiscard]] Expected<void> check_folder(const std::string& folder);
+
+/// The error, with how many files of the folder are complete all the same.
+[[nodiscard]] Error with_written(Error error, std::size_t files);
 
 /// What becomes of files of skeletons in an output folder.
 enum class SceneOutputs {

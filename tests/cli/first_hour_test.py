@@ -2,6 +2,7 @@
 """What new users type first: nothing goes wrong without a word."""
 import json
 import math
+import re
 
 from command import BAD_DATA, BAD_USAGE, SUCCESS, CommandTest, main
 
@@ -108,6 +109,13 @@ class FirstHour(CommandTest):
             done = self.run_command(f"sample {name} --rate 2")
             self.assertEqual((done.returncode, done.stdout), (BAD_DATA, ""))
             self.assertTrue(done.stderr.startswith(f"orispline: {name}: found {kind}"), done.stderr)
+
+    def test_the_cure_that_is_named_for_an_attitude_ephemeris_cures_it(self):
+        rows = "".join(f"2026-01-01T00:00:0{k}.000  0.0  {k / 10}   0.0 {(1 - k * k / 100) ** 0.5}\n" for k in range(3))
+        self.write("v.aem", f"CCSDS_AEM_VERS = 1.0\nMETA_START\nQUATERNION_TYPE = LAST\nMETA_STOP\n\nDATA_START\n{rows}DATA_STOP\n")
+        header = re.search(r"below a header with blanks .* '(.*)'$", self.run_command("inspect v.aem").stderr)[1]
+        self.write("rows.csv", f"{header}\n{rows}")
+        self.assertIn("keys          3, 1767225600 to 1767225602 s", self.output_of("inspect rows.csv"))
 
     def test_smooth_writes_every_format(self):
         self.write("noisy.csv", turning(60, lambda k: k / 10))

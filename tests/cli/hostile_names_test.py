@@ -6,7 +6,7 @@ import os
 import subprocess
 import unicodedata
 
-from command import BAD_ACCESS, COMMAND, SUCCESS, CommandTest, main
+from command import BAD_ACCESS, COMMAND, SUCCESS, CommandTest, main, with_pages
 from small_scenes import gltf_document
 
 OUT = "b\x1b[2J\u009b31m.csv"
@@ -71,6 +71,20 @@ class HostileNames(CommandTest):
                 self.assert_printable(said)
                 if run[0] != "plot":
                     self.assertRegex(said, r"k\?{6}\.csv|d\?\?2J")
+
+    @with_pages
+    def test_pages_have_a_replacement_for_bytes_that_are_no_utf8(self):
+        for command, *options in (("inspect", "--report", "page.html"), ("compare", "--keep-every", "2", "--methods", "auto,slerp", "--report", "page.html"),
+                                  ("smooth", "-o", "out.csv", "--report", "page.html"), ("studio", "-o", "page.html")):
+            name = b"k\xe9\xf4\x90.csv"
+            with open(os.fsencode(self.folder) + b"/" + name, "wb") as file:
+                file.write(ROWS.encode())
+            with self.subTest(command):
+                done = subprocess.run([COMMAND, command, name, *options], cwd=self.folder, capture_output=True, check=False)
+                if done.returncode != SUCCESS and b"without the page of the studio" in done.stderr:
+                    continue
+                self.assertEqual(done.returncode, SUCCESS, done.stderr)
+                self.assertIn("k\ufffd\ufffd\ufffd.csv", (self.folder / "page.html").read_text("utf-8"))
 
     def test_joints_become_files_whose_names_are_printable(self):
         scene = gltf_document()

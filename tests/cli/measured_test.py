@@ -70,6 +70,19 @@ class Measured(CommandTest):
         self.assertIsNone(methods["auto"]["findings"])
         self.assertEqual(methods["measured"]["findings"]["trust"], 1)
 
+    def test_a_band_that_is_empty_is_said_so(self):
+        reason = "the keys do not tell how far from the curve the motion was"
+        self.write("keys.csv", noisy_keys(8))  # nine are the fewest that tell
+        done = self.run_command("sample keys.csv --method measured --rate 50 --band 0.9 -o out.csv")
+        self.assertIn(f"\nthe band is empty: {reason}\n", done.stderr)
+        self.assertEqual({row[-1] for row in cells_of(self.read("out.csv"))[1:]}, {""})
+        sessions = noisy_keys(60) + "".join(f"{100 + k},{math.cos(k)!r},{math.sin(k)!r},0,0\n" for k in range(4))
+        self.write("keys.csv", sessions)
+        done = self.run_command("sample keys.csv --method measured --gap 5 --rate 10 --band 0.9 -o out.csv")
+        empty = sum(row[-1] == "" for row in cells_of(self.read("out.csv"))[1:])
+        self.assertGreater(empty, 0)
+        self.assertIn(f"\nthe band is meant to hold 90 % of the true motion; it is empty at {empty} samples, where {reason}\n", done.stderr)
+
     def test_the_band_is_the_last_column(self):
         report = self.summary("--method measured --band 0.9")
         self.assertEqual((report["columns"][-1], report["band"]), ("band", 0.9))

@@ -262,6 +262,19 @@ class Sextic(Reproduced):
         for method in (flight[:3], flight[3:]):
             self.assertEqual(sorted(method, key=lambda row: -row["RMS [degrees]"]), method)
 
+    def test_what_is_claimed_in_words_is_judged_by_numbers(self):
+        even, peaks, reach = (table["rows"] for table in self.tables_of("003-claims")[3:])
+        deviations = {row["curve"]: row["deviation/mean"] for row in even}
+        for curve, deviation in (("the chords alone", 0.54), ("6th degree, β = 0.025", 0.75), ("6th degree, β = 1/12", 0.61)):
+            self.assertAlmostEqual(deviations[curve], deviation, delta=0.005)
+        self.assertLess(deviations["the chords alone"], min(value for curve, value in deviations.items() if curve.startswith("6th")))
+        rms = {row["curve"]: row["RMS of |ω| [rad/s]"] for row in peaks}
+        self.assertEqual(max(rms, key=rms.get), "6th degree, β = 0.025")
+        self.assertAlmostEqual(rms["6th degree, β = 0.025"], 0.116, delta=0.5e-3)
+        for row in reach[1:]:
+            self.assertEqual((row["segment 1"], row["segment 4"]), (0, 0))
+            self.assertGreater(min(row["segment 2"], row["segment 3"]), 1)
+
     def test_the_times_of_the_claim_are_those_of_this_machine(self):
         rows = self.rows_of("003-claims")
         self.assertEqual([row["method"] for row in rows], ["xing-quartic", "quintic", "sextic"])

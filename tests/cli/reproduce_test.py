@@ -229,6 +229,9 @@ class Command(Reproduced):
         [files] = json.loads(self.output_of("reproduce 002-example --output-folder papers --json"))
         self.assertEqual((files["tables"], files["pictures"]),
                          (["papers/002-example.txt", "papers/002-example.json"], ["papers/002-example.svg"]))
+        (self.folder / "torn/002-example.json").mkdir(parents=True)
+        self.assert_fails("reproduce 002-example --output-folder torn", BAD_ACCESS,
+                          "torn/002-example.json: cannot write: Is a directory; 2 files were written and are complete")
         self.assert_fails("reproduce --output-folder here", BAD_USAGE,
                           "--output-folder: found 'here', wanted an EXPERIMENT as well")
         self.assert_fails("reproduce 002 --output-folder here --pictures there", BAD_USAGE,
@@ -359,7 +362,7 @@ class Command(Reproduced):
     def test_a_picture_in_the_way_that_is_a_folder_is_refused(self):
         (self.folder / "here" / "002-example.svg").mkdir(parents=True)
         self.assert_fails("reproduce 002-example --pictures here", BAD_ACCESS,
-                          "here/002-example.svg: cannot write: Is a directory")
+                          "here/002-example.svg: cannot write: Is a directory; nothing was written")
 
 
 if __name__ == "__main__":

@@ -19,6 +19,12 @@ class Folders(SceneTest):
         for joint in ("Elbow", "Shoulder"):
             self.assertEqual(self.read(f"out/arm/{joint}.csv"), self.output_of(f"sample arm.bvh --joint {joint} --rate 5"))
 
+    def test_a_file_that_is_too_large_is_refused_before_it_is_read(self):
+        for name in ("large.bvh", "large.glb"):
+            with open(self.folder / name, "wb") as file:
+                file.truncate(2**31 + 1)  # holds no blocks of the disk
+            self.assert_fails(f"inspect {name}", BAD_ACCESS, f"{name}: found more than 2 GiB, wanted a smaller file")
+
     def test_several_files_have_a_folder_each(self):
         (self.folder / "in/deep").mkdir(parents=True)
         os.rename(self.folder / "arm.bvh", self.folder / "in/deep/arm.1.bvh")
@@ -54,6 +60,12 @@ class Folders(SceneTest):
                           "skew.gltf: clip 'swing', joint 'base': found a scale that is zero, negative or not the same along all "
                           "axes, wanted another one for the world\norispline: 1 of 1 input failed; nothing was written")
         self.assertFalse((self.folder / "out").exists())
+
+    def test_an_output_that_cannot_be_written_is_named_with_the_count_of_those_that_were(self):
+        (self.folder / "out/arm/Elbow.csv").mkdir(parents=True)
+        self.assert_fails("sample arm.bvh --rate 5 --output-folder out", BAD_ACCESS,
+                          "out/arm/Elbow.csv: cannot write: Is a directory\norispline: 1 of 1 input failed; 1 file was written and is complete")
+        self.assertEqual(self.files_in("out"), ["arm/Shoulder.csv"])
 
     def test_a_joint_that_is_named_is_taken_of_each_file(self):
         done = self.run_command("sample arm.bvh swing.gltf --joint Elbow --rate 5 --output-folder out")

@@ -63,7 +63,7 @@ class SeveralInputs(CommandTest):
         self.assertEqual(done.stderr.splitlines(),
                          ["out/a.csv: 8 samples with auto from 40 keys", f"orispline: bad.csv:3:2: {NAN}",
                           "out/keys.csv: 7 samples with auto from 3 keys",
-                          "orispline: 1 of 3 inputs failed; the outputs of the others are complete"])
+                          "orispline: 1 of 3 inputs failed; 2 files were written and are complete"])
         self.assertEqual(self.files_in("out"), ["a.csv", "keys.csv"])
         done = self.run_command("sample bad.csv missing.csv keys.csv --rate 2 --output-folder out --quiet")
         self.assertEqual(done.returncode, BAD_ACCESS)  # the gravest

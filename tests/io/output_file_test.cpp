@@ -85,6 +85,29 @@ TEST(Parts, RemovesThePartsOfRunsThatWereKilled) {
   EXPECT_EQ(directory.entries(), 2u);
 }
 
+TEST(Parts, HaveAShortNameWhereThatOfTheTargetLeavesNoRoom) {
+  for (const std::size_t length : {250U, 251U, 255U}) {
+    const test::ScratchDirectory directory;
+    const std::string path = directory.file(std::string(length, 'x'));
+    auto killed = OutputFile::open(path);
+    ASSERT_TRUE(killed && killed->close());
+    const std::string left = killed->part();
+    EXPECT_EQ(left == path + ".part", length == 250U);
+    ASSERT_TRUE(killed->finish());
+    std::ofstream(left) << "torn";
+    auto file = OutputFile::open(path);
+    ASSERT_TRUE(file && file->write("whole"));
+    EXPECT_EQ(file->part(), left);
+    ASSERT_TRUE(file->finish());
+    EXPECT_EQ(test::content_of(path), "whole");
+    EXPECT_EQ(directory.entries(), 1U);
+  }
+  const test::ScratchDirectory directory;
+  const auto file = OutputFile::open(directory.file(std::string(256, 'x')));
+  ASSERT_FALSE(file);
+  EXPECT_TRUE(file.error().message.ends_with("cannot write: File name too long"));
+}
+
 TEST(Parts, HoldsItsPartUntilItIsInItsPlace) {
   const test::ScratchDirectory directory;
   const std::string path = directory.file("out.csv");

@@ -144,9 +144,9 @@ constexpr auto all = std::to_array<MeasureInfo>({
      .heading = "shape",
      .rank = 3,
      .label = "in shape, G^k",
-     .explanation = "Highest order up to 3 in which the path bends without a jump at a key, whatever its speed; "
-                    "undefined where the "
-                    "body rests at a key",
+     .explanation = "Highest order up to 3 in which the path bends without a jump at a key, whatever its speed. "
+                    "Where the body rests at a key it is 1 at most, and 0 if the path has a corner there; it is "
+                    "undefined where the body stands still beside a key",
      .better = Better::more,
      .order = "G",
      .value = measure_value::shape},

@@ -32,6 +32,18 @@ std::string printable(std::string_view text, char instead) {
   return shown;
 }
 
+std::string text_of_unicode(std::string_view text) {
+  std::string unicode;
+  unicode.reserve(text.size());
+  while (!text.empty()) {
+    const std::size_t bytes = character_bytes(text);
+    if (bytes == 0) unicode += "\xEF\xBF\xBD";
+    else unicode += text.substr(0, bytes);
+    text.remove_prefix(std::max<std::size_t>(bytes, 1));
+  }
+  return unicode;
+}
+
 std::string in_quotes(std::string_view text, std::size_t longest) {
   const bool shortened = text.size() > longest;
   std::size_t end = std::min(text.size(), longest);

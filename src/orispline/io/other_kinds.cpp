@@ -16,8 +16,8 @@ struct OtherKind {
 
 constexpr std::array other_kinds{
     OtherKind{"CCSDS_AEM_VERS", "an attitude ephemeris (AEM) of CCSDS, which is not read",
-              "write the rows between DATA_START and DATA_STOP into a file of their own, below a header such as "
-              "t,qx,qy,qz,qw"},
+              "write the rows between DATA_START and DATA_STOP into a file of their own, below a header with blanks as "
+              "they have, such as 't qx qy qz qw'"},
     OtherKind{"CCSDS_OEM_VERS", "an orbit ephemeris (OEM) of CCSDS, which holds no orientations and is not read",
               "the attitude is in another file"},
     OtherKind{"HIERARCHY", "a BVH file, which is not read as rows",

@@ -3,6 +3,8 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
+#include <functional>
 #include <system_error>
 #include <utility>
 
@@ -13,6 +15,7 @@
 #endif
 
 #include <orispline/base/expect.hpp>
+#include <orispline/base/formatted.hpp>
 #include <orispline/io/file_format.hpp>
 #include <orispline/io/file_system.hpp>
 
@@ -36,6 +39,13 @@ bool reached_disk(std::FILE* file) {
 #else
   return fsync(fileno(file)) == 0 || errno == EINVAL || errno == ENOTSUP;  // a file system that cannot be asked
 #endif
+}
+
+/// The same for the same target, so that the next run finds what a killed one left.
+std::string short_name_beside(const std::string& target) {
+  const std::filesystem::path path = target;
+  const std::size_t mark = std::hash<std::string>()(path.filename().string());
+  return (path.parent_path() / formatted(".orispline-{:016x}", mark)).string();
 }
 
 /// Why an existing file may not be replaced, if so.
@@ -85,7 +95,12 @@ OutputFile OutputFile::in_memory(std::string name) {
 }
 
 void OutputFile::open_part() {
-  const auto name = [this](int i) { return target_ + ".part" + (i == 0 ? "" : std::to_string(i)); };
+  open_part(target_);
+  if (!file_ && errno == ENAMETOOLONG) open_part(short_name_beside(target_));
+}
+
+void OutputFile::open_part(const std::string& start) {
+  const auto name = [&](int i) { return start + ".part" + (i == 0 ? "" : std::to_string(i)); };
   for (int i = 0; i < cleared_names; ++i) remove_if_left(name(i));
   for (int i = 0; i < part_names && !file_; ++i) {
     part_ = name(i);

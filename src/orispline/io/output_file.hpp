@@ -41,10 +41,11 @@ class ORISPLINE_EXPORT PartLock {
 
 /// A file that appears complete or not at all, after a power cut too.
 ///
-/// Text goes to `<path>.part` beside the target, which `finish` renames. Destroyed before that, the part is removed and
-/// the target untouched. A part that was left by a process that was killed is removed by the next one that writes the
-/// same target; a lock tells it from one that is being written. Standard output (`-`), devices and pipes are written
-/// directly. A symbolic link stays, and what it leads to is the target, also where that is not there yet.
+/// Text goes to `<path>.part` beside the target, or to a part of a short name where that name is too long for the file
+/// system; `finish` renames it. Destroyed before that, the part is removed and the target untouched. A part that was
+/// left by a process that was killed is removed by the next one that writes the same target; a lock tells it from one
+/// that is being written. Standard output (`-`), devices and pipes are written directly. A symbolic link stays, and
+/// what it leads to is the target, also where that is not there yet.
 class ORISPLINE_EXPORT OutputFile {
  public:
   /// Error: bad_access.
@@ -79,6 +80,7 @@ class ORISPLINE_EXPORT OutputFile {
 
   OutputFile() = default;
   void open_part();
+  void open_part(const std::string& start);
   void swap(OutputFile& other) noexcept;
 
   std::string path_;    // as the caller gave it, for messages

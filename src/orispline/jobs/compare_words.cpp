@@ -72,10 +72,10 @@ bool is_infinite_for_some(const MeasureInfo& measure, const CompareOutcome& outc
   });
 }
 
-/// Whether some curve has keys at which it has no direction.
-bool rests_at_some(const CompareOutcome& outcome, std::size_t key_set) {
+/// Whether some curve has keys of that kind: at which it rests, or beside which it stands still.
+bool has_some(const CompareOutcome& outcome, std::size_t key_set, std::size_t ShapeContinuity::*keys) {
   return std::ranges::any_of(outcome.methods, [&](const ComparedMethod& method) {
-    return is_on(method, key_set) && method.measures->shape.rests > 0;
+    return is_on(method, key_set) && method.measures->shape.*keys > 0;
   });
 }
 
@@ -96,7 +96,10 @@ std::vector<std::string> notes_of(const CompareOutcome& outcome, std::size_t key
     notes.push_back(formatted("{} took the inner quaternions of the keys.", joined(names, ", ")));
   for (const MeasureInfo& measure : measures)
     if (is_infinite_for_some(measure, outcome, key_set)) notes.push_back(note_on_infinite(measure));
-  if (rests_at_some(outcome, key_set)) notes.emplace_back("The shape is undefined (–) where the body rests at a key.");
+  if (has_some(outcome, key_set, &ShapeContinuity::rests))
+    notes.emplace_back("Where the body rests at a key the shape is G1 at most, and G0 if the path has a corner there.");
+  if (has_some(outcome, key_set, &ShapeContinuity::stands))
+    notes.emplace_back("The shape is undefined (–) where the body stands still beside a key.");
   if (outcome.request.measured.leave_out == LeaveOut::yes)
     notes.emplace_back("Left out: an estimate of the error from the keys alone; it is not fit for choosing a method.");
   return notes;

@@ -115,6 +115,15 @@ SampleOutcome outcome_of(const Track& keys, const Method& method, const CurveOfK
           .findings = shaped.findings};
 }
 
+std::string band_text(const SampleOutcome& outcome) {
+  constexpr std::string_view reason = "the keys do not tell how far from the curve the motion was";
+  if (outcome.without_band > 0 && outcome.without_band == outcome.samples)
+    return formatted("the band is empty: {}", reason);
+  const std::string text = formatted("the band is meant to hold {:.4g} % of the true motion", 100.0 * *outcome.band);
+  if (outcome.without_band == 0) return text;
+  return formatted("{}; it is empty at {}, where {}", text, counted(outcome.without_band, "sample"), reason);
+}
+
 Json document_of(const SampleOutcome& outcome, Json of_columns, Json of_repairs) {
   Json json{{"method", outcome.method},
             {"method_text", outcome.method_text},
@@ -141,7 +150,7 @@ std::string summary_of(const SampleOutcome& outcome) {
   text += formatted("{} with {}{}\n", counted(outcome.samples, "sample"), outcome.method_text,
                     outcome.written_to.empty() ? "" : " written to " + outcome.written_to);
   if (outcome.findings) text += "the keys say: " + findings_text(*outcome.findings) + "\n";
-  if (outcome.band) text += formatted("the band is meant to hold {:.4g} % of the true motion\n", 100.0 * *outcome.band);
+  if (outcome.band) text += band_text(outcome) + "\n";
   if (outcome.held_samples > 0) text += outside_text(outcome) + "\n";
   if (outcome.gap_samples > 0) text += gap_text(outcome) + "\n";
   return outcome.truth ? text + truth_line(*outcome.truth) : text;

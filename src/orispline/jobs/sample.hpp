@@ -45,6 +45,7 @@ struct SampleOutcome {
   Extrapolation extrapolation = Extrapolation::hold;
   std::optional<KeyFindings> findings{};  ///< by the method `measured`
   std::optional<double> band{};           ///< the share of the true motion that it is meant to hold
+  std::size_t without_band = 0;           ///< samples at which it is infinite, since the keys say nothing
   std::optional<TruthDistance> truth{};
   std::string mended{};      ///< what was mended in the keys, in words
   std::string written_to{};  ///< where the samples are, in words; empty: in memory

@@ -2,6 +2,7 @@
 #include <orispline/jobs/sample_rows.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -41,6 +42,7 @@ class BlockRows {
       if (!made_[i].done) return made_[i].done;
       counts.outside += made_[i].counts.outside;
       counts.in_gaps += made_[i].counts.in_gaps;
+      counts.without_band += made_[i].counts.without_band;
     }
     counts.samples += block.size();
     sink_.written(counts.samples);
@@ -65,6 +67,7 @@ class BlockRows {
       made.counts.in_gaps += is_in_gap ? 1 : 0;
       if (is_in_gap && policy_.gaps == GapRows::empty) sink_.add_empty(buffer, origin, block.offset(k));
       if (is_in_gap || (is_outside && policy_.outside == OutsideRows::left_out)) continue;
+      made.counts.without_band += std::isinf(block.band(k)) ? 1 : 0;
       made.done = sink_.add(buffer, origin, block, k);
     }
     return made;

@@ -116,6 +116,7 @@ struct RowCounts {
   std::size_t samples = 0;
   std::size_t outside = 0;  ///< the curve
   std::size_t in_gaps = 0;
+  std::size_t without_band = 0;  ///< rows of which the keys do not tell where the true motion may be
 
   /// That were made of them.
   [[nodiscard]] std::size_t rows(const RowPolicy& policy) const noexcept {

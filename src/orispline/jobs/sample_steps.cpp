@@ -57,6 +57,7 @@ void count_rows(SampleOutcome& outcome, const RowPolicy& policy, const RowCounts
   outcome.held_samples = counts.outside;
   outcome.leaves_out = policy.outside == OutsideRows::left_out;
   outcome.gap_samples = counts.in_gaps;
+  outcome.without_band = counts.without_band;
   outcome.marks_gaps = policy.gaps == GapRows::empty;
   outcome.samples = counts.rows(policy);
 }

@@ -6,12 +6,13 @@
 #include <fmt/format.h>
 
 #include <orispline/base/expect.hpp>
+#include <orispline/base/quoted.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
 std::string text_json(std::string_view text) {
   std::string json = "\"";
-  for (const char c : text) {
+  for (const char c : text_of_unicode(text)) {
     const auto code = static_cast<unsigned char>(c);
     if (code < 0x20 || c == '"' || c == '\\' || c == '<') fmt::format_to(std::back_inserter(json), "\\u{:04x}", code);
     else json += c;

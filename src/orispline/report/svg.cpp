@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
@@ -96,7 +97,7 @@ constexpr std::array anchor_names{"start", "middle", "end"};
 
 std::string escaped(std::string_view text) {
   std::string result;
-  for (const char c : text) switch (c) {
+  for (const char c : text_of_unicode(text)) switch (c) {
       case '&':
         result += "&amp;";
         break;

@@ -30,6 +30,17 @@ tl::unexpected<Error> unreadable(const std::string& path) {
   return failure(ErrorCode::bad_access, formatted("cannot read: {}", std::strerror(errno)), {.file = path});
 }
 
+/// How large a file is that has a size, as pipes have none; whatever it says, reading goes to its end.
+std::size_t size_of(std::FILE* file) {
+  const long size = std::fseek(file, 0, SEEK_END) == 0 ? std::ftell(file) : -1;
+  std::rewind(file);
+  return size > 0 ? static_cast<std::size_t>(size) : 0;
+}
+
+tl::unexpected<Error> too_large(const std::string& path) {
+  return failure(ErrorCode::bad_access, "found more than 2 GiB, wanted a smaller file", {.file = path});
+}
+
 Expected<Scene> checked(Scene scene) {
   for (const Clip& clip : scene.clips)
     if (auto sound = check_clip(scene.skeleton, clip); !sound) return tl::unexpected(std::move(sound.error()));
@@ -45,11 +56,13 @@ Expected<std::string> bytes_of_file(const std::string& path) {
   const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
   if (!file) return unreadable(path);
   constexpr std::size_t piece = std::size_t{1} << 20;
+  const std::size_t stated = size_of(file.get());
+  if (stated > largest_scene_file) return too_large(path);
   std::string bytes;
+  bytes.reserve(stated + piece);
   for (std::size_t got = piece; got == piece;) {
     const std::size_t size = bytes.size();
-    if (size > largest_scene_file)
-      return failure(ErrorCode::bad_access, "found more than 2 GiB, wanted a smaller file", {.file = path});
+    if (size > largest_scene_file) return too_large(path);
     bytes.resize(size + piece);
     got = std::fread(bytes.data() + size, 1, piece, file.get());
     bytes.resize(size + got);

@@ -292,6 +292,9 @@ Expected<Motion> read_motion(Text& text, std::span<const WrittenJoint> joints, c
   const auto frames = whole_number(text, text.next(), "a number of frames");
   if (!frames) return tl::unexpected(frames.error());
   if (*frames == 0) return text.fault("found 0 frames, wanted one at least");
+  if (*frames > most_numbers / columns.size())
+    return text.fault(formatted("found {} frames of {}, wanted {} numbers at most in all", *frames,
+                                counted(columns.size(), "channel"), most_numbers));
   const std::size_t line = text.line();
   auto frame_time = read_frame_time(text);
   if (!frame_time) return tl::unexpected(std::move(frame_time.error()));

@@ -43,6 +43,9 @@ struct Source : SceneSource {
 /// Deeper joints are neither read nor written.
 inline constexpr std::size_t deepest_joint = 512;
 
+/// More numbers in all frames, 2 GiB in memory, are neither read nor written.
+inline constexpr std::size_t most_numbers = std::size_t{1} << 28;
+
 /// The number of columns of all joints together.
 [[nodiscard]] std::size_t columns_of(std::span<const WrittenJoint> joints) noexcept;
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/scenes/bvh/text.hpp>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
-#include <orispline/base/utf8.hpp>
 #include <orispline/io/text_table.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
@@ -118,17 +116,6 @@ Expected<std::size_t> whole_number(const Text& text, std::string_view word, std:
   const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (status != std::errc() || end != word.data() + word.size()) return text.refused(word, wanted);
   return number;
-}
-
-std::string text_of_unicode(std::string_view name) {
-  std::string text;
-  while (!name.empty()) {
-    const std::size_t bytes = character_bytes(name);
-    if (bytes == 0) text += "\xEF\xBF\xBD";
-    else text += name.substr(0, bytes);
-    name.remove_prefix(std::max<std::size_t>(bytes, 1));
-  }
-  return text;
 }
 
 }}}  // namespace orispline::scenes::bvh

@@ -55,7 +55,4 @@ class Text {
 /// `wanted` is for the message.
 [[nodiscard]] Expected<std::size_t> whole_number(const Text& text, std::string_view word, std::string_view wanted);
 
-/// A name with U+FFFD for what is not UTF-8.
-[[nodiscard]] std::string text_of_unicode(std::string_view name);
-
 }}}  // namespace orispline::scenes::bvh

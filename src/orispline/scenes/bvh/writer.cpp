@@ -14,8 +14,6 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 
 namespace {
 
-constexpr std::size_t most_numbers = std::size_t{1} << 28;  // of all frames: 2 GiB in memory, more as text
-
 Expected<EulerOrder> order_of(const SceneWriting& writing) {
   const EulerOrder order = writing.euler.value_or(EulerOrder{});
   if (order.is_proper())
