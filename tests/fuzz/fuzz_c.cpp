@@ -52,9 +52,9 @@ constexpr std::array beyond{"hold", "error", "nan", "rate", "segment", "none", "
 
 void claim_text(const char* text) { claim(text != nullptr && *text != '\0', "a text that is none"); }
 
-/// What every function promises of its error and of what it makes.
+/// What every function promises of its error and of what it makes, by reference since the call is an argument beside.
 template <class Made>
-bool claim_done(orispline_code code, orispline_error* error, const Made* made) {
+bool claim_done(orispline_code code, orispline_error*& error, const Made* made) {
   claim((code == ORISPLINE_OK) == (error == nullptr), "the code {} with{} an error", code, error ? "" : "out");
   claim(code != ORISPLINE_FAULT, "a fault: {}", orispline_error_text(error));
   if (error) {
@@ -179,7 +179,7 @@ class Program {
   };
   [[nodiscard]] Named named() { return {one_of(names), one_of(options), input_.below(2)}; }
 
-  void take_text(orispline_code code, orispline_error* error, char* text) {
+  void take_text(orispline_code code, orispline_error*& error, char*& text) {
     if (claim_done(code, error, &text)) claim_text(text);
     orispline_text_free(text);
   }
@@ -374,7 +374,7 @@ class Program {
                                 degree,
                                 is_float ? ORISPLINE_FLOAT : ORISPLINE_DOUBLE,
                                 1e-6};
-    if (!input_.below(4)) parts.pieces = input_.below(2) ? input_.byte() : std::numeric_limits<std::size_t>::max();
+    if (!input_.below(4)) parts.pieces = input_.below(8) ? pieces - 1 + input_.below(3) : ~std::size_t{0};
     if (!input_.below(16)) parts.degree = small();
     if (!input_.below(16)) parts.ends = nullptr;
     make_baked(input_.below(4) || !looked.ends ? parts : looked);
@@ -496,7 +496,7 @@ class Program {
     return static_cast<Program*>(program)->stops_ ? 1 : 0;
   }
 
-  void take_outcome(orispline_code code, orispline_error* error, orispline_outcome* outcome) {
+  void take_outcome(orispline_code code, orispline_error*& error, orispline_outcome* outcome) {
     claim_done(code, error, &outcome);
     outcomes_.add(outcome);
   }

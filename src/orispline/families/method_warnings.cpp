@@ -177,7 +177,7 @@ std::optional<Warning> corners_at_keys(const Method& method, const Keyframes& ke
   if (!family || keys.size() < 2) return std::nullopt;
   const auto settings = settle(family->info(), method.options, keys.size());
   if (!settings) return std::nullopt;
-  const std::vector<std::size_t> corners = family->possible_corners(keys, *settings);
+  const std::vector<std::size_t> corners = possible_corners(*family, keys, *settings);
   if (corners.empty()) return std::nullopt;
   const auto shape = std::ranges::find(family->findings(), BlendingFinding::Promise::shape, &BlendingFinding::promise);
   return Warning{.code = "corner_at_key",

@@ -355,16 +355,17 @@ Expected<AnyPath> BlendingFamily::path(const Keyframes& keys, const FamilySettin
   return curve_of<Eigen::Vector3d>(*this, *rows_, keys, settings);
 }
 
-std::vector<std::size_t> BlendingFamily::possible_corners(const Keyframes& keys, const FamilySettings& settings) const {
-  const auto shape = std::ranges::find(findings_, Promise::shape, &BlendingFinding::promise);
+std::vector<std::size_t> possible_corners(const BlendingFamily& family, const Keyframes& keys,
+                                          const FamilySettings& settings) {
+  const auto shape = std::ranges::find(family.findings(), Promise::shape, &BlendingFinding::promise);
   if (shape->provided.empty()) return {};
   const Knots knots = four_key_knots(keys, settings);
-  const std::vector<PerKey> parameters = values_of_parameters(data_, settings);
+  const std::vector<PerKey> parameters = values_of_parameters(family.data(), settings);
   // By increment, from the first one of either segment on, the rates by u at its start and its end.
   using blending::Rounded;
   const auto rates = [&](std::size_t segment, bool at_end) {
     std::vector<Rounded> found;
-    for (const auto& row : rows_->cumulative(CurveField<Rounded>(settings, parameters, knots, segment)))
+    for (const auto& row : family.rows().cumulative(CurveField<Rounded>(settings, parameters, knots, segment)))
       found.push_back(at_end ? row[row.size() - 1] - row[row.size() - 2] : row[1] - row[0]);
     return found;
   };

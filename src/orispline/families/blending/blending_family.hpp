@@ -63,9 +63,7 @@ class ORISPLINE_EXPORT BlendingFamily final : public OwnFamily {
   /// Errors: bad_data where a coefficient is not finite for these parameters and key times.
   [[nodiscard]] Expected<AnyCurve> curve(const Keyframes& keys, const FamilySettings& settings) const override;
   [[nodiscard]] Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings) const override;
-  /// The keys within a curve, and of a loop the first one, where the condition of the shape's promise fails: the body
-  /// rests or turns back there for these values of the parameters, and its path may have a corner.
-  [[nodiscard]] std::vector<std::size_t> possible_corners(const Keyframes& keys, const FamilySettings& settings) const;
+  [[nodiscard]] const blending::Rows& rows() const noexcept { return *rows_; }
 
  private:
   BlendingFamily(BlendingData data, std::unique_ptr<const blending::Rows> rows, std::vector<EndRule> ends);
@@ -77,6 +75,11 @@ class ORISPLINE_EXPORT BlendingFamily final : public OwnFamily {
   std::vector<EndRule> ends_;
   FamilyInfo info_;
 };
+
+/// The keys within a curve, and of a loop the first one, where the condition of the shape's promise fails: the body
+/// rests or turns back there for these values of the parameters, and its path may have a corner.
+[[nodiscard]] std::vector<std::size_t> possible_corners(const BlendingFamily& family, const Keyframes& keys,
+                                                        const FamilySettings& settings);
 
 /// What was found of a family of one's own; empty for all others.
 [[nodiscard]] ORISPLINE_EXPORT std::span<const BlendingFinding> findings_of(const FamilyInfo& family) noexcept;

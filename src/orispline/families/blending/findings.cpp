@@ -210,7 +210,11 @@ std::string why_unsteady(const BlendingData& data, const Rows& rows, Times times
 /// All about one set of rows.
 class Examination {
  public:
-  Examination(const BlendingData& data, const Rows& rows) : data_(data), rows_(rows) {}
+  Examination(const BlendingData& data, const Rows& rows)
+      : data_(data),
+        rows_(rows),
+        even_(places(data, Times::even, false)),
+        uneven_(places(data, Times::uneven, false)) {}
 
   std::vector<BlendingFinding> findings() const {
     std::vector<BlendingFinding> found{interpolation()};
@@ -230,7 +234,7 @@ class Examination {
   template <class Residuals>
   bool vanish(const Residuals& residuals, Times times) const {
     return all_zero(residuals(generic(data_, times))) &&
-           std::ranges::all_of(places(data_, times, false),
+           std::ranges::all_of(times == Times::even ? even_ : uneven_,
                                [&](const auto& around) { return all_zero(residuals(around)); });
   }
 
@@ -287,8 +291,7 @@ class Examination {
       return {Promise::shape, -1};
     const MotionCondition moves = motion_condition(data_, rows_);
     int order = order_of_shape(rows_, generic(data_, Times::uneven), moves.is_of_both_sides);
-    for (const auto& around : places(data_, Times::uneven, false))
-      order = std::min(order, order_of_shape(rows_, around, moves.is_of_both_sides));
+    for (const auto& around : uneven_) order = std::min(order, order_of_shape(rows_, around, moves.is_of_both_sides));
     BlendingFinding found{Promise::shape, order};
     if (order > 0) found.provided = moves.text;
     return found;
@@ -311,6 +314,7 @@ class Examination {
 
   const BlendingData& data_;
   const Rows& rows_;
+  std::vector<Surroundings<Rounded>> even_, uneven_;
 };
 
 }  // namespace
