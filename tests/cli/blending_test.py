@@ -107,7 +107,7 @@ class Blending(CommandTest):
         self.stated(slack, "slack.json")
         self.stated({"name": "jumping", "rows": [["0", "h/h_1"]], "first": 0}, "jumping.json")
         for file, method, warning, order in (
-                ("slack.json", "mine", None, 0), ("slack.json", "mine:tension=1", "key 1: the body of mine rests or turns back", 0),
+                ("slack.json", "mine", None, 0), ("slack.json", "mine:tension=1", "key 1: the body of mine rests or turns back", 2),
                 ("jumping.json", "jumping", "the curve of jumping jumps by 145", -1)):
             for command in ("sample", "inspect"):
                 with self.subTest(f"{command} {method}"):

@@ -165,7 +165,7 @@ std::optional<Warning> jumps_at_keys(const Method& method, const Keyframes& keys
   return Warning{
       .code = "jump_at_key",
       .message = formatted("the curve of {} jumps by {:.4g} degrees at this key{}; take functions that go on "
-                           "from segment to segment at these times, as `methods` tells",
+                           "from segment to segment at these times",
                            method.name, largest / full_turn * 360.0, others(jumps)),
       .where = {.key = where},
       .numbers = {{"jump_deg", largest / full_turn * 360.0}, {"keys", static_cast<double>(jumps)}}};
