@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -78,9 +80,12 @@ Expected<void> check_parts(const orispline_baked_parts& parts) {
       .and_then([&] { return check_pointer(parts.scales, "scales"); })
       .and_then([&] { return check_pointer(parts.coefficients, "coefficients"); })
       .and_then([&]() -> Expected<void> {
-        if (parts.pieces > 0 && parts.pieces <= parts.end_count) return {};
-        return bad_option("pieces", formatted("found {} for {} ends, wanted one between two ends each", parts.pieces,
-                                              parts.end_count));
+        // Before anything is read: of a curve of a single key there is one of either.
+        if (parts.end_count > 0 && parts.pieces == std::max<std::size_t>(parts.end_count, 2) - 1) return {};
+        const std::string message =
+            formatted("found {} for {} ends, wanted one between two ends each", parts.pieces, parts.end_count);
+        if (parts.pieces == 0 || parts.pieces > parts.end_count) return bad_option("pieces", message);
+        return failure(ErrorCode::bad_data, "pieces: " + message);
       });
 }
 

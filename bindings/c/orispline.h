@@ -261,7 +261,7 @@ typedef struct orispline_jump {
 typedef struct orispline_continuity {
   int64_t order;  ///< no rate up to this order jumps at the keys: 0 to 3; -1 where the orientation itself jumps
   orispline_jump angular_velocity, angular_acceleration, angular_jerk;  ///< [rad/s], [rad/s²], [rad/s³]
-  double orientation_jump;                                             ///< the largest between keys [rad]; 0: none
+  double orientation_jump;                                             ///< the largest at and between keys [rad]; 0: none
   double orientation_jump_time;                                        ///< where [s]
 } orispline_continuity;
 
@@ -270,8 +270,8 @@ ORISPLINE_C_API orispline_code orispline_curve_continuity(const orispline_curve 
                                                           orispline_error **error);
 
 /// The order that is reached at each key, by the same measure: 3 at the ends, but for those of a loop, which are one
-/// place, and at keys where no segments meet, such as control points; -1 where the orientation jumps before the next
-/// key. `count`: of numbers that there is room for, which must be the number of keys.
+/// place, and at keys where no segments meet, such as control points; -1 where the orientation jumps there or before
+/// the next key. `count`: of numbers that there is room for, which must be the number of keys.
 ORISPLINE_C_API orispline_code orispline_curve_orders(const orispline_curve *curve, int32_t *orders, size_t count,
                                                       orispline_error **error);
 
@@ -334,7 +334,8 @@ typedef struct orispline_baked_parts {
 ORISPLINE_C_API orispline_code orispline_baked_look(const orispline_baked *baked, orispline_baked_parts *parts,
                                                     orispline_error **error);
 
-/// The baked curve of parts that were stored, which are copied. Error: ORISPLINE_BAD_DATA.
+/// The baked curve of parts that were stored, which are copied. Errors: ORISPLINE_BAD_DATA for parts whose orientations
+/// are not finite on all of a piece, and for another number of pieces, before they are read; ORISPLINE_BAD_ARGUMENT.
 ORISPLINE_C_API orispline_code orispline_baked_make(const orispline_baked_parts *parts, orispline_baked **baked,
                                                     orispline_error **error);
 

@@ -31,9 +31,20 @@ TEST(BakedCurve, IsTheSameWhenItIsRestored) {
   expect_the_same_when_restored<double>(make_curve("auto", keyframes(random_walk(119, 1, Spacing::even))).value());
 }
 
+using Pieces = std::vector<batch::BakedRecord<double>>;
+
+/// Two pieces of 1 s at rest.
+Pieces two_pieces() {
+  Pieces pieces;
+  for (const double middle : {0.5, 1.5}) {
+    pieces.push_back({.coefficients = {}, .middle = middle, .per_step = 2.0});
+    pieces.back().coefficients[3][0] = 1.0;
+  }
+  return pieces;
+}
+
 TEST(BakedCurve, IsNotRestoredFromWhatIsNone) {
-  using Pieces = std::vector<batch::BakedRecord<double>>;
-  const Pieces two(2, batch::BakedRecord<double>{});
+  const Pieces two = two_pieces();
   EXPECT_TRUE(BakedCurve<>::restored({0.0, 1.0, 2.0}, two, 0.0));
   Pieces broken = two;
   broken[1].coefficients[3][9] = infinity;
@@ -44,6 +55,25 @@ TEST(BakedCurve, IsNotRestoredFromWhatIsNone) {
     ASSERT_FALSE(restored);
     EXPECT_EQ(restored.error().code, ErrorCode::bad_data);
   }
+}
+
+/// Finite numbers of which no orientations, or no rates, can be made.
+TEST(BakedCurve, IsNotRestoredFromFiniteNumbersThatGiveOthers) {
+  using Change = void (*)(batch::BakedRecord<double>&);
+  for (const Change change : std::initializer_list<Change>{
+           [](auto& piece) { piece.coefficients[3][9] = 1.7e308; },
+           [](auto& piece) { piece.coefficients[0][1] = 1e200; }, [](auto& piece) { piece.coefficients[3][0] = 0.0; },
+           [](auto& piece) { piece.per_step = 1.7e308; }, [](auto& piece) { piece.middle = -1.7e308; },
+           [](auto& piece) { piece = {.coefficients = {}, .middle = 1.5, .per_step = 1e200}; }}) {
+    Pieces pieces = two_pieces();
+    change(pieces[1]);
+    const auto restored = BakedCurve<>::restored({0.0, 1.0, 2.0}, pieces, 0.0);
+    ASSERT_FALSE(restored);
+    EXPECT_EQ(restored.error().code, ErrorCode::bad_data);
+    EXPECT_EQ(restored.error().message,
+              "the piece from 1 to 2 s: found no orientations on all of it, wanted those of a baked curve");
+  }
+  EXPECT_FALSE(BakedCurve<>::restored({-1.7e308, 1.7e308}, {two_pieces()[0]}, 0.0));
 }
 
 }}  // namespace orispline

@@ -182,6 +182,27 @@ TEST_F(NullPointersOfC, AreNoSamplesAndNothingBaked) {
   expect_refused(orispline_baked_make, &no_parts, &made_baked);
 }
 
+/// One piece more or less than there are between the ends: nothing of the arrays is read, which are too short for it.
+TEST(BakedOfC, IsRefusedForAnotherNumberOfPiecesBeforeTheyAreRead) {
+  const std::vector<double> ends{0.0, 1.0}, scales{0.5, 2.0};
+  std::vector<double> coefficients(40);
+  coefficients[30] = 1.0;
+  orispline_baked_parts parts{ends.data(), scales.data(), coefficients.data(), 2, 1, 9, ORISPLINE_DOUBLE, 0.0};
+  for (const auto& [pieces, code] : {std::pair<std::size_t, orispline_code>{0, ORISPLINE_BAD_ARGUMENT},
+                                     {1, ORISPLINE_OK},
+                                     {2, ORISPLINE_BAD_DATA},
+                                     {3, ORISPLINE_BAD_ARGUMENT},
+                                     {SIZE_MAX, ORISPLINE_BAD_ARGUMENT}}) {
+    parts.pieces = pieces;
+    orispline_baked* made = nullptr;
+    orispline_error* error = nullptr;
+    EXPECT_EQ(orispline_baked_make(&parts, &made, &error), code) << pieces;
+    EXPECT_EQ(made == nullptr, code != ORISPLINE_OK);
+    orispline_baked_free(made);
+    orispline_error_free(error);
+  }
+}
+
 TEST_F(NullPointersOfC, AreNoTaskAndNoFile) {
   const auto run = [&](const char* task, const orispline_input* inputs, std::size_t input_count,
                        std::size_t option_count) {

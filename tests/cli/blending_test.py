@@ -102,6 +102,21 @@ class Blending(CommandTest):
             self.output_of(f"sample - --rate 20 --blending {self.file} --method mine -o -", input=KEYS.read_text("utf-8")),
             self.output_of("sample - --rate 20 --method quintic -o -", input=KEYS.read_text("utf-8")))
 
+    def test_corners_and_jumps_at_the_keys_are_warned_of(self):
+        slack = json.loads(re.sub(r"\b([ab])(?=/)", r"(1-\1)", json.dumps(QUINTIC)))
+        self.stated(slack, "slack.json")
+        self.stated({"name": "jumping", "rows": [["0", "h/h_1"]], "first": 0}, "jumping.json")
+        for file, method, warning, order in (
+                ("slack.json", "mine", None, 0), ("slack.json", "mine:tension=1", "key 1: the body of mine rests or turns back", 2),
+                ("jumping.json", "jumping", "the curve of jumping jumps by 145", -1)):
+            for command in ("sample", "inspect"):
+                with self.subTest(f"{command} {method}"):
+                    rows = " --rate 10 -o -" if command == "sample" else ""
+                    said = self.run_command(f"{command} {KEYS} --blending {file} --method {method}{rows}").stderr
+                    (self.assertIn if warning else self.assertNotIn)(warning or "warning", said)
+            found, = json.loads(self.output_of(f"inspect {KEYS} --json --blending {file} --method {method}"))["methods"]
+            self.assertEqual(found["continuity_order"], order)
+
     def test_what_cannot_be_understood_is_told_with_its_place(self):
         def with_rows(rows, **members):
             return {**QUINTIC, "rows": rows, **members}

@@ -9,6 +9,8 @@
 #include <support/near.hpp>
 #include <support/specimens.hpp>
 
+#include "families/own_blending.hpp"
+
 namespace orispline { namespace {
 
 using namespace testing_support;
@@ -29,20 +31,6 @@ const Rows timed_rows{{"1", "1+2*a*h^2/(5*h_1*(h_1+h))", "1+(4*a/5-a2/10)*h^2/(h
 
 BlendingData data_of(Rows rows, std::vector<BlendingParameter> parameters = {}) {
   return {.name = "mine", .title = "Typed in", .parameters = std::move(parameters), .rows = std::move(rows)};
-}
-
-std::shared_ptr<const BlendingFamily> family_of(const BlendingData& data) {
-  auto made = BlendingFamily::make(data);
-  EXPECT_TRUE(made) << (made ? "" : made.error().message);
-  return made.value();
-}
-
-BlendingFinding finding(const BlendingData& data, Promise promise) {
-  const auto family = family_of(data);
-  for (const BlendingFinding& found : family->findings())
-    if (found.promise == promise) return found;
-  ADD_FAILURE();
-  return {};
 }
 
 std::string refusal(const BlendingData& data) {

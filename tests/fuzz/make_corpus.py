@@ -8,6 +8,7 @@ import base64
 import json
 import math
 import pathlib
+import random
 import struct
 
 CORPUS = pathlib.Path(__file__).resolve().parent / "corpus"
@@ -360,9 +361,24 @@ def fbx_files():
     yield "no_fbx", b"\0not an FBX file"
 
 
+def c_programs():
+    """Calls by their numbers in fuzz_c.cpp: make_keys 25, make_curve 4, bake 11, rebake 12, sample_baked 13, …"""
+    turned = b"".join(bytes([x, 20, 200, 60, 1]) for x in (5, 30, 60, 90, 120))
+    five_keys = bytes([25, 5, 4, 0]) + bytes([1, 99] * 5) + turned + bytes([1, 0, 0, 0, 1, 1, 1, 1, 0, 1])
+    curve = bytes([4, 1, 0])
+    yield "lists", bytes([14, 15, 1, 3, 24])
+    for call, name in enumerate(("read_keys", "look_at_keys", "write_keys", "make_curve", "make_curves", "look_at_curve",
+                                 "move", "sample", "samples", "judge", "bake", "rebake", "sample_baked"), 1):
+        yield name, five_keys + curve + b"".join(bytes([call, 1]) + bytes(range(k, k + 40)) for k in (1, 90, 170))
+    for k in range(12):
+        calls = random.Random(k)
+        yield f"random_{k:02}", five_keys + curve + b"".join(
+            bytes([calls.randrange(1, 25)]) + calls.randbytes(calls.randrange(4, 40)) for _ in range(24))
+
+
 TARGETS = {"curve": curve_seeds, "online": online_seeds, "optimise": optimise_seeds, "state": state_seeds,
            "clips": clip_files, "keys": key_files, "times": times_files, "blending": blending_files,
-           "decimal": decimal_files, "command": command_files, "fbx": fbx_files}
+           "decimal": decimal_files, "command": command_files, "fbx": fbx_files, "c": c_programs}
 
 
 def main():

@@ -58,6 +58,15 @@ TEST(RecipeLine, RefusesWordsThatItDoesNotKnow) {
   EXPECT_EQ(refused("signs=both").remedy, "recipe");
 }
 
+TEST(RecipeLine, RefusesBlendingFunctionsThatAreNone) {
+  for (const std::string_view comment : {"# orispline:blending=", "#orispline: blending=", "# orispline:blending={}",
+                                         "# orispline: method=mine blending=1"}) {
+    const auto read = recipe_in(comment);
+    ASSERT_FALSE(read) << comment;
+    EXPECT_TRUE(read.error().message.starts_with("the blending functions of the keys: ")) << read.error().message;
+  }
+}
+
 TEST(KeyInput, KnowsTheRecipeBeforeTheKeysAreRead) {
   const TextFile file("\n# by hand\n  # orispline: method=squad signs=as-given\n# two keys\n" +
                       std::string(recipe_rows));

@@ -118,6 +118,7 @@ test('what is no baked curve is refused in one sentence', () => {
   for (const [given, found] of [
     [new ArrayBuffer(0), 'other bytes'], [new TextEncoder().encode(JSON.stringify(file)), 'other bytes'], [newer, 'version 2'],
     [bytes.subarray(0, bytes.length - 4), `${bytes.length - 4} bytes for 37 pieces`], [{}, 'another object'], [null, 'another object'],
+    [{ byteLength: 0, length: 1e9 }, 'another object'], [{ byteLength: 0 }, 'another object'],
     [{ ...file, version: 7 }, 'version 7'], [{ ...file, ends: [0, 1] }, '888 coefficients for 2 ends'], [{ ...file, ends: [], pieces: [] }, '0 coefficients for 0 ends'],
   ])
     assert.throws(() => player(given), { message: `orispline/player: found ${found}, ${wanted}` });
@@ -152,6 +153,8 @@ test('a file that was tampered with is refused, wherever', () => {
     [changed((one) => one.pieces.push([])), `${24 * count} coefficients for ${count + 1} ends`],
     [written((view) => view.setFloat64(16, NaN, true)), notFinite], [written((view) => view.setFloat64(ends + 8, NaN, true)), notFinite],
     [written((view) => view.setFloat32(coefficients, Infinity, true)), notFinite], [written((view) => view.setFloat64(ends + 8, 1e9, true)), notIncreasing],
+    [changed((one) => ([one.ends[0], one.ends[count]] = [-1.7e308, 1.7e308])), notFinite], [changed((one) => (one.epoch = one.ends[count] = 1.7e308)), notFinite],
+    [written((view) => (view.setFloat64(ends, -1.7e308, true), view.setFloat64(coefficients - 8, 1.7e308, true))), notFinite],
     [turned(8, 12, 4), 'version 16777216'], [turned(ends, coefficients, 8), notIncreasing], [turned(coefficients, bytes.length, 4), notFinite],
     [written((view) => view.setUint32(12, 0, true)).subarray(0, 40), '40 bytes for 0 pieces'],
   ])

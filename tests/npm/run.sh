@@ -10,7 +10,7 @@ skip() {
 }
 [ -f "$1/package.json" ] || skip "the npm package was not built, test npm.build says why"
 case $2 in
-  package | player) ;;
+  package | player | mutated) ;;
   browser)
     [ -f "$1/full.wasm" ] || skip "the modules were not compiled; make web compiles them"
     CHROMIUM=$("$here/../chromium.sh") || skip "Chromium is not here"

@@ -146,6 +146,7 @@ BAD = [
     ("ends that are missing", lambda: restored(ends=PARTS[1][0][:-1].copy()), ori.DataError, "pieces, wanted"),
     ("scales that are missing", lambda: restored(scales=PARTS[1][2][1:].copy()), ori.DataError, "pieces without their times"),
     ("broken pieces", lambda: restored(coefficients=PARTS[1][1] * np.nan), ori.DataError, "not finite"),
+    ("pieces of no orientations", lambda: restored(coefficients=PARTS[1][1] * 1e300), ori.DataError, "found no orientations on all of it"),
 ]
 
 

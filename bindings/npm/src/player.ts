@@ -32,9 +32,15 @@ const refuse = (found: string): never => {
   throw new Error(`orispline/player: found ${found}, wanted version ${version} of what 'orispline bake' writes`);
 };
 
-/** Bytes in a memory of their own, where numbers of 8 bytes lie at multiples of 8. Buffers may be those of another realm, such as that of a frame. */
-const copied = (file: ArrayBuffer | ArrayBufferView): ArrayBuffer =>
-  (ArrayBuffer.isView(file) ? new Uint8Array(file.buffer, file.byteOffset, file.byteLength) : new Uint8Array(file)).slice().buffer as ArrayBuffer;
+/** Bytes in a memory of their own, where numbers of 8 bytes lie at multiples of 8; nothing of what has none. Buffers may be those of another realm, such as that of a frame. */
+const bytesOf = (file: unknown): ArrayBuffer | undefined => {
+  try {
+    const view = ArrayBuffer.isView(file) ? file : new DataView(file as ArrayBuffer);
+    return new Uint8Array(view.buffer, view.byteOffset, view.byteLength).slice().buffer;
+  } catch {
+    return undefined;
+  }
+};
 
 const partsOfBytes = (bytes: ArrayBuffer): Parts => {
   if (bytes.byteLength < 32 || String.fromCharCode(...new Uint8Array(bytes, 0, 8)) !== 'ORIBAKED') refuse('other bytes');
@@ -57,16 +63,16 @@ const partsOfFile = (file: BakedFile): Parts => {
 
 /** A curve that plays the content of a .json, parsed, or the bytes of a .bin. It gives x, y, z, w. */
 export const player = (file: BakedFile | ArrayBuffer | ArrayBufferView): Playable => {
-  const parts = (file as ArrayBuffer)?.byteLength >= 0 ? partsOfBytes(copied(file as ArrayBuffer)) : partsOfFile(file as BakedFile);
-  const { epoch, ends, coefficients } = parts, c = Float32Array.from(coefficients);
-  if (![epoch, ...ends, ...coefficients, ...c].every(Number.isFinite)) refuse('what is no finite number');
+  const bytes = bytesOf(file), { epoch, ends, coefficients } = bytes ? partsOfBytes(bytes) : partsOfFile(file as BakedFile);
+  const c = Float32Array.from(coefficients), last = ends.length - 1, start = epoch + ends[0], end = epoch + ends[last];
+  // Twice the span too, of which the places on the pieces are made.
+  if (![2 * (ends[last] - ends[0]), start, end, epoch, ...ends, ...coefficients, ...c].every(Number.isFinite)) refuse('what is no finite number');
   // Pieces follow each other, but for the one of a single key, which has no length.
   if (ends.some((end, i) => (ends[2] === undefined ? end < ends[i - 1] : end <= ends[i - 1]))) refuse('ends that do not increase');
-  const last = ends.length - 1;
   let piece = 0; // the one of the last time, near which the next one is
   return {
-    start: epoch + ends[0],
-    end: epoch + ends[last],
+    start,
+    end,
     at<Target extends Numbers = number[]>(time: number, target = [] as Numbers as Target): Target {
       if (typeof time !== 'number' || Object(target) !== target)
         throw new Error(`orispline/player: found the time ${String(time)} and a target that is ${typeof target}, wanted a number and an array`);
@@ -80,7 +86,7 @@ export const player = (file: BakedFile | ArrayBuffer | ArrayBufferView): Playabl
         }
         piece = low;
       }
-      const start = ends[piece], s = (2 * (t - start)) / (ends[piece + 1] - start || 1) - 1;
+      const from = ends[piece], s = (2 * (t - from)) / (ends[piece + 1] - from || 1) - 1;
       for (let i = 0, k = perPiece * piece; i < 4; ++i, k += 6)
         target[i] = ((((c[k + 5] * s + c[k + 4]) * s + c[k + 3]) * s + c[k + 2]) * s + c[k + 1]) * s + c[k];
       return target;

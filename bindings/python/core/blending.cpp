@@ -58,12 +58,12 @@ Blending of_file(const std::string& path) {
       ErrorCode::bad_data, path);
 }
 
-/// Promise, order, why, where and sentence of each.
+/// Promise, order, why, where, sentence and what it wants of each.
 nb::list findings_of_blending(const Blending& blending) {
   nb::list list;
   for (const BlendingFinding& found : blending.family->findings())
     list.append(nb::make_tuple(text(promise_name(found.promise)), found.order, text(found.why), text(found.where),
-                               text(sentence_of(found))));
+                               text(sentence_of(found)), text(found.provided)));
   return list;
 }
 

@@ -39,6 +39,8 @@ class BlendingFinding:
         A condition on the parameters under which more is kept.
     sentence
         All of this for people; empty where there is nothing to say.
+    provided
+        What the promise wants of the parameters or the lengths at a key, such as `"1 − a ≠ 0"`; empty where it wants nothing.
     """
 
     promise: str
@@ -46,6 +48,7 @@ class BlendingFinding:
     why: str
     where: str
     sentence: str
+    provided: str = ""
 
 
 class Blending:

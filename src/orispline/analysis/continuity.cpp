@@ -38,8 +38,17 @@ Continuity between_keys(const AnyCurve& curve) {
   return found;
 }
 
+/// The jump of the orientation where segments meet, beyond what rounding of the time turns the body by.
+double orientation_jump(const SegmentJoint& joint) {
+  const double rate = std::max(joint.left.angular_velocity.norm(), joint.right.angular_velocity.norm());
+  const double jump = angular_distance(joint.left.orientation, joint.right.orientation);
+  return jump > smallest_jump + rounding_of_increments * rate * joint.spacing ? jump : 0.0;
+}
+
 /// Largest jumps, and of those that are not rounding the largest as `relative`, still in the unit of the rate.
 void compare_sides(Continuity& found, const SegmentJoint& joint) {
+  if (const double jump = orientation_jump(joint); jump > found.orientation.angle)
+    found.orientation = {.angle = jump, .time = joint.time, .key = joint.key};
   widen_magnitudes(found, joint.left);
   widen_magnitudes(found, joint.right);
   for (std::size_t k = 0; k < rates_of_motion.size(); ++k) {
@@ -174,7 +183,9 @@ std::vector<int> orders_at_keys(const AnyCurve& curve, Seam seam) {
   Continuity whole;
   look_between_keys(
       curve, [&](const Motion& motion) { widen_magnitudes(whole, motion); },
-      [&](const OrientationJump& jump) { at_keys[jump.key].orientation = jump; });
+      [&](const OrientationJump& jump) {
+        if (jump.angle > at_keys[jump.key].orientation.angle) at_keys[jump.key].orientation = jump;
+      });
   for (const auto of_rate : jumps_of_rates)
     for (const Continuity& at_key : at_keys)
       (whole.*of_rate).magnitude = std::max((whole.*of_rate).magnitude, (at_key.*of_rate).magnitude);
@@ -219,11 +230,11 @@ ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam) {
 
 Continuities continuities_at_keys(const AnyCurve& curve, Seam seam) {
   Continuities found{.in_time = between_keys(curve)};
-  found.of_shape.broken = found.in_time.orientation.angle > 0.0;
   for_each_joint(curve, seam, [&](const SegmentJoint& joint) {
     compare_sides(found.in_time, joint);
     compare_sides(found.of_shape, curve, joint, found.in_time);
   });
+  found.of_shape.broken = found.in_time.orientation.angle > 0.0;
   found.in_time = with_relative_jumps(found.in_time);
   return found;
 }

@@ -17,11 +17,11 @@ struct RateJump {
   double relative = 0.0;   ///< largest / magnitude; 0 where every jump is within the rounding of the rate itself
 };
 
-/// Where the orientation itself jumps, from one time to the next one that a double can tell from it.
+/// Where the orientation itself jumps, from one time to the next one that a double can tell from it, or at a key.
 struct OrientationJump {
   double angle = 0.0;   ///< [rad]; 0: nowhere
   double time = 0.0;    ///< [s]
-  std::size_t key = 0;  ///< the one before it
+  std::size_t key = 0;  ///< the one before it, or that at which it is
 };
 
 /// The continuity in time that a curve really has on its keys.
@@ -29,7 +29,7 @@ struct ORISPLINE_EXPORT Continuity {
   RateJump angular_velocity{};      ///< [rad/s]
   RateJump angular_acceleration{};  ///< [rad/s²]
   RateJump angular_jerk{};          ///< [rad/s³]
-  OrientationJump orientation{};    ///< the largest one between keys
+  OrientationJump orientation{};    ///< the largest one, between keys or at one
 
   /// The largest k up to 3 for which no rate of order k or lower jumps by more than `continuity_tolerance`; -1 where
   /// the orientation itself jumps.
@@ -48,8 +48,9 @@ enum class Seam { open, closed };
 [[nodiscard]] ORISPLINE_EXPORT Continuity continuity_at_keys(const AnyCurve& curve, Seam seam = Seam::open);
 
 /// The order at each knot, where segments meet, found in the same way: the largest k up to 3 for which no rate of order
-/// k or lower jumps there, as the rates of the whole curve go; -1 where the orientation jumps between it and the next.
-/// Ends are joined to nothing, and have 3; those of a loop are one place. The least is the order of the curve.
+/// k or lower jumps there, as the rates of the whole curve go; -1 where the orientation jumps there, or between it and
+/// the next. Ends are joined to nothing, and have 3; those of a loop are one place. The least is the order of the
+/// curve.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<int> orders_at_keys(const AnyCurve& curve, Seam seam = Seam::open);
 
 /// Where a path goes at a moment, and how it bends by the angle travelled, whatever its speed.
@@ -88,7 +89,7 @@ struct ORISPLINE_EXPORT ShapeContinuity {
   /// body moves.
   int told = 3;
   std::size_t hidden_at = 0;  ///< the first key at which more cannot be told, if there is one
-  bool broken = false;        ///< the orientation jumps between keys, so that there is no path
+  bool broken = false;        ///< the orientation jumps, so that there is no path
 
   /// The largest k up to `told` for which nothing of order k or lower jumps by more than `continuity_tolerance` at the
   /// keys at which the body moves; absent where it rests at all of them, or the orientation jumps.

@@ -12,7 +12,6 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-constexpr double smallest_jump = 1e-6;  // [rad]
 /// Where a body turns by more than this between two times [rad], it is looked at between them, but not more often than
 /// so many times over: a jump is found where it is not small beside what the curve turns meanwhile.
 constexpr double widest_look = 0.1;

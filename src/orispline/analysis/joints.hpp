@@ -12,9 +12,13 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
+/// A smaller jump of the orientation is rounding [rad].
+inline constexpr double smallest_jump = 1e-6;
+
 /// Where two segments meet.
 struct SegmentJoint {
   std::size_t key;
+  double time;     // of the key [s]
   double spacing;  // the smaller one beside it [s]
   Motion left, right;
 };
@@ -24,11 +28,11 @@ template <class Look>
 void for_each_joint(const AnyCurve& curve, Seam seam, Look&& look) {
   const auto t = curve.knots().times();
   for (std::size_t i = 1; i + 1 < t.size(); ++i)
-    look(SegmentJoint{i, std::min(t[i] - t[i - 1], t[i + 1] - t[i]), curve.motion_on(i - 1, t[i]),
+    look(SegmentJoint{i, t[i], std::min(t[i] - t[i - 1], t[i + 1] - t[i]), curve.motion_on(i - 1, t[i]),
                       curve.motion_on(i, t[i])});
   if (seam == Seam::open || t.size() < 2) return;
   const std::size_t last = t.size() - 1;
-  look(SegmentJoint{0, std::min(t[1] - t[0], t[last] - t[last - 1]), curve.motion(t[last]), curve.motion(t[0])});
+  look(SegmentJoint{0, t[0], std::min(t[1] - t[0], t[last] - t[last - 1]), curve.motion(t[last]), curve.motion(t[0])});
 }
 
 /// How a curve moves at a time.

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <numeric>
 #include <optional>
 #include <string>
 
@@ -150,6 +152,40 @@ BakedRecord<T> constant_piece(const AnyCurve& curve) {
   return piece;
 }
 
+bool finite(double number) { return std::isfinite(number); }
+
+template <class T>
+bool has_finite_numbers(const BakedRecord<T>& piece) {
+  return finite(piece.middle) && finite(piece.per_step) &&
+         std::ranges::all_of(piece.coefficients, [](const auto& row) { return std::ranges::all_of(row, finite); });
+}
+
+/// Whether its orientations and their rates are finite from `start` to `end`, by limits that no baked curve comes near:
+/// components of about 1 have far smaller coefficients, and rounding takes places no farther than this beyond [-1, 1].
+template <class T>
+bool is_sound(const BakedRecord<T>& piece, double start, double end) {
+  constexpr double farthest_place = 2.0, largest_sum = 1e9, largest_per_step = 1e30, least_square = 1e-12;
+  const double first = (start - piece.middle) * piece.per_step, last = (end - piece.middle) * piece.per_step;
+  if (!(std::max(std::abs(first), std::abs(last)) <= farthest_place)) return false;
+  if (!(std::abs(piece.per_step) <= largest_per_step)) return false;
+  const auto sum_of_sizes = [](const auto& row) {
+    return std::accumulate(std::begin(row), std::end(row), 0.0,
+                           [](double sum, T c) { return sum + std::abs(static_cast<double>(c)); });
+  };
+  if (std::ranges::any_of(piece.coefficients, [&](const auto& row) { return !(sum_of_sizes(row) <= largest_sum); }))
+    return false;
+  return std::ranges::all_of(std::array{0.0, 0.25, 0.5, 0.75, 1.0}, [&](double share) {
+    const double s = std::lerp(first, last, share);
+    double square = 0.0;
+    for (const auto& row : piece.coefficients) {
+      const double value = std::accumulate(std::rbegin(row), std::rend(row), 0.0,
+                                           [&](double sum, T c) { return sum * s + static_cast<double>(c); });
+      square += value * value;
+    }
+    return square >= least_square;
+  });
+}
+
 }  // namespace
 
 template <class T>
@@ -185,20 +221,20 @@ Expected<BakedCurve<T>> bake(const Method& method, const Keyframes& keys, double
 template <class T>
 Expected<BakedCurve<T>> BakedCurve<T>::restored(std::vector<double> ends, std::vector<batch::BakedRecord<T>> pieces,
                                                 double largest_difference) {
-  const auto is_finite = [](auto number) { return std::isfinite(number); };
-  const auto is_sound = [&](const BakedRecord<T>& piece) {
-    return is_finite(piece.middle) && is_finite(piece.per_step) &&
-           std::ranges::all_of(piece.coefficients,
-                               [&](const auto& row) { return std::ranges::all_of(row, is_finite); });
-  };
-  if (ends.empty() || !std::ranges::all_of(ends, is_finite) ||
+  if (ends.empty() || !std::ranges::all_of(ends, finite) ||
       std::ranges::adjacent_find(ends, std::ranges::greater_equal()) != ends.end())
     return failure(ErrorCode::bad_data, "found ends of pieces that do not increase, wanted those of a baked curve");
   const std::size_t wanted = std::max<std::size_t>(ends.size(), 2) - 1;
   if (pieces.size() != wanted)
     return failure(ErrorCode::bad_data, formatted("found {} pieces, wanted {}", pieces.size(), wanted));
-  if (!is_finite(largest_difference) || !std::ranges::all_of(pieces, is_sound))
+  if (!finite(largest_difference) || !std::ranges::all_of(pieces, &has_finite_numbers<T>))
     return failure(ErrorCode::bad_data, "found numbers that are not finite, wanted those of a baked curve");
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (const double start = ends[i], end = ends[std::min(i + 1, ends.size() - 1)]; !is_sound(pieces[i], start, end))
+      return failure(ErrorCode::bad_data,
+                     formatted("the piece from {} to {} s: found no orientations on all of it, wanted those of a "
+                               "baked curve",
+                               start, end));
   return BakedCurve(Knots(std::move(ends)), std::move(pieces), largest_difference);
 }
 

@@ -35,7 +35,8 @@ class ORISPLINE_EXPORT BakedCurve {
   [[nodiscard]] double largest_difference() const noexcept { return largest_difference_; }
 
   /// A baked curve that was stored: the ends of its pieces [s], the pieces, and its largest difference. Error: bad_data
-  /// for times that do not increase, for numbers that are not finite, and for another number of pieces.
+  /// for times that do not increase, for numbers that are not finite, for another number of pieces, and for a piece
+  /// whose orientations are not finite all the way from its start to its end.
   [[nodiscard]] static Expected<BakedCurve> restored(std::vector<double> ends,
                                                      std::vector<batch::BakedRecord<T>> pieces,
                                                      double largest_difference);

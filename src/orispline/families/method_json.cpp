@@ -43,6 +43,7 @@ Json findings_json(const FamilyInfo& family) {
                         {"order", found.order},
                         {"why", found.why},
                         {"where", found.where},
+                        {"provided", found.provided},
                         {"sentence", sentence_of(found)}});
   return findings;
 }

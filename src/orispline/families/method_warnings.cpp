@@ -11,6 +11,7 @@
 #include <orispline/curve/one_axis.hpp>
 #include <orispline/curve/rate_comparison.hpp>
 #include <orispline/curve/three_key_rates.hpp>
+#include <orispline/families/blending/blending_family.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/geodesic.hpp>
 
@@ -138,6 +139,56 @@ std::optional<Warning> moving_rests(const Method& method, const FamilyInfo& fami
       .numbers = {{"rests", static_cast<double>(rests.size())}}};
 }
 
+/// Farther apart are the two sides of a key than rounding explains [rad].
+constexpr double smallest_jump = 1e-6;
+
+/// `key 2, and at 3 more`
+std::string others(std::size_t places) { return places > 1 ? formatted(", and at {} more", places - 1) : ""; }
+
+/// A curve of a family of one's own whose segments do not meet.
+std::optional<Warning> jumps_at_keys(const Method& method, const Keyframes& keys) {
+  if (!method.own) return std::nullopt;
+  const auto curve = make_curve(method, keys);
+  if (!curve) return std::nullopt;
+  const auto t = curve->knots().times();
+  const std::size_t segments = curve->knots().segments();
+  std::size_t jumps = 0, where = 0;
+  double largest = 0.0;
+  for (std::size_t i = method.options.loop ? 0 : 1; i < segments; ++i) {
+    const std::size_t before = i == 0 ? segments - 1 : i - 1;
+    const double jump = angular_distance(curve->orientation_on(before, t[before + 1]), curve->orientation_on(i, t[i]));
+    if (!(jump > smallest_jump)) continue;
+    ++jumps;
+    if (jump > largest) largest = jump, where = i;
+  }
+  if (jumps == 0) return std::nullopt;
+  return Warning{
+      .code = "jump_at_key",
+      .message = formatted("the curve of {} jumps by {:.4g} degrees at this key{}; take functions that go on "
+                           "from segment to segment at these times",
+                           method.name, largest / full_turn * 360.0, others(jumps)),
+      .where = {.key = where},
+      .numbers = {{"jump_deg", largest / full_turn * 360.0}, {"keys", static_cast<double>(jumps)}}};
+}
+
+/// Keys at which parameters of blending functions of one's own let the body rest or turn back.
+std::optional<Warning> corners_at_keys(const Method& method, const Keyframes& keys) {
+  const auto* const family = dynamic_cast<const BlendingFamily*>(method.own.get());
+  if (!family || keys.size() < 2) return std::nullopt;
+  const auto settings = settle(family->info(), method.options, keys.size());
+  if (!settings) return std::nullopt;
+  const std::vector<std::size_t> corners = possible_corners(*family, keys, *settings);
+  if (corners.empty()) return std::nullopt;
+  const auto shape = std::ranges::find(family->findings(), BlendingFinding::Promise::shape, &BlendingFinding::promise);
+  return Warning{.code = "corner_at_key",
+                 .message = formatted(
+                     "the body of {} rests or turns back at this key{}, and its path may have a corner there: it is "
+                     "G{} wherever {}, which these settings miss",
+                     method.name, others(corners.size()), shape->order, shape->provided),
+                 .where = {.key = corners.front()},
+                 .numbers = {{"keys", static_cast<double>(corners.size())}}};
+}
+
 }  // namespace
 
 std::vector<Warning> warnings_of(const KeyframeReport& keys) {
@@ -159,7 +210,8 @@ std::vector<Warning> warnings_of(const Method& method, const Track& track) {
   const Method shaped = completed(method, **family, track);
   for (const auto& warning :
        {contradicting_rates(**family, track.keys), contradicting_accelerations(**family, track.keys),
-        closing_step(shaped, track.keys), overwound(shaped, track.keys), moving_rests(shaped, **family, track.keys)})
+        closing_step(shaped, track.keys), overwound(shaped, track.keys), moving_rests(shaped, **family, track.keys),
+        jumps_at_keys(shaped, track.keys), corners_at_keys(shaped, track.keys)})
     if (warning) warnings.push_back(track.located(*warning));
   return warnings;
 }

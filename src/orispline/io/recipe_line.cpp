@@ -60,7 +60,7 @@ Expected<std::optional<Recipe>> recipe_in(std::string_view comment) {
   std::string_view words = text.substr(label.size());
   std::shared_ptr<const BlendingData> blending;
   if (const std::size_t place = words.find(blending_word);
-      place != words.npos && blanks.find(words[place - 1]) != blanks.npos) {
+      place == 0 || (place != words.npos && blanks.find(words[place - 1]) != blanks.npos)) {
     auto data = blending_from_json(words.substr(place + blending_word.size()));
     if (!data) return mended_by("recipe", formatted("the blending functions of the keys: {}", data.error().message));
     blending = std::make_shared<const BlendingData>(std::move(*data));

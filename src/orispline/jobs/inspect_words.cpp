@@ -162,6 +162,9 @@ std::string label_cell(const std::string& label) {
 std::string break_line(const InspectOutcome& outcome, const InspectedMethod& method) {
   const OrientationJump& jump = method.continuity.orientation;
   if (!(jump.angle > 0.0)) return "";
+  if (jump.time == outcome.request.keys->keys.times()[jump.key])
+    return formatted("{} jumps by {:.4g}° at {}: the segments beside it do not meet\n", method.label,
+                     jump.angle * degrees, place(outcome, jump.key));
   return formatted("{} jumps by {:.4g}° between two keys, after {}; put a key in between, or take timed-c2\n",
                    method.label, jump.angle * degrees, place(outcome, jump.key));
 }

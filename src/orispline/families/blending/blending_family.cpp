@@ -10,6 +10,7 @@
 #include <orispline/curve/four_key_curve.hpp>
 #include <orispline/families/blending/basis.hpp>
 #include <orispline/families/blending/findings.hpp>
+#include <orispline/families/blending/rounded.hpp>
 #include <orispline/families/blending/rows.hpp>
 #include <orispline/families/registry.hpp>
 
@@ -90,6 +91,7 @@ Expected<std::vector<EndRule>> ends_of(const BlendingData& data, const Rows& row
 }
 
 /// The field of a segment of a curve.
+template <class Value>
 class CurveField {
  public:
   CurveField(const FamilySettings& settings, const std::vector<PerKey>& parameters, const Knots& knots,
@@ -99,11 +101,11 @@ class CurveField {
         is_closed_(settings.closure.has_value()),
         segment_(static_cast<std::ptrdiff_t>(segment)) {}
 
-  [[nodiscard]] double constant(const blending::Literal& literal) const { return literal.real; }
-  [[nodiscard]] double quantity(const blending::Quantity& q) const {
+  [[nodiscard]] Value constant(const blending::Literal& literal) const { return literal.in<Value>(); }
+  [[nodiscard]] Value quantity(const blending::Quantity& q) const {
     const std::ptrdiff_t place = segment_ + q.offset;
-    if (q.kind == blending::Quantity::Kind::length) return length(place);
-    return parameters_[static_cast<std::size_t>(q.parameter)][key(place)];
+    if (q.kind == blending::Quantity::Kind::length) return Value(length(place));
+    return Value(parameters_[static_cast<std::size_t>(q.parameter)][key(place)]);
   }
 
  private:
@@ -130,14 +132,19 @@ class CurveField {
   std::ptrdiff_t segment_;
 };
 
-Expected<blending::SegmentCoefficients> coefficients_of(const BlendingData& data, const Rows& rows,
-                                                        const FamilySettings& settings, const Knots& knots) {
+std::vector<PerKey> values_of_parameters(const BlendingData& data, const FamilySettings& settings) {
   std::vector<PerKey> parameters;
   for (const BlendingParameter& parameter : data.parameters) parameters.push_back(settings.per_key(parameter.name));
+  return parameters;
+}
+
+Expected<blending::SegmentCoefficients> coefficients_of(const BlendingData& data, const Rows& rows,
+                                                        const FamilySettings& settings, const Knots& knots) {
+  const std::vector<PerKey> parameters = values_of_parameters(data, settings);
   auto values = std::make_shared<std::vector<double>>();
   values->reserve(knots.segments() * rows.increments() * (rows.degree() + 1));
   for (std::size_t i = 0; i < knots.segments(); ++i)
-    for (const auto& row : rows.cumulative(CurveField(settings, parameters, knots, i)))
+    for (const auto& row : rows.cumulative(CurveField<double>(settings, parameters, knots, i)))
       for (const double value : row) {
         if (!(std::abs(value) <= largest_coefficient))
           return failure(ErrorCode::bad_data,
@@ -301,7 +308,7 @@ BlendingFamily::BlendingFamily(BlendingData data, std::unique_ptr<const Rows> ro
                            .lowest = lowest,
                            .highest = highest,
                            .tunable = is_tunable(*rows_, p),
-                           .rests_at_zero = p == 0 && order_of(findings_, Promise::rests_at_zero) > 0});
+                           .rests_at_zero = blending::rests_at_zero(data_, *rows_, p)});
   }
   const int reach = rows_->reach(), farther = std::max(0, rows_->coefficient_reach() - reach);
   info_ = {.name = data_.name,
@@ -337,7 +344,8 @@ Expected<std::shared_ptr<const BlendingFamily>> BlendingFamily::make(BlendingDat
 }
 
 Expected<AnyCurve> BlendingFamily::curve(const Keyframes& keys, const FamilySettings& settings) const {
-  if (info_.continuity_uniform < 0)
+  const auto even = std::ranges::find(findings_, Promise::continuity_even, &BlendingFinding::promise);
+  if (even->order < 0 && !even->is_undefined)
     return failure(ErrorCode::bad_argument,
                    formatted("{}: the curve jumps at its keys: {}", data_.name, findings_.front().why));
   return curve_of<Eigen::Quaterniond>(*this, *rows_, keys, settings);
@@ -345,6 +353,32 @@ Expected<AnyCurve> BlendingFamily::curve(const Keyframes& keys, const FamilySett
 
 Expected<AnyPath> BlendingFamily::path(const Keyframes& keys, const FamilySettings& settings) const {
   return curve_of<Eigen::Vector3d>(*this, *rows_, keys, settings);
+}
+
+std::vector<std::size_t> possible_corners(const BlendingFamily& family, const Keyframes& keys,
+                                          const FamilySettings& settings) {
+  const auto shape = std::ranges::find(family.findings(), Promise::shape, &BlendingFinding::promise);
+  if (shape->provided.empty()) return {};
+  const Knots knots = four_key_knots(keys, settings);
+  const std::vector<PerKey> parameters = values_of_parameters(family.data(), settings);
+  // By increment, from the first one of either segment on, the rates by u at its start and its end.
+  using blending::Rounded;
+  const auto rates = [&](std::size_t segment, bool at_end) {
+    std::vector<Rounded> found;
+    for (const auto& row : family.rows().cumulative(CurveField<Rounded>(settings, parameters, knots, segment)))
+      found.push_back(at_end ? row[row.size() - 1] - row[row.size() - 2] : row[1] - row[0]);
+    return found;
+  };
+  const auto moves_on = [](const std::vector<Rounded>& before, const std::vector<Rounded>& behind) {
+    Rounded product;  // a segment's increment k is increment k - 1 of the next one
+    for (std::size_t k = 1; k < before.size(); ++k) product = product + before[k] * behind[k - 1];
+    return product.is_not_zero() && product.value() > 0.0;
+  };
+  std::vector<std::size_t> corners;
+  const std::size_t segments = knots.segments();
+  for (std::size_t i = settings.closure ? 0 : 1; i < segments; ++i)
+    if (!moves_on(rates((i + segments - 1) % segments, true), rates(i, false))) corners.push_back(i);
+  return corners;
 }
 
 std::span<const BlendingFinding> findings_of(const FamilyInfo& family) noexcept {

@@ -32,6 +32,9 @@ struct BlendingFinding {
   int order = 0;        ///< of a continuity; of the others 1 where the promise is kept, else 0
   std::string why{};    ///< what fails, such as `β₂(1) = 0.95, wanted 1: the curve does not reach the key`
   std::string where{};  ///< a linear condition on the parameters under which more is kept, such as `tension = 1/2`
+  /// What the promise wants of the parameters at the key, or of the lengths there, such as `1 − a ≠ 0`.
+  std::string provided{};
+  bool is_undefined = false;  ///< of a continuity: there is no such curve at all, since a coefficient divides by 0
 };
 
 /// The promise as documents name it, such as `continuity_uneven`.
@@ -60,6 +63,7 @@ class ORISPLINE_EXPORT BlendingFamily final : public OwnFamily {
   /// Errors: bad_data where a coefficient is not finite for these parameters and key times.
   [[nodiscard]] Expected<AnyCurve> curve(const Keyframes& keys, const FamilySettings& settings) const override;
   [[nodiscard]] Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings) const override;
+  [[nodiscard]] const blending::Rows& rows() const noexcept { return *rows_; }
 
  private:
   BlendingFamily(BlendingData data, std::unique_ptr<const blending::Rows> rows, std::vector<EndRule> ends);
@@ -71,6 +75,11 @@ class ORISPLINE_EXPORT BlendingFamily final : public OwnFamily {
   std::vector<EndRule> ends_;
   FamilyInfo info_;
 };
+
+/// The keys within a curve, and of a loop the first one, where the condition of the shape's promise fails: the body
+/// rests or turns back there for these values of the parameters, and its path may have a corner.
+[[nodiscard]] std::vector<std::size_t> possible_corners(const BlendingFamily& family, const Keyframes& keys,
+                                                        const FamilySettings& settings);
 
 /// What was found of a family of one's own; empty for all others.
 [[nodiscard]] ORISPLINE_EXPORT std::span<const BlendingFinding> findings_of(const FamilyInfo& family) noexcept;

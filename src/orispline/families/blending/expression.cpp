@@ -48,6 +48,50 @@ struct RandomField {
   }
 };
 
+/// What a pair of parentheses around all of a text holds, blanks left out.
+std::string_view without_parentheses(std::string_view text) {
+  const std::size_t first = std::min(text.find_first_not_of(' '), text.size());
+  text = text.substr(first, text.find_last_not_of(' ') + 1 - first);
+  std::ptrdiff_t open = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    open += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+    if (open == 0) return i > 0 && i + 1 == text.size() ? without_parentheses(text.substr(1, i - 1)) : text;
+  }
+  return text;
+}
+
+/// What is known of a number from its signs alone.
+enum class Sign { zero, positive, negative, any };
+
+struct SignOf {
+  Sign sign = Sign::zero;
+
+  [[nodiscard]] SignOf operator-() const {
+    return {sign == Sign::positive ? Sign::negative : sign == Sign::negative ? Sign::positive : sign};
+  }
+  [[nodiscard]] SignOf operator+(SignOf b) const {
+    if (sign == Sign::zero || b.sign == Sign::zero) return sign == Sign::zero ? b : *this;
+    return {sign == b.sign ? sign : Sign::any};
+  }
+  [[nodiscard]] SignOf operator-(SignOf b) const { return *this + -b; }
+  [[nodiscard]] SignOf operator*(SignOf b) const {
+    if (sign == Sign::zero || b.sign == Sign::zero) return {Sign::zero};
+    if (sign == Sign::any || b.sign == Sign::any) return {Sign::any};
+    return {sign == b.sign ? Sign::positive : Sign::negative};
+  }
+  [[nodiscard]] SignOf operator/(SignOf b) const { return *this * b; }
+};
+
+/// Lengths are positive.
+struct SignField {
+  [[nodiscard]] SignOf constant(const Literal& literal) const {
+    return {literal.real > 0.0 ? Sign::positive : literal.real < 0.0 ? Sign::negative : Sign::zero};
+  }
+  [[nodiscard]] SignOf quantity(const Quantity& q) const {
+    return {q.kind == Quantity::Kind::length ? Sign::positive : Sign::any};
+  }
+};
+
 }  // namespace
 
 /// By recursive descent: sums of products of powers of signs and parentheses.
@@ -117,11 +161,13 @@ class ExpressionParser {
     const bool has_parameter = std::ranges::any_of(divisor, [&](const Expression::Step& step) {
       return step.operation == Operation::quantity && made_.quantities_[step.index].kind == Quantity::Kind::parameter;
     });
-    if (has_parameter || made_.over(RandomField{}, divisor) == Modular()) {
+    if (has_parameter || !made_.over(RandomField{}, divisor).is_divisor()) {
       at_ = place;
       return fail(has_parameter ? "found a division by a parameter, wanted one by numbers and lengths"
                                 : "found a division by 0");
     }
+    if (made_.over(SignField{}, divisor).sign == Sign::any)
+      made_.doubtful_divisors_.emplace_back(without_parentheses(text_.substr(place, at_ - place)));
     made_.steps_.push_back({Operation::divide});
   }
 
@@ -256,6 +302,8 @@ std::optional<std::string> fraction_text(Modular number) {
   }
   if (s1 < 0) r1 = -r1, s1 = -s1;
   if (s1 == 0 || s1 >= bound) return std::nullopt;
+  const Modular size(static_cast<std::uint64_t>(std::abs(r1))), divisor(static_cast<std::uint64_t>(s1));
+  if ((r1 < 0 ? -size : size) / divisor != number) return std::nullopt;  // modulo the other prime too
   return s1 == 1 ? formatted("{}", r1) : formatted("{}/{}", r1, s1);
 }
 

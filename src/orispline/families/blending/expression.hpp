@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,11 +27,21 @@ struct Quantity {
   bool operator==(const Quantity&) const = default;
 };
 
-/// A number as it was typed, in both fields.
+/// A number as it was typed, in all fields.
 struct Literal {
   double real;
   Modular exact;
+
+  template <class Value>
+  [[nodiscard]] Value in() const {
+    if constexpr (std::same_as<Value, Modular>) return exact;
+    else if constexpr (std::same_as<Value, double>) return real;
+    else return Value(*this);
+  }
 };
+
+/// That of a whole number.
+[[nodiscard]] inline Literal whole(std::uint64_t number) { return {static_cast<double>(number), Modular(number)}; }
 
 class Expression {
  public:
@@ -50,6 +62,8 @@ class Expression {
 
   /// What it depends on.
   [[nodiscard]] const std::vector<Quantity>& quantities() const noexcept { return quantities_; }
+  /// The divisors, as they were typed, that are 0 for some lengths or may be.
+  [[nodiscard]] const std::vector<std::string>& doubtful_divisors() const noexcept { return doubtful_divisors_; }
 
  private:
   friend class ExpressionParser;
@@ -76,7 +90,7 @@ class Expression {
           break;
         case Operation::power: {
           const Value base = stack[top - 1];
-          stack[top - 1] = field.constant({1.0, Modular(1)});
+          stack[top - 1] = field.constant(whole(1));
           for (std::size_t k = 0; k < step.index; ++k) stack[top - 1] = stack[top - 1] * base;
           break;
         }
@@ -94,6 +108,7 @@ class Expression {
   std::vector<Step> steps_;
   std::vector<Literal> literals_;
   std::vector<Quantity> quantities_;
+  std::vector<std::string> doubtful_divisors_;
 };
 
 }}}  // namespace orispline::blending

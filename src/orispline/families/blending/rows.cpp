@@ -83,4 +83,13 @@ bool Rows::parameters_reach_out() const noexcept {
   });
 }
 
+std::vector<std::string> Rows::doubtful_divisors() const {
+  std::vector<std::string> divisors;
+  for (const auto& row : rows_)
+    for (const Expression& entry : row)
+      for (const std::string& divisor : entry.doubtful_divisors())
+        if (std::ranges::find(divisors, divisor) == divisors.end()) divisors.push_back(divisor);
+  return divisors;
+}
+
 }}}  // namespace orispline::blending

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include <orispline/curve/own_family.hpp>
@@ -30,6 +31,8 @@ class Rows {
   [[nodiscard]] int coefficient_reach() const noexcept;
   /// Whether a parameter acts beyond the two segments beside its key.
   [[nodiscard]] bool parameters_reach_out() const noexcept;
+  /// The divisors, as they were typed, that are 0 for some lengths or may be; each once.
+  [[nodiscard]] std::vector<std::string> doubtful_divisors() const;
   [[nodiscard]] bool is_bezier() const noexcept { return basis_ == BlendingBasis::bezier; }
 
   /// The rows as they are stated.
@@ -61,14 +64,12 @@ class Rows {
   template <class Field, class Value>
   static std::vector<Value> in_bernstein_basis(const Field& field, const std::vector<Value>& powers) {
     const std::size_t n = powers.size() - 1;
-    const auto whole = [&](std::size_t number) {
-      return field.constant({static_cast<double>(number), Modular(number)});
-    };
+    const auto number = [&](std::size_t value) { return field.constant(whole(value)); };
     std::vector<Value> made;
     for (std::size_t j = 0; j <= n; ++j) {
-      Value sum = powers[0], share = whole(1);
+      Value sum = powers[0], share = number(1);
       for (std::size_t i = 1; i <= j; ++i) {
-        share = share * whole(j + 1 - i) / whole(n + 1 - i);
+        share = share * number(j + 1 - i) / number(n + 1 - i);
         sum = sum + share * powers[i];
       }
       made.push_back(sum);

@@ -37,7 +37,7 @@ std::string kept(const BlendingFinding& found) {
     case Promise::steady_uneven:
       return "A constant rate stays constant on uneven keys";
     case Promise::rests_at_zero:
-      return "Where the first parameter is 0 the body rests at the key, and its path may have a corner there";
+      return "";  // as the condition of the shape says
   }
   return "";
 }
@@ -79,6 +79,10 @@ std::string sentence_of(const BlendingFinding& found) {
   const bool is_kept = is_order ? found.order >= 0 : found.order > 0;
   std::string text = is_kept ? kept(found) : missed(found);
   if (text.empty()) return text;
+  if (found.is_undefined) text = "There is no curve on evenly spaced keys";
+  if (is_kept && !found.provided.empty()) text += formatted(", wherever {}", found.provided);
+  if (is_kept && !found.provided.empty() && found.promise == Promise::shape)
+    text += "; elsewhere the body rests or turns back at the key, and its path may have a corner there";
   if (!found.why.empty())
     text += is_order && is_kept ? formatted("; one order more fails: {}", found.why) : formatted(": {}", found.why);
   if (!found.where.empty()) text += formatted("; it would hold where {}", found.where);
