@@ -24,6 +24,6 @@ function(orispline_read_once target group)
   target_link_libraries(${reader} PRIVATE orispline_headers orispline_fmt orispline_warnings)
   target_precompile_headers(
     ${reader} PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <filesystem> <functional> <limits> <map> <memory> <numbers>
-                      <numeric> <optional> <set> <span> <string> <utility> <variant> <vector> <tl/expected.hpp> <fmt/core.h>)
+                      <numeric> <optional> <set> <span> <string> <utility> <variant> <vector> <tl/expected.hpp> <orispline/base/formatted.hpp>)
   target_precompile_headers(${target} REUSE_FROM ${reader})
 endfunction()
