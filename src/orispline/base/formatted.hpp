@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-// Without the code of fmt, of which every source would make its own: only those that include <fmt/format.h> themselves have it.
+// Without the code of fmt, of which every source would make its own: only those that include <fmt/format.h> have it.
 #pragma push_macro("FMT_HEADER_ONLY")
 #undef FMT_HEADER_ONLY
 #if __has_include(<fmt/base.h>)
