@@ -6,7 +6,15 @@
 #include <string_view>
 #include <utility>
 
+// Without the code of fmt, of which every source would make its own: only those that include <fmt/format.h> have it.
+#pragma push_macro("FMT_HEADER_ONLY")
+#undef FMT_HEADER_ONLY
+#if __has_include(<fmt/base.h>)
+#include <fmt/base.h>
+#else
 #include <fmt/core.h>
+#endif
+#pragma pop_macro("FMT_HEADER_ONLY")
 
 #include <orispline/base/abi.hpp>
 

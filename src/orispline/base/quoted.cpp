@@ -48,7 +48,9 @@ std::string in_quotes(std::string_view text, std::size_t longest) {
   const bool shortened = text.size() > longest;
   std::size_t end = std::min(text.size(), longest);
   while (shortened && end > 0 && continues_utf8(text[end])) --end;
-  return "'" + printable(text.substr(0, end)) + (shortened ? "...'" : "'");
+  std::string quoted = printable(text.substr(0, end));
+  quoted.insert(quoted.begin(), '\'');
+  return quoted.append(shortened ? "...'" : "'");
 }
 
 }}  // namespace orispline
