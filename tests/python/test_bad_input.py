@@ -137,3 +137,12 @@ def test_one_key_is_a_constant_curve():
 def test_times_that_are_nan_have_nan():
     assert np.isnan(CURVE([np.nan, 1.0])).any(axis=1).tolist() == [True, False]
     assert np.isnan(CURVE(float("nan"))).all()
+
+
+@pytest.mark.parametrize("times", [range(30, 0, -1), [float("nan"), *range(1, 30)]], ids=["sorted", "dropped"])
+def test_a_row_is_named_as_it_was_given(times):
+    rotations = np.tile([0.0, 0, 0, 1], (30, 1))
+    rotations[5] *= 0.1
+    with pytest.raises(ori.DataError, match="^row 5: the quaternion has norm 0.1") as found:
+        ori.Keys(list(times), rotations, sort=True, drop_invalid=True)
+    assert found.value.key == 5

@@ -13,7 +13,7 @@ from typing import Any
 class Error(Exception):
     """Something that the library could not do. Its text says what was found and what was wanted.
 
-    Attributes, None where there is no such place: `key` (0-based index of a keyframe), `joint` (0-based, of a stack),
+    Attributes, None where there is no such place: `key` (0-based index of a keyframe, or of the row that was given), `joint` (0-based, of a stack),
     `time_index` (0-based, among the times that were asked for), `file`, `line` and `column` (1-based), `argument` (the name
     of the one at fault).
     """

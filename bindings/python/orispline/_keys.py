@@ -127,8 +127,11 @@ class Keys(Writable):
             parts, repairs = {**parts, **inner}, {**repairs, **norms}
         seconds, self._clock = times_of_keys(times, time_unit)
         self._scalar_first, self._source = scalar_first, {"repairs": repairs}
-        self._core = _core.Keys(seconds, orientations, **parts, settings={} if settings is None else _values_per_key(settings, kept, count),
-                                signs=signs)
+        values = {} if settings is None else _values_per_key(settings, kept, count)
+        try:
+            self._core = _core.Keys(seconds, orientations, **parts, settings=values, signs=signs)
+        except DataError as error:
+            raise error if kept is None or error.key is None else _at_row(error, int(kept[error.key])) from None
         if self._clock.origin:
             self._core = _core.keys_since(self._core, self._clock.epoch, self._clock.is_calendar)
         elif epoch != "0" and self._clock == Clock():
@@ -440,6 +443,13 @@ def _chosen(part: Any, count: int) -> list[int]:
     if ((indices < 0) | (indices >= count)).any() or (np.diff(indices) <= 0).any():
         raise ArgumentError(f"keys: found indices that do not rise within the {count} keys, wanted such as [0, 2, 5]")
     return [int(i) for i in indices]
+
+
+def _at_row(error: DataError, row: int) -> DataError:
+    """About the row that was given, where rows were dropped or sorted since."""
+    told = DataError(str(error).replace(f"key {error.key}:", f"row {row}:", 1))
+    told.key = row
+    return told
 
 
 def _values_per_key(settings: Any, kept: Indices | None, count: int) -> dict[str, list[float]]:
