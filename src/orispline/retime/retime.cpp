@@ -90,6 +90,8 @@ constexpr double too_slow = 1e-6;    // so far below their limits, bounds ask fo
 constexpr int most_quickenings = 16;
 constexpr double promised_slack = 2e-4;   // more is worth a warning
 constexpr double usual_rounds = 3.0;      // of slowing all alike
+constexpr double hurry = 0.8;             // of intervals that are shortened to start anew
+constexpr double ways_down = 3.0;         // of the fastest keys
 constexpr double most_time_scale = 1e15;  // thirty million years a second
 
 /// Times at which the motion keeps its limits, as in Retiming.
@@ -187,25 +189,41 @@ Expected<Slowed> slowed(const LimitedMotion& motion, Unscaled start) {
   return Slowed{std::move(slow->times), scale, *slack, start.slowing, std::move(slow->peaks)};
 }
 
-/// Each interval by itself.
-Expected<Slowed> separately_slowed(const LimitedMotion& motion, int support_keys, Slowing slowing) {
-  return least_interval_times(motion, support_keys).and_then([&](std::vector<double> times) {
+/// Each interval by itself, on the way down from these times.
+Expected<Slowed> separately_slowed(const LimitedMotion& motion, std::vector<double> from, int support_keys,
+                                   Slowing slowing) {
+  return least_interval_times(motion, std::move(from), support_keys).and_then([&](std::vector<double> times) {
     return motion.largest_peaks(times).and_then([&](std::vector<SegmentPeaks> found) {
       return slowed(motion, {std::move(times), std::move(found), 0.0, slowing});
     });
   });
 }
 
+/// The fastest of several ways down, since each may end where no interval by itself can get shorter: from the starting
+/// times, from the others, and once more from the best of these in a hurry.
+Expected<Slowed> fastest_keys(const LimitedMotion& motion, int support_keys) {
+  auto best = separately_slowed(motion, motion.starting_times(), support_keys, Slowing::fastest_keys);
+  const auto go_down = [&](std::vector<double> from) {
+    if (!best && best.error().code == ErrorCode::cancelled) return;
+    auto other = separately_slowed(motion, std::move(from), support_keys, Slowing::fastest_keys);
+    const bool is_cancelled = !other && other.error().code == ErrorCode::cancelled;
+    if (is_cancelled || (other && (!best || other->time_scale < best->time_scale))) best = std::move(other);
+  };
+  for (const std::vector<double>& from : motion.other_times()) go_down(from);
+  if (best) go_down(motion.shortened(best->times, hurry));
+  return best;
+}
+
 /// The least slowing of the two, where both are asked for.
 Expected<Slowed> least_slowed(const LimitedMotion& motion, int support_keys, Slowing slowing) {
   const std::vector<double>& given = motion.starting_times();
-  if (slowing == Slowing::fastest_keys) return separately_slowed(motion, support_keys, slowing);
+  if (slowing == Slowing::fastest_keys) return fastest_keys(motion, support_keys);
   auto peaks = motion.largest_peaks(given);
   if (!peaks) return tl::unexpected(std::move(peaks.error()));
   const bool is_slow = !(motion.largest_factor(*peaks) > 1.0);
   auto uniform = slowed(motion, {given, std::move(*peaks), 1.0, is_slow ? slowing : Slowing::uniform});
   if (slowing == Slowing::uniform || is_slow) return uniform;
-  auto separate = separately_slowed(motion, support_keys, slowing);
+  auto separate = separately_slowed(motion, given, support_keys, slowing);
   if (!separate && separate.error().code == ErrorCode::cancelled) return separate;
   return separate && (!uniform || separate->time_scale < (1.0 - least_gain) * uniform->time_scale) ? separate : uniform;
 }
