@@ -84,7 +84,7 @@ Json document_of(const RetimeOutcome& outcome) {
   Json json{{"method", retiming.method.name}};
   put(json, retiming, {"slowing"});
   json["slowing_asked_for"] = word_of(outcome.request.options.slowing);
-  put(json, retiming, {"keys"});
+  put(json, retiming, {"keys", "inserted"});
   json["duration_before_s"] = outcome.duration_before();
   put(json, retiming, {"duration_after", "time_scale", "rests", "slack"});
   put(json, retiming, {"unevenness", "path_turn", "path_shift", "stops", "largest_rate", "largest_acceleration"});
@@ -106,6 +106,10 @@ std::string summary_of(const RetimeOutcome& outcome) {
   for (const Certificate& c : outcome.certificates())
     text += formatted("{}: nowhere above {} (limit {:.6g}), largest found {:.6g} at {:.6g} s after the start\n", c.name,
                       c.text_of(c.bound), c.limit / c.shown.size, c.found / c.shown.size, c.time);
+  if (outcome.request.options.insert_keys > 0)
+    text += retiming.inserted.empty()
+                ? std::string("no keys inserted, which save no time\n")
+                : formatted("{} inserted, {} in all\n", counted(retiming.inserted.size(), "key"), retiming.track.keys.size());
   return text + evenness_lines(outcome) + rests_line(retiming);
 }
 

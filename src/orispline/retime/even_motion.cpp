@@ -14,6 +14,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/retime/even_law.hpp>
 #include <orispline/retime/even_path.hpp>
+#include <orispline/retime/inserted_keys.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -22,7 +23,6 @@ namespace {
 constexpr int places = 8;                   // of a step, at which its rate is measured
 constexpr double largest_start = 0.5;       // of a step that is not halved yet, turned [rad]
 constexpr double sharp_share = 0.05;        // of what is gone in an ease at full speed: a bend is passed at rest
-constexpr double least_moves = 4.0;         // of what is taken for a rest
 constexpr int most_halvings_of_steps = 12;  // more mend no unevenness
 constexpr double of_usual_keys = 500.0;     // of work
 

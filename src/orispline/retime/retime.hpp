@@ -56,6 +56,7 @@ struct RetimeOptions {
   MotionLimits limits{};
   Slowing slowing = Slowing::uniform;
   std::optional<double> duration{};        ///< [s], from the first key to the last; the limits are checked then
+  std::size_t insert_keys = 0;             ///< into each interval at most, where that makes the fastest keys faster
   std::optional<double> shorten_rests{};   ///< [s], what longer rests are cut to; absent: rests keep their duration
   std::optional<double> constant_rate{};   ///< of the angle travelled along the same path [rad/s]
   std::optional<double> constant_speed{};  ///< of the distance travelled along the same path [m/s]
@@ -86,6 +87,7 @@ struct Evenness {
 /// Keys at later times.
 struct Retiming {
   Track track{};                       ///< the one given at the new times, the first as it was
+  std::vector<std::size_t> inserted{};  ///< keys of the track that were not given
   Method method{};                     ///< the one given, with the settings of the track
   double time_scale = 1.0;             ///< of the whole duration; below 1 only where rests were shortened
   double slack = 0.0;                  ///< by which share less slowing might do: what was found is below the limits

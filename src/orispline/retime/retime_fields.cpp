@@ -53,6 +53,7 @@ std::optional<double> largest_acceleration_of(const Retiming& r) {
   return of_evenness<&Evenness::largest_acceleration>(r);
 }
 
+std::size_t number_of_inserted(const Retiming& retiming) { return retiming.inserted.size(); }
 std::size_t number_of_rests(const Retiming& retiming) { return retiming.rests.size(); }
 
 }  // namespace
@@ -80,6 +81,11 @@ std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept {
            .quantity = &quantities::duration,
            .range = positive}),
       field<&RetimeOptions::slowing>({.name = "slowing", .sentence = "Which intervals between keys are slowed"}),
+      field<&RetimeOptions::insert_keys>(
+          {.name = "insert_keys",
+           .sentence = "With the fastest keys: at most so many more keys in each interval, on the curve through yours, "
+                       "where they make the motion faster",
+           .range = {0.0, 100.0}}),
       field<&RetimeOptions::shorten_rests>({.name = "shorten_rests",
                                             .sentence = "Cut rests between equal keys that are longer to this duration",
                                             .quantity = &quantities::duration,
@@ -115,6 +121,7 @@ std::span<const FieldInfo> fields_of<Retiming>() noexcept {
           {.name = "slowing",
            .sentence = "How the intervals were slowed: uniformly too, where that makes the shorter motion"}),
       field<&Retiming::track, &Track::keys, &Keyframes::size>({.name = "keys", .sentence = "Number of keys"}),
+      field<&number_of_inserted>({.name = "inserted", .sentence = "Number of them that were not given"}),
       field<&Retiming::track, &duration_of>({.name = "duration_after",
                                              .sentence = "Duration from the first key to the last",
                                              .quantity = &quantities::time}),
