@@ -84,6 +84,22 @@ Expected<void> check_limits(const FamilyInfo& family, const Method& method, cons
   return order == 0 ? Expected<void>() : check_continuity(family, method, keys, order, options.slowing);
 }
 
+/// Whether a method's curve has room for more keys that do not change it by themselves.
+Expected<void> check_insertion(const FamilyInfo& family, const Method& method, const Keyframes& keys,
+                               const RetimeOptions& options) {
+  if (options.insert_keys == 0) return {};
+  if (!family.interpolates)
+    return bad_option("insert_keys", formatted("{}: its curve does not pass through its keys, so that more of them would "
+                                               "change it, wanted a method that does, such as auto",
+                                               family.name));
+  const auto settings = settings_per_key(method, keys.size());
+  if (!settings.empty())
+    return bad_option("insert_keys", formatted("{} has a value for each key, and more keys have none, wanted one value "
+                                               "for all",
+                                               settings.begin()->first));
+  return {};
+}
+
 constexpr double margin = 1e-9;  // of a factor, for the rounding of the new times; twice as much in every round
 constexpr std::size_t most_slowings = 30;
 constexpr double least_gain = 1e-4;  // of the duration, to which the slowing is the least one, for another path
@@ -407,9 +423,12 @@ Method holding_rests(Method method, const Keyframes& keys) {
 
 Expected<void> check(const RetimeOptions& options) {
   if (auto checked = check_ranges(options); !checked) return checked;
+  if (options.insert_keys > 0 && options.slowing != Slowing::fastest_keys)
+    return bad_option("insert_keys", "it makes the fastest keys faster, wanted `fastest_keys` as well");
   if (is_even(options)) return check_even(options);
-  if (options.ease)
-    return bad_option("ease", "it is of an even motion, wanted `constant_rate` or `constant_speed` as well");
+  if (options.ease || options.path_times != PathTimes::lengths)
+    return bad_option(options.ease ? "ease" : "path_times",
+                      "it is of an even motion, wanted `constant_rate` or `constant_speed` as well");
   const MotionLimits& limits = options.limits;
   const bool needs_limit = options.slowing == Slowing::fastest_keys || (!options.duration && !options.shorten_rests);
   if (quantities_of(limits).empty() && needs_limit)
@@ -418,8 +437,6 @@ Expected<void> check(const RetimeOptions& options) {
                    "`max_linear_acceleration`, `duration`, `constant_rate` or `constant_speed`");
   if (options.duration && options.slowing != Slowing::uniform)
     return bad_option("duration", "it scales all intervals alike, wanted uniform slowing");
-  if (options.insert_keys > 0 && options.slowing != Slowing::fastest_keys)
-    return bad_option("insert_keys", "it makes the fastest keys faster, wanted `fastest_keys` as well");
   if (limits.torque && !limits.inertia)
     return bad_option("max_torque", "the torque depends on the body, wanted `inertia` as well");
   if (limits.inertia && !limits.torque)
@@ -436,7 +453,7 @@ Expected<Retiming> retime(const Track& track, const Method& given, const RetimeO
   const auto checked =
       check(options).and_then([&] { return check_motion(**family, method, track.keys); }).and_then([&] {
         return check_limits(**family, method, track.keys, options);
-      });
+      }).and_then([&] { return check_insertion(**family, method, track.keys, options); });
   if (!checked) return tl::unexpected(checked.error());
   if (is_even(options)) return evenly_retimed(track, method, options, progress);
   OpenEndedWork work(progress, usual_curves(**family, options));
