@@ -63,7 +63,9 @@ Keyframes circle(std::vector<double> times) {
 TEST(EvenMotion, DoesNotDependOnHowTheTimesWereTyped) {
   const Keyframes even = circle({0, 1, 2, 3, 4, 5, 6, 7}), uneven = circle({0, 0.4, 1.9, 2.2, 4, 4.3, 6, 7});
   for (const RetimeOptions& options : {RetimeOptions{.constant_rate = 0.5}, RetimeOptions{.constant_speed = 0.1}}) {
-    const Retiming a = retime(even, "auto", options).value(), b = retime(uneven, "auto", options).value();
+    const auto found = retime(even, "auto", options), again = retime(uneven, "auto", options);
+    ASSERT_TRUE(found && again) << describe(found ? again.error() : found.error());
+    const Retiming &a = *found, &b = *again;
     EXPECT_NEAR(a.track.keys.times().back() / b.track.keys.times().back(), 1.0, 1e-9);
     EXPECT_NEAR(*a.evenness->typed_longer, 0.0, 1e-9);
     EXPECT_TRUE(b.warnings.empty());

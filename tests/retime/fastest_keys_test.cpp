@@ -119,8 +119,8 @@ Keyframes quarter_turn(std::size_t steps) {
   KeyframeData data{.times = {0.0}, .orientations = {Eigen::Quaterniond::Identity()}};
   for (std::size_t i = 0; i <= steps; ++i) {
     data.times.push_back(0.1 + static_cast<double>(i) / static_cast<double>(steps));
-    data.orientations.push_back(
-        exp<double>(Eigen::Vector3d(0.0, 0.0, 0.5 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(steps))));
+    data.orientations.push_back(exp<double>(
+        Eigen::Vector3d(0.0, 0.0, 0.5 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(steps))));
   }
   data.times.push_back(data.times.back() + 0.1);
   data.orientations.push_back(data.orientations.back());
@@ -142,15 +142,15 @@ TEST(FastestKeys, AreFasterWithMoreOfThemAndNeverSlower) {
       const auto more = retime(keys, method_from_text(method).value(),
                                {.limits = slewing, .slowing = Slowing::fastest_keys, .insert_keys = 2});
       ASSERT_TRUE(more) << describe(more.error());
-      EXPECT_LE(duration_of(more->track.keys), before) << method;
-      if (method == "auto:hold=1") EXPECT_LE(duration_of(more->track.keys), 0.99 * before);
+      EXPECT_LE(duration_of(more->track.keys), (method == "auto:hold=1" ? 0.99 : 1.0) * before) << method;
       const MotionSizes peaks = sampled(make_curve(more->method, more->track.keys).value());
       EXPECT_LE(std::max({peaks.rate / (90.0 / degrees), peaks.acceleration / (200.0 / degrees)}), 1.0);
       EXPECT_LE(peaks.jerk / (2000.0 / degrees), 1.0);
       ASSERT_EQ(more->track.keys.size(), keys.size() + more->inserted.size());
-      for (std::size_t i = 0, given = 0; i < more->track.keys.size(); ++i)
-        if (!std::ranges::binary_search(more->inserted, i))
-          EXPECT_EQ(more->track.keys.orientations()[i].coeffs(), keys.orientations()[given++].coeffs()) << i;
+      for (std::size_t i = 0, given = 0; i < more->track.keys.size(); ++i) {
+        if (std::ranges::binary_search(more->inserted, i)) continue;
+        EXPECT_EQ(more->track.keys.orientations()[i].coeffs(), keys.orientations()[given++].coeffs()) << i;
+      }
     }
 }
 

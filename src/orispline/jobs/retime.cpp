@@ -105,7 +105,8 @@ Json document_of(const RetimeOutcome& outcome) {
   put(json, retiming, {"keys", "inserted"});
   json["duration_before_s"] = outcome.duration_before();
   put(json, retiming, {"duration_after", "time_scale", "rests", "slack"});
-  put(json, retiming, {"unevenness", "path_turn", "path_shift", "typed_longer", "stops", "largest_rate", "largest_acceleration"});
+  put(json, retiming,
+      {"unevenness", "path_turn", "path_shift", "typed_longer", "stops", "largest_rate", "largest_acceleration"});
   for (const Certificate& c : outcome.certificates()) {
     json[c.id_of("limit")] = c.limit / c.in_ids.size;
     json[c.id_of("bound")] = c.bound / c.in_ids.size;
@@ -125,9 +126,9 @@ std::string summary_of(const RetimeOutcome& outcome) {
     text += formatted("{}: nowhere above {} (limit {:.6g}), largest found {:.6g} at {:.6g} s after the start\n", c.name,
                       c.text_of(c.bound), c.limit / c.shown.size, c.found / c.shown.size, c.time);
   if (outcome.request.options.insert_keys > 0)
-    text += retiming.inserted.empty()
-                ? std::string("no keys inserted, which save no time\n")
-                : formatted("{} inserted, {} in all\n", counted(retiming.inserted.size(), "key"), retiming.track.keys.size());
+    text += retiming.inserted.empty() ? std::string("no keys inserted, which save no time\n")
+                                      : formatted("{} inserted, {} in all\n", counted(retiming.inserted.size(), "key"),
+                                                  retiming.track.keys.size());
   return text + evenness_lines(outcome) + rests_line(retiming);
 }
 

@@ -271,9 +271,8 @@ Expected<DenseKeys> dense_enough(EvenKeys even, OpenEndedWork& work) {
 Expected<Keyframes> at_times_by_lengths(const Keyframes& keys, const RetimeOptions& options) {
   std::vector<double> times{keys.times().front()};
   for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
-    const double length = options.constant_rate
-                              ? increment(keys.orientations()[i], keys.orientations()[i + 1]).norm()
-                              : (keys.positions()[i + 1] - keys.positions()[i]).norm();
+    const double length = options.constant_rate ? increment(keys.orientations()[i], keys.orientations()[i + 1]).norm()
+                                                : (keys.positions()[i + 1] - keys.positions()[i]).norm();
     const bool goes_on = length > (options.constant_rate ? rest_angle : rest_length) && !keys.rests_after(i);
     times.push_back(times.back() + (goes_on ? length / speed_of(options) : keys.times()[i + 1] - keys.times()[i]));
   }
@@ -291,7 +290,8 @@ struct ShapedPath {
 Expected<ShapedPath> path_of(const Method& method, const Keyframes& keys, const RetimeOptions& options) {
   const double sharp_bend = sharp_share * options.ease.value_or(0.0) * speed_of(options);
   return make_pose_curve(method, keys).and_then([&](PoseCurve curve) {
-    auto even = options.constant_rate ? EvenPath::by_angle(curve, sharp_bend) : EvenPath::by_distance(curve, sharp_bend);
+    auto even =
+        options.constant_rate ? EvenPath::by_angle(curve, sharp_bend) : EvenPath::by_distance(curve, sharp_bend);
     return std::move(even).map([&](EvenPath found) { return ShapedPath{std::move(curve), std::move(found)}; });
   });
 }
@@ -373,9 +373,10 @@ Expected<Retiming> evenly_retimed(const Track& track, const Method& method, cons
   const ShapedPaths paths(track, method, options);
   const Expected<ShapedPath>& path = paths.chosen(options.path_times);
   if (!path) return tl::unexpected(path.error());
-  const Expected<ShapedPath>& told = paths.typed ? paths.typed : path;
-  if (auto checked = check_ease(told->even, options); !checked) return tl::unexpected(std::move(checked.error()));
-  if (auto checked = check_ease(path->even, options); !checked) return tl::unexpected(std::move(checked.error()));
+  if (auto checked = check_ease(path->even, options); !checked) {
+    auto at_typed_times = paths.typed ? check_ease(paths.typed->even, options) : checked;
+    return tl::unexpected(std::move(at_typed_times ? checked : at_typed_times).error());
+  }
   const EvenMotion motion(path->even, options, track.keys.times().front());
   OpenEndedWork work(progress, of_usual_keys);
   auto dense = dense_enough({motion, path->curve, options, distance_between(track.keys)}, work);

@@ -12,8 +12,8 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// Keys that are put on a path are so far apart, in what is taken for a rest.
 inline constexpr double least_moves = 4.0;
 
-/// How many keys are put into each interval between keys: into the first and the last one of what lies between two rests
-/// or ends, where the motion starts and stops, and into the others.
+/// How many keys are put into each interval between keys: into the first and the last one of what lies between two
+/// rests or ends, where the motion starts and stops, and into the others.
 struct KeysPerInterval {
   std::size_t at_ends, inside;
 };

@@ -89,9 +89,10 @@ Expected<void> check_insertion(const FamilyInfo& family, const Method& method, c
                                const RetimeOptions& options) {
   if (options.insert_keys == 0) return {};
   if (!family.interpolates)
-    return bad_option("insert_keys", formatted("{}: its curve does not pass through its keys, so that more of them would "
-                                               "change it, wanted a method that does, such as auto",
-                                               family.name));
+    return bad_option("insert_keys",
+                      formatted("{}: its curve does not pass through its keys, so that more of them would "
+                                "change it, wanted a method that does, such as auto",
+                                family.name));
   const auto settings = settings_per_key(method, keys.size());
   if (!settings.empty())
     return bad_option("insert_keys", formatted("{} has a value for each key, and more keys have none, wanted one value "
@@ -450,20 +451,23 @@ Expected<Retiming> retime(const Track& track, const Method& given, const RetimeO
   const auto family = family_of_method(given);
   if (!family) return tl::unexpected(family.error());
   const Method method = completed(given, **family, track);
-  const auto checked =
-      check(options).and_then([&] { return check_motion(**family, method, track.keys); }).and_then([&] {
-        return check_limits(**family, method, track.keys, options);
-      }).and_then([&] { return check_insertion(**family, method, track.keys, options); });
+  const auto checked = check(options)
+                           .and_then([&] { return check_motion(**family, method, track.keys); })
+                           .and_then([&] { return check_limits(**family, method, track.keys, options); })
+                           .and_then([&] { return check_insertion(**family, method, track.keys, options); });
   if (!checked) return tl::unexpected(checked.error());
   if (is_even(options)) return evenly_retimed(track, method, options, progress);
   OpenEndedWork work(progress, usual_curves(**family, options));
   const Task task{method, **family, options, work};
-  return retimed(task, track).and_then([&](Retiming retiming) {
-    return options.insert_keys > 0 ? with_keys_inserted(task, track, std::move(retiming)) : Expected<Retiming>(retiming);
-  }).map([&](Retiming retiming) {
-    work.finish();
-    return retiming;
-  });
+  return retimed(task, track)
+      .and_then([&](Retiming retiming) {
+        return options.insert_keys > 0 ? with_keys_inserted(task, track, std::move(retiming))
+                                       : Expected<Retiming>(retiming);
+      })
+      .map([&](Retiming retiming) {
+        work.finish();
+        return retiming;
+      });
 }
 
 }}  // namespace orispline

@@ -45,7 +45,9 @@ std::optional<double> of_evenness(const Retiming& retiming) {
 std::optional<double> unevenness_of(const Retiming& r) { return of_evenness<&Evenness::unevenness>(r); }
 std::optional<double> turn_of(const Retiming& r) { return of_evenness<&Evenness::turn>(r); }
 std::optional<double> shift_of(const Retiming& r) { return r.evenness ? r.evenness->shift : std::nullopt; }
-std::optional<double> typed_longer_of(const Retiming& r) { return r.evenness ? r.evenness->typed_longer : std::nullopt; }
+std::optional<double> typed_longer_of(const Retiming& r) {
+  return r.evenness ? r.evenness->typed_longer : std::nullopt;
+}
 std::optional<std::size_t> stops_of(const Retiming& r) {
   return r.evenness ? std::optional(r.evenness->stops) : std::nullopt;
 }
@@ -144,8 +146,9 @@ std::span<const FieldInfo> fields_of<Retiming>() noexcept {
                         .sentence = "Of an even motion the largest distance between its position and that of the path",
                         .quantity = &quantities::length}),
       field<&typed_longer_of>({.name = "typed_longer",
-                               .sentence = "Of an even motion by which share of its length the path is longer where the "
-                                           "typed times shape it"}),
+                               .sentence =
+                                   "Of an even motion by which share of its length the path is longer where the "
+                                   "typed times shape it"}),
       field<&stops_of>(
           {.name = "stops", .sentence = "How often an even motion stops where its path turns back, besides its rests"}),
       field<&largest_rate_of>({.name = "largest_rate",

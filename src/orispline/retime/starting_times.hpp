@@ -11,8 +11,8 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What a retiming starts from.
 struct StartingTimes {
-  std::vector<double> times;  ///< of the keys [s]
-  std::vector<double> least;  ///< what the intervals between them may be cut to [s]
+  std::vector<double> times;                  ///< of the keys [s]
+  std::vector<double> least;                  ///< what the intervals between them may be cut to [s]
   std::vector<std::vector<double>> others{};  ///< times from which the way down may end lower [s]
 };
 
