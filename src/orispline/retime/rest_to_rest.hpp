@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+
+#include <orispline/math/number.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -44,7 +47,9 @@ class RestToRest {
   }
   /// What it gets to without a limit of the speed, where the second ramp follows on the first; infinite without ramps.
   [[nodiscard]] double speed_between_ramps() const noexcept {
-    const double by_jerk = std::cbrt(0.25 / jerk_);
+    using elementary::exponential, elementary::natural_logarithm;
+    const double by_jerk =
+        jerk_ > 0.0 ? exponential(natural_logarithm(0.25 / jerk_) / 3.0) : std::numeric_limits<double>::infinity();
     if (!reaches_acceleration(by_jerk)) return by_jerk;
     const double b = jerk_ / acceleration_;
     return (std::sqrt(b * b + 4.0 * acceleration_) - b) / (2.0 * acceleration_);
