@@ -332,6 +332,7 @@ constexpr auto retime_footer = R"(Examples:
   orispline retime keys.csv --max-rate 90,60,120deg/s --max-jerk 2000deg/s^3 --max-speed 0.5m/s -o slow.csv
   orispline retime keys.csv --duration 30s -o slow.csv
   orispline retime keys.csv --max-rate 90deg/s --max-acceleration 200deg/s2 --fastest-keys -o fast.csv
+  orispline retime keys.csv --max-rate 90deg/s --max-acceleration 200deg/s2 --fastest-keys --insert-keys 5 -o fast.csv
   orispline retime keys.csv --constant-rate 10deg/s --ease 1s -o even.csv
   orispline retime poses --max-rate 90deg/s --output-folder slow
   orispline retime tuned.csv --method timed-c2 --ends rest --max-rate 90deg/s -o slow.csv

@@ -65,6 +65,17 @@ class EvenMotions(CommandTest):
         told = self.run_command(f"retime {DATA / 'camera_keys.csv'} --constant-rate 10deg/s --ease 500s -o even.csv").stderr
         self.assertRegex(told, r"warning: \d parts? between two stops, too short to get as fast as asked for with this ease; a shorter one mends that\n")
 
+    def test_which_times_shape_the_path_is_told(self):
+        self.write("circle.csv", "t,qw,qx,qy,qz,px,py,pz\n" + "".join(
+            f"{t},1,0,0,0,{math.cos(i * math.pi / 4)!r},{math.sin(i * math.pi / 4)!r},0\n"
+            for i, t in enumerate((0, 0.4, 1.9, 2.2, 4, 4.3, 6, 7))))
+        told = self.run_command("retime circle.csv --constant-speed 0.2m/s -o even.csv").stderr
+        self.assertRegex(told, r"\nthe distances between the keys shape the path, not the typed times, by which it would be \d+\.\d % longer\n")
+        told = self.run_command("retime circle.csv --constant-speed 0.2m/s --path-times typed -o even.csv").stderr
+        self.assertRegex(told, r"\nthe typed times shape the path, \d+\.\d % longer than by the distances between the keys\n")
+        self.assertRegex(told, r"warning: the typed times make the path \d+\.\d % longer than times in proportion to the steps between the keys, "
+                               r"the default, would")
+
     def test_refused(self):
         camera, five = DATA / "camera_keys.csv", DATA / "five_keys.csv"
         rate = "wanted a number greater than 0 with its unit, deg/s, rad/s, mrad/s or arcsec/s, such as 1deg/s"

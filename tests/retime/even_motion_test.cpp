@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/retime/even_motion.hpp>
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include <orispline/analysis/curve_measures.hpp>
@@ -34,7 +36,7 @@ TEST(EvenLaw, IsSlowerWhereTheEasesMeet) {
 TEST(EvenMotion, KeepsTheRateAndThePathOfEveryMethod) {
   const Keyframes keys = random_keys(7, {9, 1.5, 6.0});
   for (const std::string_view method : {"auto", "timed-c2", "timed-c1", "global-c2", "squad-timed"}) {
-    const auto even = retime(keys, method, {.constant_rate = 0.5});
+    const auto even = retime(keys, method, {.constant_rate = 0.5, .path_times = PathTimes::typed});
     ASSERT_TRUE(even) << method << ": " << describe(even.error());
     EXPECT_EQ(even->method.name, "auto");
     EXPECT_LE(even->evenness->unevenness, largest_unevenness) << method;
@@ -45,6 +47,34 @@ TEST(EvenMotion, KeepsTheRateAndThePathOfEveryMethod) {
     EXPECT_NEAR(after.total() / before.total(), 1.0, 1e-3) << method;
     EXPECT_NEAR(curve.domain().end - curve.domain().start, before.total() / 0.5, 1e-9) << method;
   }
+}
+
+/// Places on a circle of 0.2 m, typed at these times.
+Keyframes circle(std::vector<double> times) {
+  KeyframeData data{.times = std::move(times)};
+  for (std::size_t i = 0; i < data.times.size(); ++i) {
+    const double angle = 0.25 * std::numbers::pi * static_cast<double>(i);
+    data.orientations.push_back(exp<double>(Eigen::Vector3d(0.0, 0.0, angle)));
+    data.positions.push_back({0.2 * std::cos(angle), 0.2 * std::sin(angle), 0.4});
+  }
+  return Keyframes::make(std::move(data)).value();
+}
+
+TEST(EvenMotion, DoesNotDependOnHowTheTimesWereTyped) {
+  const Keyframes even = circle({0, 1, 2, 3, 4, 5, 6, 7}), uneven = circle({0, 0.4, 1.9, 2.2, 4, 4.3, 6, 7});
+  for (const RetimeOptions& options : {RetimeOptions{.constant_rate = 0.5}, RetimeOptions{.constant_speed = 0.1}}) {
+    const auto found = retime(even, "auto", options), again = retime(uneven, "auto", options);
+    ASSERT_TRUE(found && again) << describe(found ? again.error() : found.error());
+    const Retiming &a = *found, &b = *again;
+    EXPECT_NEAR(a.track.keys.times().back() / b.track.keys.times().back(), 1.0, 1e-9);
+    EXPECT_NEAR(*a.evenness->typed_longer, 0.0, 1e-9);
+    EXPECT_TRUE(b.warnings.empty());
+  }
+  RetimeOptions typed{.constant_speed = 0.1, .path_times = PathTimes::typed};
+  const Retiming longer = retime(uneven, "auto", typed).value();
+  EXPECT_GT(*longer.evenness->typed_longer, 0.2);
+  ASSERT_EQ(longer.warnings.size(), 1u);
+  EXPECT_EQ(longer.warnings[0].code, "uneven_times");
 }
 
 }}  // namespace orispline

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/retime/retime.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
 #include <orispline/families/method_text.hpp>
+#include <orispline/math/degrees.hpp>
+#include <orispline/retime/rest_to_rest.hpp>
 
 #include "retime/retimed_motion.hpp"
 #include "support/random_motion.hpp"
@@ -87,6 +91,80 @@ TEST(FastestKeys, KeepTheDurationOfRests) {
   const auto times = fast.track.keys.times();
   EXPECT_NEAR(times[2] - times[1], 2.5, 1e-14);
   EXPECT_LT(times[1], 4.0);
+}
+
+TEST(RestToRest, TakesTheLeastTime) {
+  const double turn = std::numbers::pi / 2, rate = turn, acceleration = turn / 0.45, jerk = acceleration / 0.1;
+  // A quarter turn within 90°/s, 200°/s² and 2000°/s³ takes 1.55 s, as Ruckig finds.
+  EXPECT_NEAR(RestToRest({turn / rate, turn / acceleration, turn / jerk}).duration(), 1.55, 1e-12);
+  EXPECT_NEAR(RestToRest({turn / rate, turn / acceleration, 0.0}).duration(), 1.45, 1e-12);
+  EXPECT_NEAR(RestToRest({0.0, 1.0, 0.0}).duration(), 2.0, 1e-12);
+  EXPECT_NEAR(RestToRest({0.0, 0.0, 1.0}).duration(), std::cbrt(32.0), 1e-12);
+  EXPECT_NEAR(RestToRest({3.0, 0.0, 0.0}).duration(), 3.0, 1e-12);
+}
+
+TEST(RestToRest, RisesWithinItsLimits) {
+  for (const std::array<double, 3>& way :
+       {std::array{1.0, 0.45, 0.045}, {1.0, 1.0, 1.0}, {0.1, 0.5, 0.01}, {0.0, 1.0, 0.3}, {1.0, 0.3, 0.0}}) {
+    const RestToRest motion(way);
+    EXPECT_EQ(motion.time_of(0.0), 0.0);
+    EXPECT_EQ(motion.time_of(1.0), motion.duration());
+    for (int i = 1; i <= 1000; ++i)
+      EXPECT_GE(motion.time_of(1e-3 * i) - motion.time_of(1e-3 * (i - 1)), 1e-3 * way[0] * (1.0 - 1e-9));
+  }
+}
+
+/// A quarter turn about z in so many steps, between two rests of 0.1 s.
+Keyframes quarter_turn(std::size_t steps) {
+  KeyframeData data{.times = {0.0}, .orientations = {Eigen::Quaterniond::Identity()}};
+  for (std::size_t i = 0; i <= steps; ++i) {
+    data.times.push_back(0.1 + static_cast<double>(i) / static_cast<double>(steps));
+    data.orientations.push_back(exp<double>(
+        Eigen::Vector3d(0.0, 0.0, 0.5 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(steps))));
+  }
+  data.times.push_back(data.times.back() + 0.1);
+  data.orientations.push_back(data.orientations.back());
+  return Keyframes::make(std::move(data)).value();
+}
+
+const MotionLimits slewing{.rate = 90.0 / degrees, .acceleration = 200.0 / degrees, .jerk = 2000.0 / degrees};
+
+// The least is 1.75 s with its rests; one way down from hasty times alone ended at 1.86 and 2.02 s.
+TEST(FastestKeys, GetPastTimesAtWhichNoIntervalByItselfGetsShorter) {
+  for (const std::size_t steps : {8u, 16u})
+    EXPECT_LE(duration_of(fastest("auto:hold=1", quarter_turn(steps), slewing).track.keys), 1.88) << steps;
+}
+
+TEST(FastestKeys, AreFasterWithMoreOfThemAndNeverSlower) {
+  for (const Keyframes& keys : {quarter_turn(4), random_keys(91, {8, 2.0, 4.0})})
+    for (const std::string_view method : {"auto:hold=1", "timed-c2:ends=rest"}) {
+      const double before = duration_of(fastest(method, keys, slewing).track.keys);
+      const auto more = retime(keys, method_from_text(method).value(),
+                               {.limits = slewing, .slowing = Slowing::fastest_keys, .insert_keys = 2});
+      ASSERT_TRUE(more) << describe(more.error());
+      EXPECT_LE(duration_of(more->track.keys), (method == "auto:hold=1" ? 0.99 : 1.0) * before) << method;
+      const MotionSizes peaks = sampled(make_curve(more->method, more->track.keys).value());
+      EXPECT_LE(std::max({peaks.rate / (90.0 / degrees), peaks.acceleration / (200.0 / degrees)}), 1.0);
+      EXPECT_LE(peaks.jerk / (2000.0 / degrees), 1.0);
+      ASSERT_EQ(more->track.keys.size(), keys.size() + more->inserted.size());
+      for (std::size_t i = 0, given = 0; i < more->track.keys.size(); ++i) {
+        if (std::ranges::binary_search(more->inserted, i)) continue;
+        EXPECT_EQ(more->track.keys.orientations()[i].coeffs(), keys.orientations()[given++].coeffs()) << i;
+      }
+    }
+}
+
+TEST(FastestKeys, AreInsertedOnlyWhereTheyDoNotChangeTheCurve) {
+  const auto refused = [](std::string_view method, Slowing slowing) {
+    const auto retiming = retime(quarter_turn(4), method_from_text(method).value(),
+                                 {.limits = slewing, .slowing = slowing, .insert_keys = 2});
+    return retiming ? std::string("none") : describe(retiming.error());
+  };
+  EXPECT_EQ(refused("auto", Slowing::uniform),
+            "insert_keys: it makes the fastest keys faster, wanted `fastest_keys` as well");
+  EXPECT_EQ(refused("bspline", Slowing::fastest_keys),
+            "insert_keys: bspline: its curve does not pass through its keys, so that more of them would change it, "
+            "wanted a method that does, such as auto");
 }
 
 /// What is said of keys that turn, shift and turn again by a tenth of a radian and of a metre.

@@ -269,11 +269,13 @@ class Retiming(Reported):
     duration_before: float
     duration_after: float
     time_scale: float
+    inserted: int
     rests: int
     slack: float
     unevenness: float | None
     path_turn: float | None
     path_shift: float | None
+    typed_longer: float | None
     stops: int | None
     largest_rate: float | None
     largest_acceleration: float | None

@@ -2,6 +2,7 @@
 #include <orispline/jobs/retime.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -37,6 +38,23 @@ std::string rests_line(const Retiming& retiming) {
   return formatted("{} between equal keys, {:.6g} s in all\n", counted(retiming.rests.size(), "rest"), rested);
 }
 
+/// Which times shape the path of an even motion, and what others would make of it.
+std::string shape_line(const RetimeOptions& options, const std::optional<double>& typed_longer) {
+  const std::string_view steps = options.constant_rate ? "angles" : "distances";
+  const double longer = typed_longer.value_or(0.0);
+  const std::string length = std::abs(longer) < 0.5e-3 ? std::string("as long")
+                                                       : formatted("{:.3g} % {}", 100.0 * std::abs(longer),
+                                                                   longer > 0.0 ? "longer" : "shorter");
+  const bool is_known = typed_longer.has_value();
+  if (options.path_times == PathTimes::typed)
+    return formatted("the typed times shape the path{}\n",
+                     is_known ? formatted(", {} {} by the {} between the keys", length,
+                                          std::abs(longer) < 0.5e-3 ? "as" : "than", steps)
+                              : "");
+  return formatted("the {} between the keys shape the path, not the typed times{}\n", steps,
+                   is_known ? formatted(", by which it would be {}", length) : "");
+}
+
 /// What is known of an even motion; empty for all others.
 std::string evenness_lines(const RetimeOutcome& outcome) {
   const RetimeOptions& options = outcome.request.options;
@@ -51,10 +69,10 @@ std::string evenness_lines(const RetimeOutcome& outcome) {
   const std::string shift = even->shift ? formatted(" and {:.3g} mm", 1e3 * *even->shift) : "";
   return formatted(
       "{} within {:.2g} %{}\n{} on the path of {}, within {:.2g} deg{} of it; largest rate {:.6g} deg/s, acceleration "
-      "{:.6g} deg/s2\n",
+      "{:.6g} deg/s2\n{}",
       asked, 100.0 * even->unevenness, eased, counted(outcome.retiming.track.keys.size(), "key"),
       text_of(even->path_method), degrees * even->turn, shift, degrees * even->largest_rate,
-      degrees * even->largest_acceleration);
+      degrees * even->largest_acceleration, shape_line(options, even->typed_longer));
 }
 
 }  // namespace
@@ -84,10 +102,11 @@ Json document_of(const RetimeOutcome& outcome) {
   Json json{{"method", retiming.method.name}};
   put(json, retiming, {"slowing"});
   json["slowing_asked_for"] = word_of(outcome.request.options.slowing);
-  put(json, retiming, {"keys"});
+  put(json, retiming, {"keys", "inserted"});
   json["duration_before_s"] = outcome.duration_before();
   put(json, retiming, {"duration_after", "time_scale", "rests", "slack"});
-  put(json, retiming, {"unevenness", "path_turn", "path_shift", "stops", "largest_rate", "largest_acceleration"});
+  put(json, retiming,
+      {"unevenness", "path_turn", "path_shift", "typed_longer", "stops", "largest_rate", "largest_acceleration"});
   for (const Certificate& c : outcome.certificates()) {
     json[c.id_of("limit")] = c.limit / c.in_ids.size;
     json[c.id_of("bound")] = c.bound / c.in_ids.size;
@@ -106,6 +125,10 @@ std::string summary_of(const RetimeOutcome& outcome) {
   for (const Certificate& c : outcome.certificates())
     text += formatted("{}: nowhere above {} (limit {:.6g}), largest found {:.6g} at {:.6g} s after the start\n", c.name,
                       c.text_of(c.bound), c.limit / c.shown.size, c.found / c.shown.size, c.time);
+  if (outcome.request.options.insert_keys > 0)
+    text += retiming.inserted.empty() ? std::string("no keys inserted, which save no time\n")
+                                      : formatted("{} inserted, {} in all\n", counted(retiming.inserted.size(), "key"),
+                                                  retiming.track.keys.size());
   return text + evenness_lines(outcome) + rests_line(retiming);
 }
 

@@ -99,12 +99,12 @@ report::PageMethod method_of(const RetimedKeys& retimed, std::string name, const
   return method;
 }
 
-/// The motion before is shown at the place where that after is.
+/// The motion before is shown at the place where that after is, which may have more keys.
 std::optional<report::PageClock> clock_of(const Keyframes& before, const Retiming& retiming) {
-  if (!retiming.evenness) return clock_of_keys(retiming.track.keys, before);
-  const auto even = make_pose_curve(retiming.method, retiming.track.keys),
-             path = make_pose_curve(retiming.evenness->path_method, before);
-  return even && path ? std::optional(clock_of_ways(*even, *path)) : std::nullopt;
+  if (retiming.track.keys.size() == before.size()) return clock_of_keys(retiming.track.keys, before);
+  const auto after = make_pose_curve(retiming.method, retiming.track.keys),
+             path = make_pose_curve(retiming.evenness ? retiming.evenness->path_method : retiming.method, before);
+  return after && path ? std::optional(clock_of_ways(*after, *path)) : std::nullopt;
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/retime/even_law.hpp>
 #include <orispline/retime/even_path.hpp>
+#include <orispline/retime/inserted_keys.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -22,7 +23,7 @@ namespace {
 constexpr int places = 8;                   // of a step, at which its rate is measured
 constexpr double largest_start = 0.5;       // of a step that is not halved yet, turned [rad]
 constexpr double sharp_share = 0.05;        // of what is gone in an ease at full speed: a bend is passed at rest
-constexpr double least_moves = 4.0;         // of what is taken for a rest
+constexpr double much_longer = 0.05;        // of a path
 constexpr int most_halvings_of_steps = 12;  // more mend no unevenness
 constexpr double of_usual_keys = 500.0;     // of work
 
@@ -266,6 +267,54 @@ Expected<DenseKeys> dense_enough(EvenKeys even, OpenEndedWork& work) {
   }
 }
 
+/// The keys at times in proportion to the lengths of their steps; rests and steps without a length keep their duration.
+Expected<Keyframes> at_times_by_lengths(const Keyframes& keys, const RetimeOptions& options) {
+  std::vector<double> times{keys.times().front()};
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+    const double length = options.constant_rate ? increment(keys.orientations()[i], keys.orientations()[i + 1]).norm()
+                                                : (keys.positions()[i + 1] - keys.positions()[i]).norm();
+    const bool goes_on = length > (options.constant_rate ? rest_angle : rest_length) && !keys.rests_after(i);
+    times.push_back(times.back() + (goes_on ? length / speed_of(options) : keys.times()[i + 1] - keys.times()[i]));
+  }
+  return keys.with_times(std::move(times));
+}
+
+/// A curve, and what a motion may go along on it.
+struct ShapedPath {
+  PoseCurve curve;
+  EvenPath even;
+
+  [[nodiscard]] double length() const { return even.stretches().back().before + even.stretches().back().length; }
+};
+
+Expected<ShapedPath> path_of(const Method& method, const Keyframes& keys, const RetimeOptions& options) {
+  const double sharp_bend = sharp_share * options.ease.value_or(0.0) * speed_of(options);
+  return make_pose_curve(method, keys).and_then([&](PoseCurve curve) {
+    auto even =
+        options.constant_rate ? EvenPath::by_angle(curve, sharp_bend) : EvenPath::by_distance(curve, sharp_bend);
+    return std::move(even).map([&](EvenPath found) { return ShapedPath{std::move(curve), std::move(found)}; });
+  });
+}
+
+/// The paths that both kinds of times of the keys shape.
+struct ShapedPaths {
+  Expected<ShapedPath> by_lengths, typed;
+
+  ShapedPaths(const Track& track, const Method& method, const RetimeOptions& options)
+      : by_lengths(at_times_by_lengths(track.keys, options).and_then([&](const Keyframes& keys) {
+          return path_of(method, keys, options);
+        })),
+        typed(path_of(method, track.keys, options)) {}
+
+  /// The one asked for. Errors say what is wrong at times that people typed, where it is wrong there too.
+  [[nodiscard]] const Expected<ShapedPath>& chosen(PathTimes times) const {
+    return times == PathTimes::lengths && (by_lengths || typed) ? by_lengths : typed;
+  }
+  [[nodiscard]] std::optional<double> typed_longer() const {
+    return by_lengths && typed ? std::optional(typed->length() / by_lengths->length() - 1.0) : std::nullopt;
+  }
+};
+
 /// Error: a path that has to be stopped on, and no ease for it.
 Expected<void> check_ease(const EvenPath& path, const RetimeOptions& options) {
   if (options.ease || path.stretches().size() == 1) return {};
@@ -290,8 +339,16 @@ Evenness evenness_of(const DenseKeys& dense, const EvenMotion& motion, Method pa
   return evenness;
 }
 
-std::vector<Warning> warnings_of(const Evenness& evenness) {
+std::vector<Warning> warnings_of(const Evenness& evenness, PathTimes times) {
   std::vector<Warning> warnings;
+  const double longer = evenness.typed_longer.value_or(0.0);
+  if (times == PathTimes::typed && longer > much_longer)
+    warnings.push_back(
+        {.code = "uneven_times",
+         .message = formatted("the typed times make the path {:.3g} % longer than times in proportion to the steps "
+                              "between the keys, the default, would",
+                              100.0 * longer),
+         .numbers = {{"typed_longer", longer}}});
   if (evenness.unevenness > largest_unevenness)
     warnings.push_back(
         {.code = "uneven_motion",
@@ -313,16 +370,16 @@ std::vector<Warning> warnings_of(const Evenness& evenness) {
 
 Expected<Retiming> evenly_retimed(const Track& track, const Method& method, const RetimeOptions& options,
                                   const Progress& progress) {
-  auto curve = make_pose_curve(method, track.keys);
-  if (!curve) return tl::unexpected(std::move(curve.error()));
-  const double sharp_bend = sharp_share * options.ease.value_or(0.0) * speed_of(options);
-  const auto path =
-      options.constant_rate ? EvenPath::by_angle(*curve, sharp_bend) : EvenPath::by_distance(*curve, sharp_bend);
+  const ShapedPaths paths(track, method, options);
+  const Expected<ShapedPath>& path = paths.chosen(options.path_times);
   if (!path) return tl::unexpected(path.error());
-  if (auto checked = check_ease(*path, options); !checked) return tl::unexpected(std::move(checked.error()));
-  const EvenMotion motion(*path, options, track.keys.times().front());
+  if (auto checked = check_ease(path->even, options); !checked) {
+    auto at_typed_times = paths.typed ? check_ease(paths.typed->even, options) : checked;
+    return tl::unexpected(std::move(at_typed_times ? checked : at_typed_times).error());
+  }
+  const EvenMotion motion(path->even, options, track.keys.times().front());
   OpenEndedWork work(progress, of_usual_keys);
-  auto dense = dense_enough({motion, *curve, options, distance_between(track.keys)}, work);
+  auto dense = dense_enough({motion, path->curve, options, distance_between(track.keys)}, work);
   if (!dense) return tl::unexpected(std::move(dense.error()));
   Track even(dense->keys);
   even.name = track.name;
@@ -335,7 +392,8 @@ Expected<Retiming> evenly_retimed(const Track& track, const Method& method, cons
   retiming.time_scale = (motion.starts().back() - motion.starts().front()) / before;
   if (motion.has_rests()) retiming.rests = dense->keys.rests();
   retiming.evenness = evenness_of(*dense, motion, method);
-  retiming.warnings = warnings_of(*retiming.evenness);
+  retiming.evenness->typed_longer = paths.typed_longer();
+  retiming.warnings = warnings_of(*retiming.evenness, options.path_times);
   return retiming;
 }
 

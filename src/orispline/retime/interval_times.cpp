@@ -156,15 +156,16 @@ double curves_for_interval_times(int support_keys) noexcept {
   return usual_stretchings + usual_sweeps * static_cast<double>(2 * reach_of(support_keys) + 1);
 }
 
-Expected<std::vector<double>> least_interval_times(const LimitedMotion& motion, int support_keys) {
-  auto times = stretched(motion, motion.starting_times(), &LimitedMotion::sampled_factors);
-  if (!times) return times;
+Expected<std::vector<double>> least_interval_times(const LimitedMotion& motion, std::vector<double> times,
+                                                   int support_keys) {
+  auto enough = stretched(motion, std::move(times), &LimitedMotion::sampled_factors);
+  if (!enough) return enough;
   if (support_keys != all_keys) {
-    auto start = within_limits(motion, std::move(*times));
+    auto start = within_limits(motion, std::move(*enough));
     if (!start) return tl::unexpected(std::move(start.error()));
-    times = IntervalDescent(motion, start->times, std::move(start->factors), reach_of(support_keys)).run();
+    enough = IntervalDescent(motion, start->times, std::move(start->factors), reach_of(support_keys)).run();
   }
-  return stretched(motion, std::move(*times), &LimitedMotion::certified_factors);
+  return stretched(motion, std::move(*enough), &LimitedMotion::certified_factors);
 }
 
 }}  // namespace orispline

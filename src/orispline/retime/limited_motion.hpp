@@ -26,6 +26,8 @@ class LimitedMotion {
   LimitedMotion(Method&&, const Keyframes&, const MotionLimits&, const StartingTimes&, Rests, OpenEndedWork&) = delete;
 
   [[nodiscard]] const std::vector<double>& starting_times() const noexcept { return start_.times; }
+  /// Other times from which a descent may begin.
+  [[nodiscard]] const std::vector<std::vector<double>>& other_times() const noexcept { return start_.others; }
   /// What a segment may be cut to [s].
   [[nodiscard]] double least_interval(std::size_t segment) const noexcept { return start_.least[segment]; }
   /// Whether the body rests on a segment, which has its duration already.

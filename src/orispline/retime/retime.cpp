@@ -17,6 +17,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/math/number.hpp>
 #include <orispline/retime/even_motion.hpp>
+#include <orispline/retime/inserted_keys.hpp>
 #include <orispline/retime/interval_times.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -83,6 +84,23 @@ Expected<void> check_limits(const FamilyInfo& family, const Method& method, cons
   return order == 0 ? Expected<void>() : check_continuity(family, method, keys, order, options.slowing);
 }
 
+/// Whether a method's curve has room for more keys that do not change it by themselves.
+Expected<void> check_insertion(const FamilyInfo& family, const Method& method, const Keyframes& keys,
+                               const RetimeOptions& options) {
+  if (options.insert_keys == 0) return {};
+  if (!family.interpolates)
+    return bad_option("insert_keys",
+                      formatted("{}: its curve does not pass through its keys, so that more of them would "
+                                "change it, wanted a method that does, such as auto",
+                                family.name));
+  const auto settings = settings_per_key(method, keys.size());
+  if (!settings.empty())
+    return bad_option("insert_keys", formatted("{} has a value for each key, and more keys have none, wanted one value "
+                                               "for all",
+                                               settings.begin()->first));
+  return {};
+}
+
 constexpr double margin = 1e-9;  // of a factor, for the rounding of the new times; twice as much in every round
 constexpr std::size_t most_slowings = 30;
 constexpr double least_gain = 1e-4;  // of the duration, to which the slowing is the least one, for another path
@@ -90,6 +108,9 @@ constexpr double too_slow = 1e-6;    // so far below their limits, bounds ask fo
 constexpr int most_quickenings = 16;
 constexpr double promised_slack = 2e-4;   // more is worth a warning
 constexpr double usual_rounds = 3.0;      // of slowing all alike
+constexpr double hurry = 0.8;             // of intervals that are shortened to start anew
+constexpr double ways_down = 3.0;         // of the fastest keys
+constexpr std::size_t patterns = 3;       // of inserted keys
 constexpr double most_time_scale = 1e15;  // thirty million years a second
 
 /// Times at which the motion keeps its limits, as in Retiming.
@@ -187,28 +208,46 @@ Expected<Slowed> slowed(const LimitedMotion& motion, Unscaled start) {
   return Slowed{std::move(slow->times), scale, *slack, start.slowing, std::move(slow->peaks)};
 }
 
-/// Each interval by itself.
-Expected<Slowed> separately_slowed(const LimitedMotion& motion, int support_keys, Slowing slowing) {
-  return least_interval_times(motion, support_keys).and_then([&](std::vector<double> times) {
+/// Each interval by itself, on the way down from these times.
+Expected<Slowed> separately_slowed(const LimitedMotion& motion, std::vector<double> from, int support_keys,
+                                   Slowing slowing) {
+  return least_interval_times(motion, std::move(from), support_keys).and_then([&](std::vector<double> times) {
     return motion.largest_peaks(times).and_then([&](std::vector<SegmentPeaks> found) {
       return slowed(motion, {std::move(times), std::move(found), 0.0, slowing});
     });
   });
 }
 
+/// The fastest of several ways down, since each may end where no interval by itself can get shorter: from the starting
+/// times, from the others, and once more from the best of these in a hurry.
+Expected<Slowed> fastest_keys(const LimitedMotion& motion, int support_keys) {
+  auto best = separately_slowed(motion, motion.starting_times(), support_keys, Slowing::fastest_keys);
+  const auto go_down = [&](std::vector<double> from) {
+    if (!best && best.error().code == ErrorCode::cancelled) return;
+    auto other = separately_slowed(motion, std::move(from), support_keys, Slowing::fastest_keys);
+    const bool is_cancelled = !other && other.error().code == ErrorCode::cancelled;
+    if (is_cancelled || (other && (!best || other->time_scale < best->time_scale))) best = std::move(other);
+  };
+  for (const std::vector<double>& from : motion.other_times()) go_down(from);
+  if (best) go_down(motion.shortened(best->times, hurry));
+  return best;
+}
+
 /// The least slowing of the two, where both are asked for.
 Expected<Slowed> least_slowed(const LimitedMotion& motion, int support_keys, Slowing slowing) {
   const std::vector<double>& given = motion.starting_times();
-  if (slowing == Slowing::fastest_keys) return separately_slowed(motion, support_keys, slowing);
+  if (slowing == Slowing::fastest_keys) return fastest_keys(motion, support_keys);
   auto peaks = motion.largest_peaks(given);
   if (!peaks) return tl::unexpected(std::move(peaks.error()));
   const bool is_slow = !(motion.largest_factor(*peaks) > 1.0);
   auto uniform = slowed(motion, {given, std::move(*peaks), 1.0, is_slow ? slowing : Slowing::uniform});
   if (slowing == Slowing::uniform || is_slow) return uniform;
-  auto separate = separately_slowed(motion, support_keys, slowing);
+  auto separate = separately_slowed(motion, given, support_keys, slowing);
   if (!separate && separate.error().code == ErrorCode::cancelled) return separate;
   return separate && (!uniform || separate->time_scale < (1.0 - least_gain) * uniform->time_scale) ? separate : uniform;
 }
+
+double seconds_of(const Track& track) { return track.keys.times().back() - track.keys.times().front(); }
 
 bool is_even(const RetimeOptions& options) { return options.constant_rate || options.constant_speed; }
 
@@ -287,6 +326,92 @@ std::vector<Warning> warnings_of(const Retiming& retiming, const MotionLimits& l
   return warnings;
 }
 
+/// What tracks are retimed by.
+struct Task {
+  const Method& method;
+  const FamilyInfo& family;
+  const RetimeOptions& options;
+  OpenEndedWork& work;
+};
+
+double usual_curves(const FamilyInfo& family, const RetimeOptions& options) {
+  if (options.slowing == Slowing::uniform) return usual_rounds;
+  const double way_down = usual_rounds + curves_for_interval_times(family.support_keys);
+  if (options.slowing == Slowing::per_interval) return way_down;
+  return ways_down * way_down * (options.insert_keys > 0 ? 1.0 + static_cast<double>(patterns) : 1.0);
+}
+
+/// `others`: times from which the fastest keys may be sought as well.
+Expected<Retiming> retimed(const Task& task, const Track& track, std::vector<std::vector<double>> others = {}) {
+  const RetimeOptions& options = task.options;
+  auto start = starting_times(track.keys, options);
+  if (!start) return tl::unexpected(start.error());
+  std::ranges::move(others, std::back_inserter(start->others));
+  const auto slowed_with = [&](Rests rests) {
+    const LimitedMotion motion(task.method, track.keys, options.limits, *start, rests, task.work);
+    if (options.duration) return lasting(motion, *options.duration);
+    if (!motion.is_limited()) return Expected<Slowed>(as_given(motion));
+    return least_slowed(motion, task.family.support_keys, options.slowing);
+  };
+  auto slowed = slowed_with(Rests::kept);
+  std::vector<std::size_t> rests = track.keys.rests();
+  const bool slows_rests = !rests.empty() && !slowed && slowed.error().code == ErrorCode::not_converged;
+  if (slows_rests) slowed = slowed_with(Rests::slowed);
+  if (!slowed) return tl::unexpected(std::move(slowed.error()));
+  return track.with_times(std::move(slowed->times)).map([&](Track later) {
+    later.settings = settings_per_key(task.method, later.keys.size());
+    later.recipe = recipe_for(task.method, later);
+    Retiming retiming{.track = std::move(later),
+                      .method = task.method,
+                      .time_scale = slowed->time_scale,
+                      .slack = slowed->slack,
+                      .slowing = slowed->slowing,
+                      .peaks = std::move(slowed->peaks),
+                      .rests = std::move(rests)};
+    if (options.shorten_rests || options.duration || options.slowing == Slowing::fastest_keys)
+      retiming.time_scale = seconds_of(retiming.track) / seconds_of(track);
+    retiming.warnings = warnings_of(retiming, options.limits);
+    if (slows_rests) retiming.warnings.push_back(longer_rests(task.method.name));
+    return retiming;
+  });
+}
+
+/// The track with more keys.
+Track with_more_keys(const Track& track, const MoreKeys& more) {
+  Track denser(more.keys);
+  denser.name = track.name;
+  denser.epoch = track.epoch;
+  denser.is_dated = track.is_dated;
+  if (track.as_read.empty()) return denser;
+  denser.as_read.assign(more.keys.orientations().begin(), more.keys.orientations().end());
+  auto read = track.as_read.begin();
+  for (std::size_t i = 0; i < more.keys.size(); ++i)
+    if (!std::ranges::binary_search(more.inserted, i)) denser.as_read[i] = *read++;
+  return denser;
+}
+
+/// The fastest of what was found and of the same with more keys on its curve, in few intervals or in all. Fewer keys
+/// where more of them save nothing.
+Expected<Retiming> with_keys_inserted(const Task& task, const Track& track, Retiming few) {
+  const auto path = make_pose_curve(task.method, few.track.keys);
+  if (!path) return tl::unexpected(path.error());
+  const std::size_t most = task.options.insert_keys;
+  const std::array<KeysPerInterval, patterns> counts{{{most, 0}, {most, (most + 1) / 3}, {most, most}}};
+  Retiming best = few;
+  for (const KeysPerInterval& count : counts) {
+    const auto more = with_more_keys(few.track.keys, *path, count);
+    if (!more || more->inserted.empty()) continue;
+    const auto times = more->keys.times();
+    auto found = retimed(task, with_more_keys(few.track, *more), {{times.begin(), times.end()}});
+    if (!found && found.error().code == ErrorCode::cancelled) return found;
+    if (!found || !(seconds_of(found->track) < (1.0 - least_gain) * seconds_of(best.track))) continue;
+    best = std::move(*found);
+    best.inserted = more->inserted;
+  }
+  best.time_scale = seconds_of(best.track) / seconds_of(track);
+  return best;
+}
+
 }  // namespace
 
 Method holding_rests(Method method, const Keyframes& keys) {
@@ -299,9 +424,12 @@ Method holding_rests(Method method, const Keyframes& keys) {
 
 Expected<void> check(const RetimeOptions& options) {
   if (auto checked = check_ranges(options); !checked) return checked;
+  if (options.insert_keys > 0 && options.slowing != Slowing::fastest_keys)
+    return bad_option("insert_keys", "it makes the fastest keys faster, wanted `fastest_keys` as well");
   if (is_even(options)) return check_even(options);
-  if (options.ease)
-    return bad_option("ease", "it is of an even motion, wanted `constant_rate` or `constant_speed` as well");
+  if (options.ease || options.path_times != PathTimes::lengths)
+    return bad_option(options.ease ? "ease" : "path_times",
+                      "it is of an even motion, wanted `constant_rate` or `constant_speed` as well");
   const MotionLimits& limits = options.limits;
   const bool needs_limit = options.slowing == Slowing::fastest_keys || (!options.duration && !options.shorten_rests);
   if (quantities_of(limits).empty() && needs_limit)
@@ -323,48 +451,23 @@ Expected<Retiming> retime(const Track& track, const Method& given, const RetimeO
   const auto family = family_of_method(given);
   if (!family) return tl::unexpected(family.error());
   const Method method = completed(given, **family, track);
-  const MotionLimits& limits = options.limits;
-  const auto checked =
-      check(options).and_then([&] { return check_motion(**family, method, track.keys); }).and_then([&] {
-        return check_limits(**family, method, track.keys, options);
-      });
+  const auto checked = check(options)
+                           .and_then([&] { return check_motion(**family, method, track.keys); })
+                           .and_then([&] { return check_limits(**family, method, track.keys, options); })
+                           .and_then([&] { return check_insertion(**family, method, track.keys, options); });
   if (!checked) return tl::unexpected(checked.error());
   if (is_even(options)) return evenly_retimed(track, method, options, progress);
-  const bool is_uniform = options.slowing == Slowing::uniform;
-  OpenEndedWork work(progress, usual_rounds + (is_uniform ? 0.0 : curves_for_interval_times((*family)->support_keys)));
-  const auto start = starting_times(track.keys, options);
-  if (!start) return tl::unexpected(start.error());
-  const auto retimed_with = [&](Rests rests) {
-    const LimitedMotion motion(method, track.keys, limits, *start, rests, work);
-    if (options.duration) return lasting(motion, *options.duration);
-    if (!motion.is_limited()) return Expected<Slowed>(as_given(motion));
-    return least_slowed(motion, (*family)->support_keys, options.slowing);
-  };
-  auto retimed = retimed_with(Rests::kept);
-  const std::vector<std::size_t> rests = track.keys.rests();
-  const bool slows_rests = !rests.empty() && !retimed && retimed.error().code == ErrorCode::not_converged;
-  if (slows_rests) retimed = retimed_with(Rests::slowed);
-  return std::move(retimed).and_then([&](Slowed slowed) {
-    return track.with_times(std::move(slowed.times)).map([&](Track later) {
-      later.settings = settings_per_key(method, later.keys.size());
-      later.recipe = recipe_for(method, later);
-      work.finish();
-      Retiming retiming{.track = std::move(later),
-                        .method = method,
-                        .time_scale = slowed.time_scale,
-                        .slack = slowed.slack,
-                        .slowing = slowed.slowing,
-                        .peaks = std::move(slowed.peaks)};
-      const auto& keys = retiming.track.keys;
-      if (options.shorten_rests || options.duration || options.slowing == Slowing::fastest_keys)
-        retiming.time_scale =
-            (keys.times().back() - keys.times().front()) / (track.keys.times().back() - track.keys.times().front());
-      retiming.rests = rests;
-      retiming.warnings = warnings_of(retiming, limits);
-      if (slows_rests) retiming.warnings.push_back(longer_rests(method.name));
-      return retiming;
-    });
-  });
+  OpenEndedWork work(progress, usual_curves(**family, options));
+  const Task task{method, **family, options, work};
+  return retimed(task, track)
+      .and_then([&](Retiming retiming) {
+        return options.insert_keys > 0 ? with_keys_inserted(task, track, std::move(retiming))
+                                       : Expected<Retiming>(retiming);
+      })
+      .map([&](Retiming retiming) {
+        work.finish();
+        return retiming;
+      });
 }
 
 }}  // namespace orispline

@@ -51,15 +51,23 @@ enum class Slowing {
   fastest_keys   ///< each by its own, and they may get shorter too: the times that were typed do not matter
 };
 
+/// Which times of the keys shape the path of an even motion.
+enum class PathTimes {
+  lengths,  ///< in proportion to the angle or the distance from each key to the next, whatever was typed
+  typed     ///< those that the keys have
+};
+
 /// What a motion shall keep, and how it may be slowed for it.
 struct RetimeOptions {
   MotionLimits limits{};
   Slowing slowing = Slowing::uniform;
   std::optional<double> duration{};        ///< [s], from the first key to the last; the limits are checked then
+  std::size_t insert_keys = 0;             ///< into each interval at most, where that makes the fastest keys faster
   std::optional<double> shorten_rests{};   ///< [s], what longer rests are cut to; absent: rests keep their duration
   std::optional<double> constant_rate{};   ///< of the angle travelled along the same path [rad/s]
   std::optional<double> constant_speed{};  ///< of the distance travelled along the same path [m/s]
-  std::optional<double> ease{};            ///< [s], how long an even motion takes to start and to stop; absent: no time
+  PathTimes path_times = PathTimes::lengths;
+  std::optional<double> ease{};  ///< [s], how long an even motion takes to start and to stop; absent: no time
 };
 
 /// The largest of a quantity on one segment: what was found at a time, and what it is nowhere above.
@@ -73,26 +81,28 @@ using SegmentPeaks = std::vector<CertifiedPeak>;
 
 /// How even a motion is, and how near to the path that it goes along.
 struct Evenness {
-  Method path_method{};               ///< whose curve through the keys that were given is the path
-  double unevenness = 0.0;            ///< the largest difference from the rate or speed asked for, as a share of it
-  double turn = 0.0;                  ///< the largest angle between the orientation and the path's [rad]
-  std::optional<double> shift{};      ///< the largest distance between the position and the path's [m]
-  double largest_rate = 0.0;          ///< |ω| [rad/s]
-  double largest_acceleration = 0.0;  ///< |α| [rad/s²]
-  std::size_t stops = 0;              ///< where the path turns back or bends too sharply for the ease
-  std::size_t slower_stretches = 0;   ///< between stops, too short to get as fast as asked for
+  Method path_method{};                  ///< whose curve through the keys that were given is the path
+  double unevenness = 0.0;               ///< the largest difference from the rate or speed asked for, as a share of it
+  double turn = 0.0;                     ///< the largest angle between the orientation and the path's [rad]
+  std::optional<double> shift{};         ///< the largest distance between the position and the path's [m]
+  double largest_rate = 0.0;             ///< |ω| [rad/s]
+  double largest_acceleration = 0.0;     ///< |α| [rad/s²]
+  std::optional<double> typed_longer{};  ///< by which share of its length the path is longer by the typed times
+  std::size_t stops = 0;                 ///< where the path turns back or bends too sharply for the ease
+  std::size_t slower_stretches = 0;      ///< between stops, too short to get as fast as asked for
 };
 
 /// Keys at later times.
 struct Retiming {
-  Track track{};                       ///< the one given at the new times, the first as it was
-  Method method{};                     ///< the one given, with the settings of the track
-  double time_scale = 1.0;             ///< of the whole duration; below 1 only where rests were shortened
-  double slack = 0.0;                  ///< by which share less slowing might do: what was found is below the limits
-  std::optional<Evenness> evenness{};  ///< of an even motion; its keys are others than those given, and many more
-  Slowing slowing{};                   ///< how they were slowed: uniformly where intervals by themselves take longer
-  std::vector<SegmentPeaks> peaks{};   ///< of the slowed curve, segment by segment: no bound above its limit
-  std::vector<std::size_t> rests{};    ///< i where the body rests from key i to the next
+  Track track{};                        ///< the one given at the new times, the first as it was
+  std::vector<std::size_t> inserted{};  ///< keys of the track that were not given
+  Method method{};                      ///< the one given, with the settings of the track
+  double time_scale = 1.0;              ///< of the whole duration; below 1 only where rests were shortened
+  double slack = 0.0;                   ///< by which share less slowing might do: what was found is below the limits
+  std::optional<Evenness> evenness{};   ///< of an even motion; its keys are others than those given, and many more
+  Slowing slowing{};                    ///< how they were slowed: uniformly where intervals by themselves take longer
+  std::vector<SegmentPeaks> peaks{};    ///< of the slowed curve, segment by segment: no bound above its limit
+  std::vector<std::size_t> rests{};     ///< i where the body rests from key i to the next
   std::vector<Warning>
       warnings{};  ///< `loose_bounds`, `moving_rests`, `longer_rests`; of the inertia, and of the method's curve
 };
@@ -113,10 +123,12 @@ struct Retiming {
 /// `shorten_rests` states; a method that moves during them is warned of: `moving_rests` (`rests`). Where the limits
 /// cannot be met that way, rests are slowed as well: `longer_rests`. `per_interval`
 /// shortens the whole duration as far as least_interval_times() finds a way, for methods that are not local less far;
-/// it is the uniform slowing where that is the shorter, or longer by less than 1e-4. The curve is as smooth as the
-/// method makes it. Positions, where there are any, play no part. Errors: those of check(); bad_argument for limits
-/// that ask for more than 1e15 times the duration, a method that takes rates from the keys, does not state its segments
-/// as polynomials, or whose ω jumps on these keys where acceleration is limited: no slowing helps; the like for
+/// it is the uniform slowing where that is the shorter, or longer by less than 1e-4. `fastest_keys` is the best of
+/// several ways down, and with `insert_keys` of those with more keys on its curve (`inserted`). The curve is as smooth
+/// as the method makes it. Positions, where there are any, play no part. Errors: those of check(); bad_argument for
+/// limits that ask for more than 1e15 times the duration, keys inserted for a method that does not pass through its
+/// keys or has settings for each of them, a method that takes rates from the keys, does not state its segments as
+/// polynomials, or whose ω jumps on these keys where acceleration is limited: no slowing helps; the like for
 /// `per_interval` of a method whose ω is continuous on even times only; loops, and rates at the ends other than zero,
 /// which slowing would change; bad_data for fewer than two keys; cancelled.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Retiming> retime(const Track& track, const Method& method,
@@ -147,6 +159,12 @@ inline constexpr std::array words<Slowing>{
     word("per-interval", Slowing::per_interval, "Each interval between keys is slowed by itself"),
     word("fastest-keys", Slowing::fastest_keys,
          "Each interval takes as little time as the limits allow, whatever it took before")};
+
+template <>
+inline constexpr std::array words<PathTimes>{
+    word("lengths", PathTimes::lengths,
+         "Times in proportion to the angle or the distance from each key to the next, whatever was typed"),
+    word("typed", PathTimes::typed, "The times of the keys")};
 
 template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept;

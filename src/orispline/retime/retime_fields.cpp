@@ -45,6 +45,9 @@ std::optional<double> of_evenness(const Retiming& retiming) {
 std::optional<double> unevenness_of(const Retiming& r) { return of_evenness<&Evenness::unevenness>(r); }
 std::optional<double> turn_of(const Retiming& r) { return of_evenness<&Evenness::turn>(r); }
 std::optional<double> shift_of(const Retiming& r) { return r.evenness ? r.evenness->shift : std::nullopt; }
+std::optional<double> typed_longer_of(const Retiming& r) {
+  return r.evenness ? r.evenness->typed_longer : std::nullopt;
+}
 std::optional<std::size_t> stops_of(const Retiming& r) {
   return r.evenness ? std::optional(r.evenness->stops) : std::nullopt;
 }
@@ -53,6 +56,7 @@ std::optional<double> largest_acceleration_of(const Retiming& r) {
   return of_evenness<&Evenness::largest_acceleration>(r);
 }
 
+std::size_t number_of_inserted(const Retiming& retiming) { return retiming.inserted.size(); }
 std::size_t number_of_rests(const Retiming& retiming) { return retiming.rests.size(); }
 
 }  // namespace
@@ -80,6 +84,11 @@ std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept {
            .quantity = &quantities::duration,
            .range = positive}),
       field<&RetimeOptions::slowing>({.name = "slowing", .sentence = "Which intervals between keys are slowed"}),
+      field<&RetimeOptions::insert_keys>(
+          {.name = "insert_keys",
+           .sentence = "With the fastest keys: at most so many more keys in each interval, on the curve through yours, "
+                       "where they make the motion faster",
+           .range = {0.0, 100.0}}),
       field<&RetimeOptions::shorten_rests>({.name = "shorten_rests",
                                             .sentence = "Cut rests between equal keys that are longer to this duration",
                                             .quantity = &quantities::duration,
@@ -97,6 +106,8 @@ std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept {
            .quantity = &quantities::speed,
            .range = positive,
            .example = "0.2m/s"}),
+      field<&RetimeOptions::path_times>(
+          {.name = "path_times", .sentence = "Which times of the keys shape the path of an even motion"}),
       field<&RetimeOptions::ease>(
           {.name = "ease",
            .sentence = "How long such an even motion takes to start and to stop, at the ends and where its path stops",
@@ -115,6 +126,7 @@ std::span<const FieldInfo> fields_of<Retiming>() noexcept {
           {.name = "slowing",
            .sentence = "How the intervals were slowed: uniformly too, where that makes the shorter motion"}),
       field<&Retiming::track, &Track::keys, &Keyframes::size>({.name = "keys", .sentence = "Number of keys"}),
+      field<&number_of_inserted>({.name = "inserted", .sentence = "Number of them that were not given"}),
       field<&Retiming::track, &duration_of>({.name = "duration_after",
                                              .sentence = "Duration from the first key to the last",
                                              .quantity = &quantities::time}),
@@ -133,6 +145,10 @@ std::span<const FieldInfo> fields_of<Retiming>() noexcept {
       field<&shift_of>({.name = "path_shift",
                         .sentence = "Of an even motion the largest distance between its position and that of the path",
                         .quantity = &quantities::length}),
+      field<&typed_longer_of>({.name = "typed_longer",
+                               .sentence =
+                                   "Of an even motion by which share of its length the path is longer where the "
+                                   "typed times shape it"}),
       field<&stops_of>(
           {.name = "stops", .sentence = "How often an even motion stops where its path turns back, besides its rests"}),
       field<&largest_rate_of>({.name = "largest_rate",

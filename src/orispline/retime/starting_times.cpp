@@ -2,9 +2,12 @@
 #include <orispline/retime/starting_times.hpp>
 
 #include <algorithm>
+#include <array>
+#include <functional>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/retime/motion_limits.hpp>
+#include <orispline/retime/rest_to_rest.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -28,13 +31,69 @@ double change_of(const LimitedQuantity& quantity, const Keyframes& keys, std::si
       quantity.vector == LimitedQuantity::Vector::torque && inertia ? Eigen::Vector3d(*inertia * turned) : turned);
 }
 
-/// 0 where nothing that is limited changes.
-double quick_interval(const Keyframes& keys, std::size_t i, const MotionLimits& limits,
-                      const std::vector<LimitedQuantity>& quantities) {
+/// Of each of the limited quantities.
+QuantitySizes changes_of(const Keyframes& keys, std::size_t i, const MotionLimits& limits,
+                         const std::vector<LimitedQuantity>& quantities) {
   QuantitySizes changes{};
   std::ranges::transform(quantities, changes.begin(),
                          [&](const LimitedQuantity& quantity) { return change_of(quantity, keys, i, limits.inertia); });
-  return needed_factor(changes, quantities);
+  return changes;
+}
+
+/// The largest change over the limit, for quantities of the orders 1, 2 and 3 [s], [s²], [s³].
+std::array<double, 3> way_of(const QuantitySizes& changes, const std::vector<LimitedQuantity>& quantities) {
+  std::array<double, 3> way{};
+  for (std::size_t k = 0; k < quantities.size(); ++k) {
+    double& of_order = way[static_cast<std::size_t>(quantities[k].order() - 1)];
+    of_order = std::max(of_order, changes[k] / quantities[k].limit);
+  }
+  return way;
+}
+
+/// The ways of successive steps, one after the other.
+struct Ways {
+  std::vector<std::array<double, 3>> steps{};
+  std::array<double, 3> sum{};
+
+  void add(const std::array<double, 3>& step) {
+    steps.push_back(step);
+    std::ranges::transform(sum, step, sum.begin(), std::plus<>());
+  }
+  /// Of the whole way, the mean of the orders.
+  [[nodiscard]] double share(const std::array<double, 3>& step) const {
+    double share = 0.0, orders = 0.0;
+    for (std::size_t k = 0; k < sum.size(); ++k)
+      if (sum[k] > 0.0) share += step[k] / sum[k], orders += 1.0;
+    return share / orders;
+  }
+};
+
+/// Times of the keys in the fastest motion from each rest to the next, if it had one axis.
+std::vector<double> rest_to_rest_times(const Keyframes& keys, const StartingTimes& start, const MotionLimits& limits) {
+  const auto quantities = quantities_of(limits);
+  std::vector<double> times{start.times.front()};
+  Ways ways;
+  const auto go = [&] {
+    if (ways.steps.empty()) return;
+    const RestToRest motion(ways.sum);
+    const double from = times.back();
+    double gone = 0.0;
+    for (std::size_t i = 0; i < ways.steps.size(); ++i) {
+      gone += ways.share(ways.steps[i]);
+      times.push_back(from + (i + 1 < ways.steps.size() ? motion.time_of(gone) : motion.duration()));
+    }
+    ways = {};
+  };
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+    if (!keys.rests_after(i)) {
+      ways.add(way_of(changes_of(keys, i, limits, quantities), quantities));
+      continue;
+    }
+    go();
+    times.push_back(times.back() + start.least[i]);
+  }
+  go();
+  return times;
 }
 
 /// The times of the keys, with what is beyond `longest_rest` cut from rests.
@@ -60,7 +119,7 @@ Expected<StartingTimes> starting_times(const Keyframes& keys, const RetimeOption
     double interval = start.least[i];
     if (!keys.rests_after(i)) {
       start.least[i] = 0.0;
-      interval = haste * quick_interval(keys, i, options.limits, quantities);
+      interval = haste * needed_factor(changes_of(keys, i, options.limits, quantities), quantities);
       if (!(interval > 0.0))
         return failure(ErrorCode::bad_argument,
                        "no limit concerns the step from this key to the next, which would take no time; wanted a limit "
@@ -75,6 +134,7 @@ Expected<StartingTimes> starting_times(const Keyframes& keys, const RetimeOption
                                interval),
                      {.key = i});
   }
+  start.others.push_back(rest_to_rest_times(keys, start, options.limits));
   return start;
 }
 

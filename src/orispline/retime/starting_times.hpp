@@ -11,15 +11,17 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What a retiming starts from.
 struct StartingTimes {
-  std::vector<double> times;  ///< of the keys [s]
-  std::vector<double> least;  ///< what the intervals between them may be cut to [s]
+  std::vector<double> times;                  ///< of the keys [s]
+  std::vector<double> least;                  ///< what the intervals between them may be cut to [s]
+  std::vector<std::vector<double>> others{};  ///< times from which the way down may end lower [s]
 };
 
 /// Those of the keys, with long rests cut, below which no interval may get.
 ///
 /// For Slowing::fastest_keys nothing of the times that were typed but the rests: each interval takes half of the
-/// longest (x/L)^(1/k), x what the step to the next key changes of a quantity with the limit L and the order k. Error
-/// (bad_argument, with the key): nothing that is limited changes from a key to the next.
+/// longest (x/L)^(1/k), x what the step to the next key changes of a quantity with the limit L and the order k. Its
+/// others are the times at which RestToRest is at the keys, from each rest to the next. Error (bad_argument, with the
+/// key): nothing that is limited changes from a key to the next.
 [[nodiscard]] Expected<StartingTimes> starting_times(const Keyframes& keys, const RetimeOptions& options);
 
 }}  // namespace orispline

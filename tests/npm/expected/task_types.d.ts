@@ -148,12 +148,16 @@ export interface Tasks {
             duration?: Text | undefined;
             /** Which intervals between keys are slowed. */
             slowing?: 'uniform' | 'per-interval' | 'fastest-keys' | undefined;
+            /** With the fastest keys: at most so many more keys in each interval, on the curve through yours, where they make the motion faster. */
+            insert_keys?: Text | undefined;
             /** Cut rests between equal keys that are longer to this duration. */
             shorten_rests?: Text | undefined;
             /** Go along the same path by this angle each second, through more keys. */
             constant_rate?: Text | undefined;
             /** Go along the same path by this distance of the positions each second, through more keys. */
             constant_speed?: Text | undefined;
+            /** Which times of the keys shape the path of an even motion. */
+            path_times?: 'lengths' | 'typed' | undefined;
             /** How long such an even motion takes to start and to stop, at the ends and where its path stops. */
             ease?: Text | undefined;
         };
