@@ -10,7 +10,7 @@
 
 #include <orispline/families/registry.hpp>
 #include <orispline/math/degrees.hpp>
-#include <orispline/retime/segment_hull.hpp>
+#include <orispline/analysis/segment_hull.hpp>
 
 #include "retime/retimed_motion.hpp"
 #include "support/random_motion.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/retime/segment_hull.hpp>
+#include <orispline/analysis/segment_hull.hpp>
 
 #include <random>
 
