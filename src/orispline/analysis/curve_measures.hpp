@@ -36,9 +36,11 @@ inline constexpr std::size_t most_keys_for_least_energy = 10000;
 /// Absent for fewer than two keys, for more than `most_keys_for_least_energy`, and where the optimum was not found.
 [[nodiscard]] ORISPLINE_EXPORT std::optional<double> least_energy(const Keyframes& keys);
 
-/// The largest length of a rate, and the first time when it is reached [s].
+/// The largest length of a rate that was found, and a time when it is reached [s].
 struct Peak {
   double value = 0.0, time = 0.0;
+  /// What the rate is nowhere above, absent where no bound is known.
+  std::optional<double> bound{};
 };
 
 struct Peaks {
@@ -49,8 +51,11 @@ struct Peaks {
 
 /// The peaks over the whole curve, the one-sided rates at the keys among them.
 ///
-/// Each segment is searched in 16 steps; a maximum between two of them is found by bisection of the exact derivative
-/// (ω·α, α·jerk, torque times its rate), to the rounding of time.
+/// Segments that are stated as polynomials have bounds (`SegmentHull`): each step that may hold more than was found is
+/// cut, the worst first, until no bound is more than 1e-3 above the largest value found, rounding apart. For other
+/// segments no bound is known: they are cut where the rates differ from the cubics between the steps, so fine as the
+/// curve turns, and towards keys with far shorter steps beside. A maximum between two steps is found by bisection of
+/// the exact derivative (ω·α, α·jerk, torque times its rate), to the rounding of time.
 [[nodiscard]] ORISPLINE_EXPORT Peaks peaks(const AnyCurve& curve,
                                            const Eigen::Matrix3d& inertia = Eigen::Matrix3d::Identity());
 

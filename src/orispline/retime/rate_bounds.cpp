@@ -5,11 +5,11 @@
 #include <limits>
 #include <span>
 
+#include <orispline/analysis/segment_hull.hpp>
 #include <orispline/base/parallel.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/curve/path.hpp>
-#include <orispline/math/eigensystem.hpp>
-#include <orispline/retime/segment_hull.hpp>
+#include <orispline/retime/path_hull.hpp>
 
 // What a motion is at a time, and what it is nowhere above around that time: for orientations and for positions.
 
@@ -45,12 +45,10 @@ class Turning {
   const AnyCurve& curve_;
   std::size_t segment_;
   const SegmentHull& hull_;
-  HullBounds rounding_;
+  HullBounds whole_, rounding_;
   std::span<const LimitedQuantity> quantities_;
   Eigen::Matrix3d inertia_;
-  double weight_;  ///< what of rounding there is in torques
-  double moment_;  ///< the largest
-  double spread_;  ///< what |ω × Iω| is at most for |ω| = 1, half of what the moments differ by
+  MomentBounds moments_;
   Motion m_{};
 };
 
@@ -80,8 +78,6 @@ using Limited = LimitedQuantity::Vector;
 /// Of an increment so much is rounding [rad]: that of two keys, also when they are written, read and normalised again.
 constexpr double rounding_of_keys = 16.0 * std::numeric_limits<double>::epsilon();
 
-constexpr double rounding_of_moments = 1e-12;  // of the largest
-
 /// The larger size at the ends of the line a ± b r.
 double largest(const LimitedQuantity& quantity, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double r) {
   return std::max(quantity.size_of(a + b * r), quantity.size_of(a - b * r));
@@ -92,14 +88,11 @@ Turning::Turning(const AnyCurve& curve, std::size_t segment, const SegmentHull& 
     : curve_(curve),
       segment_(segment),
       hull_(hull),
-      rounding_(hull.rounding()),
+      whole_(hull.on(0.0, 1.0)),
+      rounding_(hull.rounding(whole_)),
       quantities_(quantities.all),
       inertia_(quantities.inertia.value_or(Eigen::Matrix3d::Zero())),
-      weight_(inertia_.norm()) {
-  const Eigen::Vector3d moments = eigensystem<3>(inertia_).values;
-  moment_ = (1.0 + rounding_of_moments) * moments[2];
-  spread_ = 0.5 * (moments[2] - moments[0]) + rounding_of_moments * moments[2];
-}
+      moments_(inertia_) {}
 
 double Turning::size(std::size_t k) const {
   const LimitedQuantity& quantity = quantities_[k];
@@ -147,8 +140,7 @@ QuantitySizes Turning::rounding() const {
     if (vector == Limited::rate) sizes[k] = rounding_.rate;
     if (vector == Limited::acceleration) sizes[k] = rounding_.acceleration;
     if (vector == Limited::jerk) sizes[k] = rounding_.jerk;
-    if (vector == Limited::torque)
-      sizes[k] = weight_ * (rounding_.acceleration + 2.0 * hull_.on(0.0, 1.0).rate * rounding_.rate);
+    if (vector == Limited::torque) sizes[k] = moments_.rounding(whole_.rate, rounding_.rate, rounding_.acceleration);
   }
   return sizes;
 }
@@ -165,7 +157,7 @@ void Turning::round(SegmentPeaks& peaks, double shortest) const {
   }
   for (std::size_t k = 0; k < quantities_.size(); ++k)
     if (quantities_[k].vector == Limited::torque)
-      peaks[k].bound += weight_ * (acceleration + 2.0 * std::max(fastest, hull_.on(0.0, 1.0).rate) * rate);
+      peaks[k].bound += moments_.rounding(std::max(fastest, whole_.rate), rate, acceleration);
 }
 
 double Turning::jerk_bound(const LimitedQuantity& quantity, const Stretch& part, const HullBounds& hull) const {
@@ -186,11 +178,11 @@ double Turning::torque_bound(const LimitedQuantity& quantity, double r, const Hu
   const double acceleration =
       std::min(hull.acceleration, longest(m_.angular_acceleration, m_.angular_jerk) + 0.5 * hull.snap * r * r) +
       rounding_.acceleration;
-  const double bend =
-      moment_ * hull.snap + 2.0 * spread_ * ((jerk + hull.snap * r) * rate + acceleration * acceleration);
-  const double along = largest(quantity, torque(m_, inertia_), torque_rate(m_, inertia_), r) + 0.5 * bend * r * r +
-                       weight_ * (rounding_.acceleration + 2.0 * rate * rounding_.rate);
-  return std::min(along, moment_ * acceleration + spread_ * rate * rate);
+  const HullBounds bounds{rate, acceleration, jerk + hull.snap * r, hull.snap, 0.0};
+  const double along = largest(quantity, torque(m_, inertia_), torque_rate(m_, inertia_), r) +
+                       0.5 * moments_.bend(bounds) * r * r +
+                       moments_.rounding(rate, rounding_.rate, rounding_.acceleration);
+  return std::min(along, moments_.torque(bounds));
 }
 
 double Moving::size(std::size_t k) const {

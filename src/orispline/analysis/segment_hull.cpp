@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/retime/segment_hull.hpp>
+#include <orispline/analysis/segment_hull.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include <orispline/math/eigensystem.hpp>
 #include <orispline/math/so3.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -178,31 +180,67 @@ double shortest_in_space(const Parts& parts, double start, double end, int cuts 
   return std::min(shortest_in_space(parts, start, middle, cuts - 1), shortest_in_space(parts, middle, end, cuts - 1));
 }
 
-constexpr double rounded_up = 1.0 + 1e-12;
-constexpr double rounding_share = 1e-14;  // of evaluation, of the size of what is added up
+constexpr double rounded_up = 1.0 + 1e-12, rounded_down = 1.0 - 1e-12;
+constexpr double rounding_of_moments = 1e-12;  // of the largest
+constexpr double rounding_share = 1e-14;       // of evaluation, of the size of what is added up
 
-/// Of evaluation and of the coefficients, of the size of what they are made of.
-constexpr double path_rounding_share = 1e-13;
+/// Of s/|s| with derivatives of s of these lengths, which is nowhere shorter than this.
+HullBounds bounds_of_rational(const Orders& d, double shortest) {
+  // With n = |s|² and w = 2 vec(s̄ s'), n ω = w and its derivatives: n α = w' - n' ω, n j = w'' - 2 n' α - n'' ω and on.
+  const double n = shortest * shortest;
+  const double n1 = 2.0 * d[0] * d[1], n2 = 2.0 * (d[1] * d[1] + d[0] * d[2]);
+  const double n3 = 2.0 * (3.0 * d[1] * d[2] + d[0] * d[3]), n4 = 2.0 * (3.0 * d[2] * d[2] + 4.0 * d[1] * d[3]);
+  const double rate = 2.0 * d[1] / shortest;
+  const double acceleration = (2.0 * d[0] * d[2] + n1 * rate) / n;
+  const double jerk = (2.0 * (d[0] * d[3] + d[1] * d[2]) + 2.0 * n1 * acceleration + n2 * rate) / n;
+  const double snap = (4.0 * d[1] * d[3] + 3.0 * n1 * jerk + 3.0 * n2 * acceleration + n3 * rate) / n;
+  const double crackle =
+      (4.0 * d[2] * d[3] + 4.0 * n1 * snap + 6.0 * n2 * jerk + 4.0 * n3 * acceleration + n4 * rate) / n;
+  return {rate, acceleration, jerk, snap, crackle};
+}
 
-/// The coefficients of a velocity of this degree in u from what it is at both ends: value and two derivatives each;
-/// that in the middle of degree 6 from the distance, which is their mean. Farin, Curves and Surfaces for CAGD, 5.2.
-std::array<Eigen::Vector3d, form_degree> coefficients_of(std::size_t degree, const LinearMotion& a,
-                                                         const LinearMotion& b, double h) {
-  std::array<Eigen::Vector3d, form_degree> c{};
-  const double m = static_cast<double>(degree), bend = degree > 1 ? h * h / (m * (m - 1.0)) : 0.0;
-  const double slope = degree > 0 ? h / m : 0.0;
-  const std::array from_start{a.velocity, Eigen::Vector3d(a.velocity + slope * a.acceleration),
-                              Eigen::Vector3d(bend * a.jerk + a.velocity + 2.0 * slope * a.acceleration)};
-  const std::array from_end{b.velocity, Eigen::Vector3d(b.velocity - slope * b.acceleration),
-                            Eigen::Vector3d(bend * b.jerk + b.velocity - 2.0 * slope * b.acceleration)};
-  for (std::size_t i = 0; i <= std::min<std::size_t>(degree, 2); ++i) c[i] = from_start[i];
-  for (std::size_t i = 0; i < std::min<std::size_t>(degree, 3) && degree - i > 2; ++i) c[degree - i] = from_end[i];
-  if (degree == 6) {
-    c[3] = 7.0 * (b.position - a.position) / h;
-    for (std::size_t i = 0; i <= degree; ++i)
-      if (i != 3) c[3] -= c[i];
+/// By so much evaluated rates may be off: `size` of the coefficients, `products` of exponents in the jerk.
+HullBounds rounding_of(double size, std::size_t degree, double duration, const HullBounds& whole, double products) {
+  const double per_time = 2.0 * static_cast<double>(degree) / duration;
+  return {rounding_share * (size * per_time + whole.rate),
+          rounding_share * (size * per_time * per_time + whole.acceleration),
+          rounding_share * (size * per_time * per_time * per_time + whole.jerk + products), 0.0, 0.0};
+}
+
+/// Adds what the derivatives of a vector of these components, `scale` times, are nowhere longer than.
+template <std::size_t N>
+void add_lengths(Orders& lengths, std::span<const BernsteinForm, N> components, double scale, std::size_t degree,
+                 double duration) {
+  constexpr std::size_t most = form_degree + 1;
+  std::array<std::array<double, most>, 4> c{};
+  for (std::size_t axis = 0; axis < components.size(); ++axis) c[axis] = components[axis].coefficients;
+  double factor = scale;
+  for (std::size_t order = 0; order < lengths.size() && order <= degree; ++order) {
+    const std::size_t last = degree - order;
+    double square = 0.0;
+    for (std::size_t i = 0; i <= last; ++i)
+      square = std::max(square, c[0][i] * c[0][i] + c[1][i] * c[1][i] + c[2][i] * c[2][i] + c[3][i] * c[3][i]);
+    lengths[order] += factor * std::sqrt(square);
+    for (auto& axis : c)
+      for (std::size_t i = 0; i < last; ++i) axis[i] = axis[i + 1] - axis[i];
+    factor *= static_cast<double>(last) / duration;
   }
-  return c;
+}
+
+CoarseBounds coarse_bounds_of(const RationalForm& form, double duration) {
+  constexpr std::size_t degree = RationalForm::degree;
+  Orders lengths{};
+  add_lengths(lengths, std::span(form.components), 1.0, degree, duration);
+  std::array<Eigen::Vector4d, degree + 1> points;
+  for (std::size_t i = 0; i <= degree; ++i)
+    for (std::size_t k = 0; k < 4; ++k) points[i][static_cast<Eigen::Index>(k)] = form.components[k].coefficients[i];
+  const Eigen::Vector4d direction = (points[0] + points[1] + points[2] + points[3]).stableNormalized();
+  double shortest = points[0].dot(direction);
+  for (const Eigen::Vector4d& point : points) shortest = std::min(shortest, point.dot(direction));
+  const HullBounds bounds = bounds_of_rational(lengths, rounded_down * std::max(shortest, 0.0));
+  Orders halves = lengths;
+  for (double& half : halves) half *= 1.5;  // of three components
+  return {bounds, rounding_of(4.0 * lengths[0], degree, duration, bounds, bounds_of(0.0, 0.0, halves).jerk)};
 }
 
 }  // namespace
@@ -221,6 +259,7 @@ HullDerivatives derivatives_of(const BernsteinForm& form, std::size_t degree, do
 }
 
 HullPolynomial restricted(HullPolynomial p, double start, double end) {
+  if (start == 0.0 && end == 1.0) return p;
   auto& c = p.form.coefficients;
   for (std::size_t r = 1; r <= p.degree; ++r)
     for (std::size_t i = p.degree; i >= r; --i) c[i] = (1.0 - end) * c[i - 1] + end * c[i];
@@ -244,6 +283,12 @@ double longest(const HullVector& components) {
   double length = 0.0;
   for (std::size_t i = 0; i <= components[0].degree; ++i) length = std::max(length, coefficient(components, i).norm());
   return length;
+}
+
+MomentBounds::MomentBounds(const Eigen::Matrix3d& inertia) : weight_(inertia.norm()) {
+  const Eigen::Vector3d moments = eigensystem<3>(inertia).values;
+  moment_ = (1.0 + rounding_of_moments) * moments[2];
+  spread_ = 0.5 * (moments[2] - moments[0]) + rounding_of_moments * moments[2];
 }
 
 std::optional<SegmentHull> SegmentHull::of(const SegmentForm& form, double duration) {
@@ -282,7 +327,7 @@ HullBounds SegmentHull::on(double start, double end) const {
           b.crackle * rounded_up};
 }
 
-HullBounds SegmentHull::rounding() const {
+HullBounds SegmentHull::rounding(const HullBounds& whole) const {
   double size = 0.0;  // of coefficients, which are not differences yet
   Orders halves{};    // of exponents: of their products, what cancels is rounded as well
   for (std::size_t k = 0; k < lengths_.size(); ++k) {
@@ -292,12 +337,34 @@ HullBounds SegmentHull::rounding() const {
       halves[order] += 0.5 * length * largest(parts_[k][order]);
   }
   if (kind_ == Kind::rational) size += largest(parts_[3][0]);
-  const double per_time = 2.0 * static_cast<double>(parts_[0][0].degree) / duration_;
-  const HullBounds whole = on(0.0, 1.0);
-  return {rounding_share * (size * per_time + whole.rate),
-          rounding_share * (size * per_time * per_time + whole.acceleration),
-          rounding_share * (size * per_time * per_time * per_time + whole.jerk + bounds_of(0.0, 0.0, halves).jerk), 0.0,
-          0.0};
+  return rounding_of(size, parts_[0][0].degree, duration_, whole, bounds_of(0.0, 0.0, halves).jerk);
+}
+
+std::optional<CoarseBounds> coarse_bounds(const SegmentForm& form, double duration) {
+  Orders lengths{};  // of the derivatives of the exponents, added up
+  std::size_t degree = 0, turns = 3;
+  if (const auto* chart = std::get_if<ChartForm>(&form)) {
+    degree = chart->degree;
+    add_lengths(lengths, std::span(chart->rotation_vector), 1.0, degree, duration);
+  } else if (const auto* product = std::get_if<CumulativeForm>(&form)) {
+    degree = product->degree;
+    turns = static_cast<std::size_t>(
+        std::ranges::count_if(product->increments, [](const auto& x) { return !x.isZero(0.0); }));
+    for (std::size_t k = 0; k < product->increments.size(); ++k)
+      add_lengths(lengths, std::span(product->blending).subspan(k, 1), product->increments[k].stableNorm(), degree,
+                  duration);
+  } else if (const auto* rational = std::get_if<RationalForm>(&form)) {
+    return coarse_bounds_of(*rational, duration);
+  } else {
+    return std::nullopt;
+  }
+  Orders halves = lengths;
+  for (double& half : halves) half *= 0.5;
+  // Of exponents of norms below these α is at most the sum of their second derivatives and of half the square of ω.
+  const double rate = lengths[1], acceleration = lengths[2] + 0.5 * rate * rate;
+  HullBounds bounds = bounds_of(rate * rounded_up, acceleration * rounded_up, halves);
+  if (turns < 2) bounds = {lengths[1], lengths[2], lengths[3], lengths[4], lengths[5]};  // about an axis that stands
+  return CoarseBounds{bounds, rounding_of(2.0 * lengths[0], degree, duration, bounds, bounds.jerk)};
 }
 
 HullBounds SegmentHull::product_on(double start, double end) const {
@@ -326,20 +393,10 @@ HullBounds SegmentHull::product_on(double start, double end) const {
 }
 
 HullBounds SegmentHull::rational_on(double start, double end) const {
-  // With n = |s|² and w = 2 vec(s̄ s'), n ω = w and its derivatives: n α = w' - n' ω, n j = w'' - 2 n' α - n'' ω and on.
-  std::array<double, 4> d{};
-  for (std::size_t order = 0; order < d.size(); ++order)
+  Orders d{};
+  for (std::size_t order = 0; order <= RationalForm::degree; ++order)
     d[order] = longest_in_space(restricted_in_space(parts_, order, start, end));
-  const double shortest = shortest_in_space(parts_, start, end), n = shortest * shortest;
-  const double n1 = 2.0 * d[0] * d[1], n2 = 2.0 * (d[1] * d[1] + d[0] * d[2]);
-  const double n3 = 2.0 * (3.0 * d[1] * d[2] + d[0] * d[3]), n4 = 2.0 * (3.0 * d[2] * d[2] + 4.0 * d[1] * d[3]);
-  const double rate = 2.0 * d[1] / shortest;
-  const double acceleration = (2.0 * d[0] * d[2] + n1 * rate) / n;
-  const double jerk = (2.0 * (d[0] * d[3] + d[1] * d[2]) + 2.0 * n1 * acceleration + n2 * rate) / n;
-  const double snap = (4.0 * d[1] * d[3] + 3.0 * n1 * jerk + 3.0 * n2 * acceleration + n3 * rate) / n;
-  const double crackle =
-      (4.0 * d[2] * d[3] + 4.0 * n1 * snap + 6.0 * n2 * jerk + 4.0 * n3 * acceleration + n4 * rate) / n;
-  return {rate, acceleration, jerk, snap, crackle};
+  return bounds_of_rational(d, shortest_in_space(parts_, start, end));
 }
 
 HullBounds SegmentHull::chart_on(double start, double end) const {
@@ -360,40 +417,6 @@ HullBounds SegmentHull::chart_on(double start, double end) const {
   const double turns = std::min(0.5 * speed, area * std::min(1.0, 5.2 / shortest) / shortest);
   for (std::size_t order = 1; order < across.size(); ++order) across[order] += across[0] / shortest * lengths[order];
   return lesser(bounds_of(speed, change + speed * turns, halves), derivatives_of_winding(lengths, across, shortest));
-}
-
-std::optional<PathHull> PathHull::of(const AnyPath& path, std::size_t segment) {
-  if (path.degree() < 1 || path.degree() > static_cast<int>(form_degree)) return std::nullopt;
-  const auto degree = static_cast<std::size_t>(path.degree() - 1);
-  const KnotSpan span = path.knots().span(segment);
-  const LinearMotion start = path.linear_motion_on(segment, span.start()),
-                     end = path.linear_motion_on(segment, span.end());
-  const auto c = coefficients_of(degree, start, end, span.step());
-  PathHull hull;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    BernsteinForm form;
-    for (std::size_t i = 0; i <= degree; ++i) form.coefficients[i] = c[i][static_cast<Eigen::Index>(axis)];
-    const HullDerivatives derivatives = derivatives_of(form, degree, span.step());
-    hull.velocity_[axis] = derivatives[0];
-    hull.acceleration_[axis] = derivatives[1];
-  }
-  const double size = std::max(start.position.norm(), end.position.norm()) / span.step();
-  hull.rounding_[0] = path_rounding_share * (size + longest(hull.velocity_));
-  hull.rounding_[1] =
-      path_rounding_share * static_cast<double>(path.degree()) * (size + longest(hull.velocity_)) / span.step();
-  return hull;
-}
-
-double PathHull::rounding(const LimitedQuantity& quantity) const {
-  return rounding_[quantity.vector == LimitedQuantity::Vector::speed ? 0 : 1];
-}
-
-double PathHull::bound(const LimitedQuantity& quantity, double start, double end) const {
-  const HullVector& whole = quantity.vector == LimitedQuantity::Vector::speed ? velocity_ : acceleration_;
-  if (quantity.axis) return largest(restricted(whole[*quantity.axis], start, end)) + rounding(quantity);
-  return longest(
-             {restricted(whole[0], start, end), restricted(whole[1], start, end), restricted(whole[2], start, end)}) +
-         rounding(quantity);
 }
 
 }}  // namespace orispline

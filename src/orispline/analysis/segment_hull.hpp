@@ -6,8 +6,6 @@
 #include <optional>
 
 #include <orispline/curve/curve_through.hpp>
-#include <orispline/curve/path.hpp>
-#include <orispline/retime/motion_limits.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -39,6 +37,38 @@ struct HullBounds {
   double rate, acceleration, jerk, snap, crackle;
 };
 
+/// Bounds on a whole segment, and by how much evaluated ω, α and jerk may be off.
+struct CoarseBounds {
+  HullBounds all, rounding;
+};
+
+/// Those that cost the least, by the differences of the coefficients alone; nothing for a form that is not of
+/// polynomials. `duration` [s].
+[[nodiscard]] std::optional<CoarseBounds> coarse_bounds(const SegmentForm& form, double duration);
+
+/// What an inertia tensor makes of such bounds.
+class MomentBounds {
+ public:
+  explicit MomentBounds(const Eigen::Matrix3d& inertia);
+
+  /// Of the torque Iα + ω × Iω [N m].
+  [[nodiscard]] double torque(const HullBounds& b) const {
+    return moment_ * b.acceleration + spread_ * b.rate * b.rate;
+  }
+  /// Of its second derivative [N m/s²].
+  [[nodiscard]] double bend(const HullBounds& b) const {
+    return moment_ * b.snap + 2.0 * spread_ * (b.jerk * b.rate + b.acceleration * b.acceleration);
+  }
+  /// By so much a torque may be off where ω, nowhere above `rate`, and α are off by so much.
+  [[nodiscard]] double rounding(double rate, double off_rate, double off_acceleration) const {
+    return weight_ * (off_acceleration + 2.0 * rate * off_rate);
+  }
+
+ private:
+  double weight_, moment_;  ///< the norm, and the largest moment
+  double spread_;           ///< what |ω × Iω| is at most for |ω| = 1, half of what the moments differ by
+};
+
 /// The segment's polynomials, whose values lie in the hulls of their coefficients.
 ///
 /// For q = ∏ exp(X_k) of pure quaternions X_k, all exponentials are of norm 1, so that with A_n = Σ_k |X_k^(n)|,
@@ -53,8 +83,8 @@ class SegmentHull {
 
   /// Bounds for u from `start` to `end` in [0, 1].
   [[nodiscard]] HullBounds on(double start, double end) const;
-  /// By so much evaluated ω, α and jerk may be off; none of the others.
-  [[nodiscard]] HullBounds rounding() const;
+  /// By so much evaluated ω, α and jerk may be off; none of the others. `whole`: the bounds of all of the segment.
+  [[nodiscard]] HullBounds rounding(const HullBounds& whole) const;
 
  private:
   [[nodiscard]] HullBounds product_on(double start, double end) const;
@@ -67,22 +97,6 @@ class SegmentHull {
   std::array<HullDerivatives, 4> parts_{};
   // Of a product: lengths of the increments, and of what they have along the second one and across it.
   std::array<double, 3> lengths_{}, along_{}, across_{};
-};
-
-/// The velocity of a path on one segment, a polynomial in Bernstein form.
-class PathHull {
- public:
-  /// Nothing for a path that is not of polynomials of degree 7 at most.
-  [[nodiscard]] static std::optional<PathHull> of(const AnyPath& path, std::size_t segment);
-
-  /// What a quantity of the position is nowhere above for u from `start` to `end` in [0, 1].
-  [[nodiscard]] double bound(const LimitedQuantity& quantity, double start, double end) const;
-  /// What there is of rounding in the bounds.
-  [[nodiscard]] double rounding(const LimitedQuantity& quantity) const;
-
- private:
-  HullVector velocity_{}, acceleration_{};
-  double rounding_[2]{};  // of velocity and acceleration
 };
 
 }}  // namespace orispline
