@@ -30,7 +30,8 @@ namespace orispline::cli {
 /// A figure of the motion over time, segment by segment: where it jumps at a key, the series breaks.
 [[nodiscard]] report::Series over_time(const AnyCurve& curve, const std::function<double(const Motion&)>& figure);
 
-/// The largest value of a figure of the motion, over 100 times in each segment and its two ends.
+/// The largest value of a figure of the motion: over 100 times in each segment and its two ends, then beside the
+/// highest of each.
 [[nodiscard]] double largest_over_time(const AnyCurve& curve, const std::function<double(const Motion&)>& figure);
 
 /// The largest angle between two curves at the times [rad].

@@ -285,7 +285,7 @@ typedef struct orispline_peaks {
   orispline_peak torque;                ///< [N m]; NaN without an inertia
 } orispline_peaks;
 
-/// The largest rates of the curve, wherever they are. `inertia`: null, or the 9 numbers [kg m²] of a symmetric matrix,
+/// The largest rates of the curve that were found. `inertia`: null, or the 9 numbers [kg m²] of a symmetric matrix,
 /// about the centre of mass in the body frame.
 ORISPLINE_C_API orispline_code orispline_curve_peaks(const orispline_curve *curve, const double *inertia,
                                                      orispline_peaks *found, orispline_error **error);

@@ -2,6 +2,7 @@
 #include <orispline/analysis/curve_measures.hpp>
 
 #include <cstdlib>
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@
 namespace orispline { namespace {
 
 constexpr int samples = 10000;
-constexpr std::size_t keys_of_curve = 6;
+constexpr std::size_t keys_of_curve = 5;
 
 /// Of each method: few in `make test`, more at night.
 int curves_of_method() {
@@ -54,12 +55,20 @@ Sampled densely_sampled(const AnyCurve& curve) {
   return found;
 }
 
-void expect_largest(const Peak& peak, double sampled, double time, const std::string& what) {
+bool has_no_bounds(const SegmentForm& form) {
+  return std::holds_alternative<std::monostate>(form) || std::holds_alternative<SquadForm>(form);
+}
+
+/// Curves that turn so far within a segment [rad] have bounds that hold, but so many maxima that they are not near.
+constexpr double tight_turn = 1e4;
+
+/// `rounding`: what is none of the motion.
+void expect_largest(const Peak& peak, double sampled, double time, double rounding, const std::string& what) {
   EXPECT_GE(peak.value, sampled * (1.0 - (peak.bound ? 1e-3 : 1e-6)))
       << what << " at " << time << ": " << (1.0 - peak.value / sampled);
   if (!peak.bound) return;
   EXPECT_GE(*peak.bound, sampled) << what << " at " << time;
-  EXPECT_LE(*peak.bound, 1.001 * peak.value + 1e-8) << what << ": " << (*peak.bound / peak.value - 1.0);
+  EXPECT_LE(*peak.bound, 1.001 * peak.value + rounding) << what << ": " << (*peak.bound / peak.value - 1.0);
 }
 
 TEST(PeaksEverywhere, AreNotBelowAnySampleOfAnyMethodHoweverUnevenTheKeys) {
@@ -67,17 +76,23 @@ TEST(PeaksEverywhere, AreNotBelowAnySampleOfAnyMethodHoweverUnevenTheKeys) {
   for (const FamilyInfo& info : families_info())
     for (int i = 0; i < curves_of_method(); ++i) {
       const double ratio = std::pow(10.0, 6.0 * (i + 1) / curves_of_method());
-      const auto curve =
-          make_curve(info.name, random_keys(static_cast<unsigned>(i) + 100, {keys_of_curve, i % 3 == 0 ? 3.0 : 1.5, ratio}));
+      const auto curve = make_curve(
+          info.name, random_keys(static_cast<unsigned>(i) + 100, {keys_of_curve, i % 3 == 0 ? 3.0 : 1.5, ratio}));
       if (!curve) continue;
       ++seen;
       const Peaks found = peaks(*curve);
+      EXPECT_FALSE(has_no_bounds(curve->form(0)) && found.angular_velocity.bound) << info.name;
       const Sampled sampled = densely_sampled(*curve);
       const std::string what = std::string(info.name) + " " + std::to_string(i);
-      expect_largest(found.angular_velocity, sampled.rate, sampled.time_of_rate, what + ", rate");
-      expect_largest(found.angular_acceleration, sampled.acceleration, sampled.time_of_acceleration, what + ", acceleration");
+      const auto times = curve->knots().times();
+      const bool is_tight = sampled.rate * (times.back() - times.front()) < tight_turn;
+      constexpr double any = std::numeric_limits<double>::infinity();
+      expect_largest(found.angular_velocity, sampled.rate, sampled.time_of_rate, is_tight ? 1e-8 : any,
+                     what + ", rate");
+      expect_largest(found.angular_acceleration, sampled.acceleration, sampled.time_of_acceleration,
+                     is_tight ? 1e-8 + 1e-12 * sampled.rate * sampled.rate : any, what + ", acceleration");
     }
-  EXPECT_GT(seen, 50u);
+  EXPECT_GT(seen, 50U);
 }
 
 }}  // namespace orispline

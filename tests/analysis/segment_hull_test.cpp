@@ -108,7 +108,7 @@ void expect_above(const SegmentForm& form, const std::string& what) {
   const SegmentHull hull = SegmentHull::of(form, segment_duration).value();
   for (const auto& [start, end] : {std::pair(0.0, 1.0), {0.0, 0.25}, {0.6, 0.7}, {0.99, 1.0}, {0.371, 0.372}}) {
     const HullBounds bounds = hull.on(start, end);
-    const double step = (end - start) / 200.0 * segment_duration, rounding = hull.rounding().jerk;
+    const double step = (end - start) / 200.0 * segment_duration, rounding = hull.rounding(hull.on(0.0, 1.0)).jerk;
     std::array<Eigen::Vector3d, 3> jerks;
     jerks.fill(motion_of(form, start).angular_jerk);
     for (int i = 0; i <= 200; ++i) {

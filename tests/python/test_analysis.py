@@ -110,7 +110,7 @@ def test_threads_share_what_is_measured(keys):
 def test_one_key_is_at_rest():
     curve = ori.Curve([5.0], [[0, 0, 0.6, 0.8]])
     assert curve.energies([1, 2, 2.5]) == ori.Energies(0.0, 0.0, 0.0) and curve.angle_travelled() == 0.0
-    assert curve.peaks().angular_velocity == ori.Peak(0.0, 5.0) and curve.time_at_angle([0.0, 1.0]).tolist() == [5.0, 5.0]
+    assert curve.peaks().angular_velocity == ori.Peak(0.0, 5.0, 0.0) and curve.time_at_angle([0.0, 1.0]).tolist() == [5.0, 5.0]
     assert curve.distance([5.0], [[0, 0, 0.6, 0.8]]).largest < 1e-15 and curve.overwound_tangent() is None
 
 

@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <orispline/analysis/segment_hull.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/degrees.hpp>
-#include <orispline/analysis/segment_hull.hpp>
 
 #include "retime/retimed_motion.hpp"
 #include "support/random_motion.hpp"

@@ -26,7 +26,7 @@ export interface Continuity {
   angularJerk: Jump;
 }
 
-/** The largest value of a rate, and where [s]. */
+/** The largest value of a rate that was found, and where [s]. */
 export interface Peak {
   value: number;
   time: number;
@@ -86,7 +86,7 @@ export class WholeCurve extends Curve {
     });
   }
 
-  /** The largest rates, wherever they are; with `inertia`, the nine numbers of a symmetric matrix [kg m²], the torque too. */
+  /** The largest rates that were found; with `inertia`, the nine numbers of a symmetric matrix [kg m²], the torque too. */
   peaks(options: { inertia?: ArrayLike<number> } = {}): Peaks {
     const { inertia } = optionsOf('options', options), matrix = inertia === undefined ? undefined : numbersOf('inertia', inertia);
     if (matrix && matrix.length !== 9) throw badArgument('inertia', `found ${matrix.length} numbers, wanted 9`);

@@ -6,6 +6,7 @@
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include <orispline/analysis.hpp>
@@ -65,11 +66,11 @@ nb::dict peaks_of(const PythonCurve& curve, const std::optional<Inertia>& inerti
     const nb::gil_scoped_release release;
     return peaks(curve.pose().orientation, matrix);
   }();
-  const auto pair = [](const Peak& peak) { return std::pair(peak.value, peak.time); };
+  const auto parts = [](const Peak& peak) { return std::tuple(peak.value, peak.time, peak.bound); };
   nb::dict result;
-  result["angular_velocity"] = pair(found.angular_velocity);
-  result["angular_acceleration"] = pair(found.angular_acceleration);
-  if (inertia) result["torque"] = pair(found.torque);
+  result["angular_velocity"] = parts(found.angular_velocity);
+  result["angular_acceleration"] = parts(found.angular_acceleration);
+  if (inertia) result["torque"] = parts(found.torque);
   return result;
 }
 

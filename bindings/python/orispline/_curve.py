@@ -304,8 +304,8 @@ class Curve(Looks, Orienting):
         return Energies(**self._core.energies(None if inertia is None else inertia_tensor(inertia)))
 
     def peaks(self, inertia: Any = None) -> Peaks:
-        """The largest |ω|, |α| and, with an inertia, |torque|, and the first times when they are reached. Errors as of
-        `energies`.
+        """The largest |ω|, |α| and, with an inertia, |torque| that were found, the times when they are reached, and what
+        they are nowhere above, as far as `Peak` has that. Errors as of `energies`.
 
         >>> import orispline as ori
         >>> curve = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]], "slerp")
@@ -315,7 +315,7 @@ class Curve(Looks, Orienting):
         """
         from ._measures import Peak, Peaks
         found = self._core.peaks(None if inertia is None else inertia_tensor(inertia))
-        return Peaks(**{name: Peak(value, self._clock.time(time)) for name, (value, time) in found.items()})
+        return Peaks(**{name: Peak(value, self._clock.time(time), bound) for name, (value, time, bound) in found.items()})
 
     @overload
     def angle_travelled(self, t: Time | None = None) -> float: ...

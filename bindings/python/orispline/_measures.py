@@ -28,10 +28,12 @@ class Energies:
 
 @dataclasses.dataclass(frozen=True)
 class Peak:
-    """The largest length of a rate, and the first `time` when it is reached, as the caller has times."""
+    """The largest length of a rate that was found, and a `time` when it is reached, as the caller has times. The rate is
+    nowhere above `bound`, which is None where no bound is known."""
 
     value: float
     time: Any
+    bound: float | None = None
 
 
 @dataclasses.dataclass(frozen=True)

@@ -36,17 +36,22 @@ struct Searched {
   const Eigen::Matrix3d& inertia;
   std::size_t rates = inertia == Eigen::Matrix3d::Identity() ? 2 : 3;  // of unit inertia the torque is α
 
-  [[nodiscard]] RateSample of(double t, const Motion& m) const {
+  /// Vectors and no Motion: copies of one cost more than the rest.
+  [[nodiscard]] RateSample of(double t, const Eigen::Vector3d& velocity, const Eigen::Vector3d& acceleration,
+                              const Eigen::Vector3d& jerk) const {
     const auto height = [](const Eigen::Vector3d& rate, const Eigen::Vector3d& derivative) {
       return RateHeight{rate.squaredNorm(), rate.dot(derivative)};
     };
-    RateSample sample{.time = t, .heights = {}, .jerk_square = m.angular_jerk.squaredNorm()};
-    sample.heights[0] = height(m.angular_velocity, m.angular_acceleration);
-    sample.heights[1] = height(m.angular_acceleration, m.angular_jerk);
-    if (rates > 2) sample.heights[2] = height(torque(m, inertia), torque_rate(m, inertia));
+    RateSample sample{t, {height(velocity, acceleration), height(acceleration, jerk)}, jerk.squaredNorm()};
+    if (rates < 3) return sample;
+    const Motion m{.angular_velocity = velocity, .angular_acceleration = acceleration, .angular_jerk = jerk};
+    sample.heights[2] = height(torque(m, inertia), torque_rate(m, inertia));
     return sample;
   }
-  [[nodiscard]] RateSample at(std::size_t segment, double t) const { return of(t, curve.motion_on(segment, t)); }
+  [[nodiscard]] RateSample at(std::size_t segment, double t) const {
+    const Motion m = curve.motion_on(segment, t);
+    return of(t, m.angular_velocity, m.angular_acceleration, m.angular_jerk);
+  }
   [[nodiscard]] RateSamples between(SegmentMotions& motions, double start, double end) const {
     std::array<double, times_of_part> times;
     for (std::size_t i = 0; i < steps_of_part; ++i)
@@ -54,7 +59,8 @@ struct Searched {
     times.back() = end;
     motions.evaluate(times);
     RateSamples samples;
-    for (std::size_t i = 0; i < times.size(); ++i) samples[i] = of(times[i], motions.rates(i));
+    for (std::size_t i = 0; i < times.size(); ++i)
+      samples[i] = of(times[i], motions.angular_velocity(i), motions.angular_acceleration(i), motions.angular_jerk(i));
     return samples;
   }
 };
@@ -137,13 +143,13 @@ void LargestRates::look_at(std::size_t segment) {
   const RateReach reach(form, searched_.curve.knots().span(segment), moments_);
   const RateSamples samples = searched_.between(motions, start, end);
   see(samples);
-  const StepReach all = reach.of_segment(samples);
-  for (std::size_t i = 0; i < steps_of_part; ++i) note_summit(segment, samples[i], samples[i + 1], all.sizes);
+  const StepReach reached = reach.of_segment(samples);
+  for (std::size_t i = 0; i < steps_of_part; ++i) note_summit(segment, samples[i], samples[i + 1], reached.sizes);
   if (!reach.is_bound()) {
     are_bounds_ = false;
     if (shortest_step_near(segment) * double{steps_of_part} < end - start) uneven_.push_back(segment);
   }
-  add({segment, start, end, all, reach.rounding(), reach.is_bound() ? gap : resolution});
+  add({segment, start, end, reached, reach.rounding(), reach.is_bound() ? gap : resolution});
 }
 
 void LargestRates::note_summit(std::size_t segment, const RateSample& a, const RateSample& b, const RateSizes& reach) {
@@ -172,7 +178,8 @@ double LargestRates::priority_of(const Part& part) const {
   double excess = 0.0;
   for (std::size_t k = 0; k < searched_.rates; ++k) {
     const double enough = best_[k].size() * (1.0 + part.near_enough) + 2.0 * part.rounding[k];
-    if (part.reach.sizes[k] > 0.0) excess = std::max(excess, part.reach.sizes[k] / enough);
+    const double reach = part.reach.sizes[k];
+    if (reach > 0.0) excess = std::max(excess, std::isinf(reach) ? reach : reach / enough);
   }
   if (excess > 1.0) return excess;
   const bool rests = part.reach.sizes[0] < rest * best_[0].size();
@@ -201,9 +208,12 @@ void LargestRates::cut(std::size_t segment, double start, double end) {
   see(samples);
   for (std::size_t i = 0; i < steps_of_part; ++i) note_summit(segment, samples[i], samples[i + 1], steps[i].sizes);
   climb();
-  for (std::size_t i = 0; i < steps_of_part; ++i)
-    add({segment, samples[i].time, samples[i + 1].time, steps[i], reach.rounding(),
-         reach.is_bound() ? gap : resolution});
+  const bool are_finite = std::ranges::all_of(reach.rounding(), [](double size) { return std::isfinite(size); });
+  for (std::size_t i = 0; i < steps_of_part; ++i) {
+    const Part part{segment,  samples[i].time,  samples[i + 1].time,
+                    steps[i], reach.rounding(), reach.is_bound() ? gap : resolution};
+    are_finite ? add(part) : take(part);
+  }
 }
 
 /// Where keys are far nearer to each other than in the middle: down to their steps.

@@ -40,8 +40,8 @@ RateReach::RateReach(const SegmentForm& form, const KnotSpan& span, const Moment
 void RateReach::refine() {
   hull_ = SegmentHull::of(form_, span_.step());
   if (!hull_) return;
-  const HullBounds all = hull_->on(0.0, 1.0);
-  round(all.rate, hull_->rounding(all));
+  const HullBounds whole = hull_->on(0.0, 1.0);
+  round(whole.rate, hull_->rounding(whole));
 }
 
 RateSizes RateReach::bounds(const RateSizes& squares, double jerk_square, double step, const HullBounds& hull) const {

@@ -180,9 +180,24 @@ double shortest_in_space(const Parts& parts, double start, double end, int cuts 
   return std::min(shortest_in_space(parts, start, middle, cuts - 1), shortest_in_space(parts, middle, end, cuts - 1));
 }
 
-constexpr double rounded_up = 1.0 + 1e-12;
+constexpr double rounded_up = 1.0 + 1e-12, rounded_down = 1.0 - 1e-12;
 constexpr double rounding_of_moments = 1e-12;  // of the largest
-constexpr double rounding_share = 1e-14;  // of evaluation, of the size of what is added up
+constexpr double rounding_share = 1e-14;       // of evaluation, of the size of what is added up
+
+/// Of s/|s| with derivatives of s of these lengths, which is nowhere shorter than this.
+HullBounds bounds_of_rational(const Orders& d, double shortest) {
+  // With n = |s|² and w = 2 vec(s̄ s'), n ω = w and its derivatives: n α = w' - n' ω, n j = w'' - 2 n' α - n'' ω and on.
+  const double n = shortest * shortest;
+  const double n1 = 2.0 * d[0] * d[1], n2 = 2.0 * (d[1] * d[1] + d[0] * d[2]);
+  const double n3 = 2.0 * (3.0 * d[1] * d[2] + d[0] * d[3]), n4 = 2.0 * (3.0 * d[2] * d[2] + 4.0 * d[1] * d[3]);
+  const double rate = 2.0 * d[1] / shortest;
+  const double acceleration = (2.0 * d[0] * d[2] + n1 * rate) / n;
+  const double jerk = (2.0 * (d[0] * d[3] + d[1] * d[2]) + 2.0 * n1 * acceleration + n2 * rate) / n;
+  const double snap = (4.0 * d[1] * d[3] + 3.0 * n1 * jerk + 3.0 * n2 * acceleration + n3 * rate) / n;
+  const double crackle =
+      (4.0 * d[2] * d[3] + 4.0 * n1 * snap + 6.0 * n2 * jerk + 4.0 * n3 * acceleration + n4 * rate) / n;
+  return {rate, acceleration, jerk, snap, crackle};
+}
 
 /// By so much evaluated rates may be off: `size` of the coefficients, `products` of exponents in the jerk.
 HullBounds rounding_of(double size, std::size_t degree, double duration, const HullBounds& whole, double products) {
@@ -197,19 +212,35 @@ template <std::size_t N>
 void add_lengths(Orders& lengths, std::span<const BernsteinForm, N> components, double scale, std::size_t degree,
                  double duration) {
   constexpr std::size_t most = form_degree + 1;
-  std::array<std::array<double, most>, 3> c{};
+  std::array<std::array<double, most>, 4> c{};
   for (std::size_t axis = 0; axis < components.size(); ++axis) c[axis] = components[axis].coefficients;
   double factor = scale;
   for (std::size_t order = 0; order < lengths.size() && order <= degree; ++order) {
     const std::size_t last = degree - order;
     double square = 0.0;
     for (std::size_t i = 0; i <= last; ++i)
-      square = std::max(square, c[0][i] * c[0][i] + c[1][i] * c[1][i] + c[2][i] * c[2][i]);
+      square = std::max(square, c[0][i] * c[0][i] + c[1][i] * c[1][i] + c[2][i] * c[2][i] + c[3][i] * c[3][i]);
     lengths[order] += factor * std::sqrt(square);
     for (auto& axis : c)
       for (std::size_t i = 0; i < last; ++i) axis[i] = axis[i + 1] - axis[i];
     factor *= static_cast<double>(last) / duration;
   }
+}
+
+CoarseBounds coarse_bounds_of(const RationalForm& form, double duration) {
+  constexpr std::size_t degree = RationalForm::degree;
+  Orders lengths{};
+  add_lengths(lengths, std::span(form.components), 1.0, degree, duration);
+  std::array<Eigen::Vector4d, degree + 1> points;
+  for (std::size_t i = 0; i <= degree; ++i)
+    for (std::size_t k = 0; k < 4; ++k) points[i][static_cast<Eigen::Index>(k)] = form.components[k].coefficients[i];
+  const Eigen::Vector4d direction = (points[0] + points[1] + points[2] + points[3]).stableNormalized();
+  double shortest = points[0].dot(direction);
+  for (const Eigen::Vector4d& point : points) shortest = std::min(shortest, point.dot(direction));
+  const HullBounds bounds = bounds_of_rational(lengths, rounded_down * std::max(shortest, 0.0));
+  Orders halves = lengths;
+  for (double& half : halves) half *= 1.5;  // of three components
+  return {bounds, rounding_of(4.0 * lengths[0], degree, duration, bounds, bounds_of(0.0, 0.0, halves).jerk)};
 }
 
 }  // namespace
@@ -317,23 +348,23 @@ std::optional<CoarseBounds> coarse_bounds(const SegmentForm& form, double durati
     add_lengths(lengths, std::span(chart->rotation_vector), 1.0, degree, duration);
   } else if (const auto* product = std::get_if<CumulativeForm>(&form)) {
     degree = product->degree;
-    turns = static_cast<std::size_t>(std::ranges::count_if(product->increments, [](const auto& x) { return !x.isZero(0.0); }));
+    turns = static_cast<std::size_t>(
+        std::ranges::count_if(product->increments, [](const auto& x) { return !x.isZero(0.0); }));
     for (std::size_t k = 0; k < product->increments.size(); ++k)
       add_lengths(lengths, std::span(product->blending).subspan(k, 1), product->increments[k].stableNorm(), degree,
                   duration);
+  } else if (const auto* rational = std::get_if<RationalForm>(&form)) {
+    return coarse_bounds_of(*rational, duration);
   } else {
-    const auto hull = SegmentHull::of(form, duration);
-    if (!hull) return std::nullopt;
-    const HullBounds all = hull->on(0.0, 1.0);
-    return CoarseBounds{all, hull->rounding(all)};
+    return std::nullopt;
   }
   Orders halves = lengths;
   for (double& half : halves) half *= 0.5;
   // Of exponents of norms below these α is at most the sum of their second derivatives and of half the square of ω.
   const double rate = lengths[1], acceleration = lengths[2] + 0.5 * rate * rate;
-  HullBounds all = bounds_of(rate * rounded_up, acceleration * rounded_up, halves);
-  if (turns < 2) all = {lengths[1], lengths[2], lengths[3], lengths[4], lengths[5]};  // about an axis that stands
-  return CoarseBounds{all, rounding_of(2.0 * lengths[0], degree, duration, all, all.jerk)};
+  HullBounds bounds = bounds_of(rate * rounded_up, acceleration * rounded_up, halves);
+  if (turns < 2) bounds = {lengths[1], lengths[2], lengths[3], lengths[4], lengths[5]};  // about an axis that stands
+  return CoarseBounds{bounds, rounding_of(2.0 * lengths[0], degree, duration, bounds, bounds.jerk)};
 }
 
 HullBounds SegmentHull::product_on(double start, double end) const {
@@ -362,20 +393,10 @@ HullBounds SegmentHull::product_on(double start, double end) const {
 }
 
 HullBounds SegmentHull::rational_on(double start, double end) const {
-  // With n = |s|² and w = 2 vec(s̄ s'), n ω = w and its derivatives: n α = w' - n' ω, n j = w'' - 2 n' α - n'' ω and on.
-  std::array<double, 4> d{};
-  for (std::size_t order = 0; order < d.size(); ++order)
+  Orders d{};
+  for (std::size_t order = 0; order <= RationalForm::degree; ++order)
     d[order] = longest_in_space(restricted_in_space(parts_, order, start, end));
-  const double shortest = shortest_in_space(parts_, start, end), n = shortest * shortest;
-  const double n1 = 2.0 * d[0] * d[1], n2 = 2.0 * (d[1] * d[1] + d[0] * d[2]);
-  const double n3 = 2.0 * (3.0 * d[1] * d[2] + d[0] * d[3]), n4 = 2.0 * (3.0 * d[2] * d[2] + 4.0 * d[1] * d[3]);
-  const double rate = 2.0 * d[1] / shortest;
-  const double acceleration = (2.0 * d[0] * d[2] + n1 * rate) / n;
-  const double jerk = (2.0 * (d[0] * d[3] + d[1] * d[2]) + 2.0 * n1 * acceleration + n2 * rate) / n;
-  const double snap = (4.0 * d[1] * d[3] + 3.0 * n1 * jerk + 3.0 * n2 * acceleration + n3 * rate) / n;
-  const double crackle =
-      (4.0 * d[2] * d[3] + 4.0 * n1 * snap + 6.0 * n2 * jerk + 4.0 * n3 * acceleration + n4 * rate) / n;
-  return {rate, acceleration, jerk, snap, crackle};
+  return bounds_of_rational(d, shortest_in_space(parts_, start, end));
 }
 
 HullBounds SegmentHull::chart_on(double start, double end) const {

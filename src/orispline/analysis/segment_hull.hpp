@@ -52,7 +52,9 @@ class MomentBounds {
   explicit MomentBounds(const Eigen::Matrix3d& inertia);
 
   /// Of the torque Iα + ω × Iω [N m].
-  [[nodiscard]] double torque(const HullBounds& b) const { return moment_ * b.acceleration + spread_ * b.rate * b.rate; }
+  [[nodiscard]] double torque(const HullBounds& b) const {
+    return moment_ * b.acceleration + spread_ * b.rate * b.rate;
+  }
   /// Of its second derivative [N m/s²].
   [[nodiscard]] double bend(const HullBounds& b) const {
     return moment_ * b.snap + 2.0 * spread_ * (b.jerk * b.rate + b.acceleration * b.acceleration);

@@ -140,8 +140,7 @@ QuantitySizes Turning::rounding() const {
     if (vector == Limited::rate) sizes[k] = rounding_.rate;
     if (vector == Limited::acceleration) sizes[k] = rounding_.acceleration;
     if (vector == Limited::jerk) sizes[k] = rounding_.jerk;
-    if (vector == Limited::torque)
-      sizes[k] = moments_.rounding(whole_.rate, rounding_.rate, rounding_.acceleration);
+    if (vector == Limited::torque) sizes[k] = moments_.rounding(whole_.rate, rounding_.rate, rounding_.acceleration);
   }
   return sizes;
 }

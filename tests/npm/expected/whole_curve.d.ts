@@ -20,7 +20,7 @@ export interface Continuity {
     /** [rad/s³]. */
     angularJerk: Jump;
 }
-/** The largest value of a rate, and where [s]. */
+/** The largest value of a rate that was found, and where [s]. */
 export interface Peak {
     value: number;
     time: number;
@@ -41,7 +41,7 @@ export declare class WholeCurve extends Curve {
     continuity(): Continuity;
     /** The order that is reached at each key: 3 at the ends, but for those of a loop; -1 where the orientation jumps before the next key. */
     orders(): Int8Array;
-    /** The largest rates, wherever they are; with `inertia`, the nine numbers of a symmetric matrix [kg m²], the torque too. */
+    /** The largest rates that were found; with `inertia`, the nine numbers of a symmetric matrix [kg m²], the torque too. */
     peaks(options?: {
         inertia?: ArrayLike<number>;
     }): Peaks;
