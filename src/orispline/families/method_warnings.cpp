@@ -11,6 +11,7 @@
 #include <orispline/curve/one_axis.hpp>
 #include <orispline/curve/rate_comparison.hpp>
 #include <orispline/curve/three_key_rates.hpp>
+#include <orispline/families/overturned_span.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/geodesic.hpp>
 
@@ -159,7 +160,8 @@ std::vector<Warning> warnings_of(const Method& method, const Track& track) {
   const Method shaped = completed(method, **family, track);
   for (const auto& warning :
        {contradicting_rates(**family, track.keys), contradicting_accelerations(**family, track.keys),
-        closing_step(shaped, track.keys), overwound(shaped, track.keys), moving_rests(shaped, **family, track.keys)})
+        closing_step(shaped, track.keys), overwound(shaped, track.keys), moving_rests(shaped, **family, track.keys),
+        overturned_span(shaped, **family, track)})
     if (warning) warnings.push_back(track.located(*warning));
   return warnings;
 }

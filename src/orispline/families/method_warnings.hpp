@@ -18,7 +18,8 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// curve of slerps loses its continuity (`turn_deg`). `contradicting_rates`: a method that reads rates has such as the
 /// keys do not turn with (`misfit`: their difference over their size), and what they may be instead.
 /// `contradicting_accelerations`: angular accelerations by which the body would turn far quicker than the angular
-/// velocities say (`summed_rad_s`, `largest_rate_rad_s`). And what is of the keys.
+/// velocities say (`summed_rad_s`, `largest_rate_rad_s`). `overturned_span`: the curve turns more than twice as far as
+/// its keys, beside two that are too near in time (`turn_deg`, `turn_of_keys_deg`). And what is of the keys.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<Warning> warnings_of(const Method& method, const Track& track);
 
 }}  // namespace orispline
