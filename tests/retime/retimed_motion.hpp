@@ -18,6 +18,10 @@ namespace orispline {
 
 inline const std::optional<Eigen::Matrix3d> inertia = Eigen::Matrix3d(Eigen::Vector3d(1.0, 2.0, 2.5).asDiagonal());
 
+inline bool is_warned_of(const Retiming& retiming, std::string_view code) {
+  return std::ranges::find(retiming.warnings, code, &Warning::code) != retiming.warnings.end();
+}
+
 /// One value of each.
 struct MotionSizes {
   double rate, acceleration, torque, jerk;  ///< [rad/s], [rad/s²], [N m], [rad/s³]

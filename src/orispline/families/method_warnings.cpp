@@ -12,6 +12,7 @@
 #include <orispline/curve/rate_comparison.hpp>
 #include <orispline/curve/three_key_rates.hpp>
 #include <orispline/families/blending/blending_family.hpp>
+#include <orispline/families/overturned_span.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/geodesic.hpp>
 
@@ -211,7 +212,8 @@ std::vector<Warning> warnings_of(const Method& method, const Track& track) {
   for (const auto& warning :
        {contradicting_rates(**family, track.keys), contradicting_accelerations(**family, track.keys),
         closing_step(shaped, track.keys), overwound(shaped, track.keys), moving_rests(shaped, **family, track.keys),
-        jumps_at_keys(shaped, track.keys), corners_at_keys(shaped, track.keys)})
+        jumps_at_keys(shaped, track.keys), corners_at_keys(shaped, track.keys),
+        overturned_span(shaped, **family, track)})
     if (warning) warnings.push_back(track.located(*warning));
   return warnings;
 }

@@ -19,9 +19,9 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// keys do not turn with (`misfit`: their difference over their size), and what they may be instead.
 /// `contradicting_accelerations`: angular accelerations by which the body would turn far quicker than the angular
 /// velocities say (`summed_rad_s`, `largest_rate_rad_s`). `jump_at_key`: the segments of a curve of one's own do not
-/// meet
-/// (`jump_deg` of the largest, `keys`). `corner_at_key`: by the parameters of blending functions of one's own the body
-/// rests or turns back at keys (`keys`). And what is of the keys.
+/// meet (`jump_deg` of the largest, `keys`). `corner_at_key`: by the parameters of blending functions of one's own the
+/// body rests or turns back at keys (`keys`). `overturned_span`: the curve turns more than twice as far as its keys,
+/// beside two that are too near in time (`turn_deg`, `turn_of_keys_deg`). And what is of the keys.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<Warning> warnings_of(const Method& method, const Track& track);
 
 }}  // namespace orispline
