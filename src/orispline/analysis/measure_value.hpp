@@ -11,7 +11,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace measure_value {
 using Value = std::optional<double>;
 
 /// Angles of equal orientations, energies of constant rates and the like, far below what any motion has.
-inline constexpr double rounding = 1e-12, rounding_of_squares = 1e-24;
+inline constexpr double no_value = 1e-12, no_square = 1e-24;
 
 [[nodiscard]] inline double time_in_file(const MeasureTimes& times, double t) {
   return (times.epoch + Decimal::from_double(t)).to_double();
@@ -62,7 +62,7 @@ template <double Energies::*figure>
 
 /// Absent where ω jumps, since the energy is infinite then, and where the least is as small as rounding errors.
 [[nodiscard]] inline Value times_least_energy(const Measures& m, const MeasureTimes&) {
-  if (!m.least_energy || !(*m.least_energy > rounding_of_squares) || m.continuity.order() < 1) return std::nullopt;
+  if (!m.least_energy || !(*m.least_energy > no_square) || m.continuity.order() < 1) return std::nullopt;
   return m.energies.acceleration / *m.least_energy;
 }
 

@@ -22,7 +22,7 @@ constexpr double resolution = 1e-7;     // the same of an estimate
 constexpr double worth_climbing = 0.8;  // of the largest square found: below it no step rises so far above its ends
 /// |ω|² is resolved where it is so near to the cubics between the steps, of the largest on the part; where |ω| is below
 /// so much of the largest found, the body rests, and differences are rounding.
-constexpr double resolved = 3e-3, rest = 1e-6;
+constexpr double resolved = 3e-3, rate_at_rest = 1e-6;
 constexpr int most_bisections = 60;
 constexpr std::size_t keys_near = 3;  // so many segments away a short step still shapes the curve
 constexpr double least_share = 1e-9;  // of a segment, that is still cut
@@ -182,7 +182,7 @@ double LargestRates::priority_of(const Part& part) const {
     if (reach > 0.0) excess = std::max(excess, std::isinf(reach) ? reach : reach / enough);
   }
   if (excess > 1.0) return excess;
-  const bool rests = part.reach.sizes[0] < rest * best_[0].size();
+  const bool rests = part.reach.sizes[0] < rate_at_rest * best_[0].size();
   return part.reach.unresolved > resolved && !rests ? part.reach.unresolved / (1.0 + part.reach.unresolved) : 0.0;
 }
 
@@ -257,8 +257,8 @@ Peaks peaks(const AnyCurve& curve, const Eigen::Matrix3d& inertia) {
   const auto knots = curve.knots().times();
   LargestRates search(searched);
   if (knots.size() < 2) {
-    const Peak rest{0.0, knots.front(), 0.0};
-    return {rest, rest, rest};
+    const Peak none{0.0, knots.front(), 0.0};
+    return {none, none, none};
   }
   for (std::size_t segment = 0; segment + 1 < knots.size(); ++segment) search.look_at(segment);
   search.refine();

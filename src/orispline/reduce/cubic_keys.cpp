@@ -174,7 +174,7 @@ class CubicChains {
   std::vector<std::size_t> before_;  ///< the key before each sample in its chain
 };
 
-constexpr std::size_t stride = 4;  // three points between two samples
+constexpr std::size_t points_a_sample = 4;  // three points between two samples
 
 template <CurvePoint P>
 using PointAt = std::function<P(double)>;
@@ -235,14 +235,14 @@ template Channel<Eigen::Vector3d> fewest_cubics(const CubicSamples<Eigen::Vector
 template <CurvePoint P>
 CubicSamples<P> cubic_samples(const Channel<P>& channel, BetweenSamples between) {
   const PointAt<P> motion = motion_between(channel, between);
-  CubicSamples<P> samples{.stride = stride};
+  CubicSamples<P> samples{.stride = points_a_sample};
   auto& [times, points] = samples.targets;
   for (std::size_t i = 0; i < channel.size(); ++i) {
     times.push_back(channel.times[i]);
     append(points, components(channel.values[i]));
     if (i + 1 == channel.size()) break;
-    for (std::size_t k = 1; k < stride; ++k) {
-      const double share = static_cast<double>(k) / stride;
+    for (std::size_t k = 1; k < points_a_sample; ++k) {
+      const double share = static_cast<double>(k) / points_a_sample;
       times.push_back(channel.times[i] + share * (channel.times[i + 1] - channel.times[i]));
       append(points, components(motion(times.back())));
     }
