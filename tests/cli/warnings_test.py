@@ -3,8 +3,11 @@
 """Curves that are made, but are not what the method's name promises: one line on standard error."""
 import json
 import math
+import pathlib
 
 from command import SUCCESS, CommandTest, main
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 class Warnings(CommandTest):
@@ -14,7 +17,8 @@ class Warnings(CommandTest):
             f"{t},{math.cos(turn / 2)},0,0,{math.sin(turn / 2)}\n" for t in (1, 11)))
         done = self.run_command(f"sample rest.csv --method {method} --count 2 --quiet")
         self.assertEqual((done.returncode, done.stdout.count("\n")), (SUCCESS, 3))
-        return "".join(line for line in done.stderr.splitlines(True) if "moves in 1 rest" not in line)  # which it does
+        # Where it moves in the rest, and turns in it much farther than the keys, which it does.
+        return "".join(line for line in done.stderr.splitlines(True) if "moves in 1 rest" not in line and "the curve of" not in line)
 
     def test_a_handle_that_turns_a_full_turn_is_named(self):
         self.assertEqual(self.warnings_of(1.4, "squad-timed"),
@@ -26,6 +30,19 @@ class Warnings(CommandTest):
         for turn, method in ((1.37, "squad-timed"), (1.4, "tcb"), (3.0, "timed-c1")):
             with self.subTest(method):
                 self.assertEqual(self.warnings_of(turn, method), "")
+
+    def test_a_curve_that_turns_much_farther_than_its_keys_is_named(self):
+        """Between two keys that one wrong time brings 0.02 s beside a third."""
+        camera = (ROOT / "examples/data/camera_keys.csv").read_text()
+        self.write("camera.csv", camera.replace("\n3.88,", "\n5.62,"))
+        for line in ("sample camera.csv --rate 2 -o out.csv", "inspect camera.csv --method auto"):
+            with self.subTest(line):
+                self.assertIn("warning: camera.csv:10: key 4: between the keys at 3.36 s and 5.62 s the curve of auto turns by 633.7 degrees, where "
+                              "the keys turn by 23.19: the keys at 5.62 s and 5.64 s are too near in time", self.run_command(line).stderr)
+        for method in ("slerp", "squad"):
+            self.assertEqual(self.run_command(f"sample camera.csv --method {method} --rate 2 -o out.csv --quiet").stderr, "")
+        self.write("whole.csv", camera)
+        self.assertEqual(self.run_command("sample whole.csv --rate 2 -o out.csv --quiet").stderr, "")
 
     def test_the_json_has_what_was_warned_of(self):
         self.write("half.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0,1,0,0\n2,0,0,1,0\n")

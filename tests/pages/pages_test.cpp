@@ -194,10 +194,12 @@ double at_time(const std::vector<double>& times, const std::vector<double>& valu
 double largest_apart(const Track& before, const Method& method, const RetimeOptions& options) {
   const Retiming retiming = retime(before, method, options).value();
   const report::Page page = pages::retime_page(before, retiming, options.limits, head);
+  const auto& evenness = retiming.evenness;
+  const Keyframes keys = evenness ? before.keys.with_times(evenness->path_times).value() : before.keys;
+  const std::vector<double> typed(before.keys.times().begin(), before.keys.times().end()),
+      shaping(keys.times().begin(), keys.times().end());
   const PoseCurve after = make_pose_curve(retiming.method, retiming.track.keys).value(),
-                  path =
-                      make_pose_curve(retiming.evenness ? retiming.evenness->path_method : retiming.method, before.keys)
-                          .value();
+                  path = make_pose_curve(evenness ? evenness->path_method : retiming.method, keys).value();
   EXPECT_FALSE(page.methods[0].clock);
   const report::PageClock clock = page.methods[1].clock.value();
   EXPECT_TRUE(std::ranges::is_sorted(clock.times) && std::ranges::is_sorted(clock.own));
@@ -207,7 +209,7 @@ double largest_apart(const Track& before, const Method& method, const RetimeOpti
   double largest = 0.0;
   for (std::size_t k = 0; k <= 5000; ++k) {
     const double t = std::lerp(domain.start, domain.end, static_cast<double>(k) / 5000.0);
-    const double own = at_time(clock.times, clock.own, t);
+    const double own = at_time(typed, shaping, at_time(clock.times, clock.own, t));
     largest = std::max(largest, angular_distance(after.orientation(t), path.orientation(own)) * degrees);
   }
   return largest;
@@ -217,6 +219,7 @@ TEST(RetimePage, HasAClockByWhichBothMotionsAreAtTheSamePlace) {
   const Track before = Keyframes::make(testing_support::random_walk(3, 40, testing_support::Spacing::uneven)).value();
   const MotionLimits limits{.rate = 0.1};
   EXPECT_LE(largest_apart(before, "timed-c2", {.limits = limits}), 1e-6);
+  EXPECT_LE(largest_apart(before, "auto", {.constant_rate = 0.1, .path_times = PathTimes::typed}), 0.5);
   EXPECT_LE(largest_apart(before, "auto", {.constant_rate = 0.1}), 0.5);
   // of slerps the way between two keys is one, whatever the times
   EXPECT_LE(largest_apart(before, "slerp", {.limits = limits, .slowing = Slowing::per_interval}), 1e-6);

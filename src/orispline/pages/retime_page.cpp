@@ -2,8 +2,10 @@
 #include <orispline/pages/task_pages.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
+#include <span>
 
 #include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
@@ -99,12 +101,37 @@ report::PageMethod method_of(const RetimedKeys& retimed, std::string name, const
   return method;
 }
 
-/// The motion before is shown at the place where that after is, which may have more keys.
+/// The same places of a way at other times of its keys, the keys among them.
+report::PageClock at_times_of_keys(const report::PageClock& clock, std::span<const double> from,
+                                   std::span<const double> to) {
+  report::PageClock other;
+  const auto add = [&](double time, double own) {
+    other.times.push_back(time);
+    other.own.push_back(own);
+  };
+  std::size_t key = 1;
+  for (std::size_t k = 0; k < clock.own.size(); ++k) {
+    const double own = clock.own[k];
+    for (; key + 1 < from.size() && from[key] < own; ++key)
+      if (k > 0)
+        add(std::lerp(clock.times[k - 1], clock.times[k], (from[key] - clock.own[k - 1]) / (own - clock.own[k - 1])),
+            to[key]);
+    add(clock.times[k], std::lerp(to[key - 1], to[key], (own - from[key - 1]) / (from[key] - from[key - 1])));
+  }
+  return other;
+}
+
+/// The motion before is shown at the place where that after is, which may have more keys. An even motion may go along a
+/// path that other times shape: there both are at the keys together.
 std::optional<report::PageClock> clock_of(const Keyframes& before, const Retiming& retiming) {
   if (retiming.track.keys.size() == before.size()) return clock_of_keys(retiming.track.keys, before);
+  const auto& evenness = retiming.evenness;
+  const auto keys = evenness ? before.with_times(evenness->path_times) : Expected<Keyframes>(before);
+  if (!keys) return std::nullopt;
   const auto after = make_pose_curve(retiming.method, retiming.track.keys),
-             path = make_pose_curve(retiming.evenness ? retiming.evenness->path_method : retiming.method, before);
-  return after && path ? std::optional(clock_of_ways(*after, *path)) : std::nullopt;
+             path = make_pose_curve(evenness ? evenness->path_method : retiming.method, *keys);
+  if (!after || !path) return std::nullopt;
+  return at_times_of_keys(clock_of_ways(*after, *path), keys->times(), before.times());
 }
 
 }  // namespace

@@ -283,6 +283,7 @@ Expected<Keyframes> at_times_by_lengths(const Keyframes& keys, const RetimeOptio
 struct ShapedPath {
   PoseCurve curve;
   EvenPath even;
+  std::vector<double> times;  ///< of the keys [s]
 
   [[nodiscard]] double length() const { return even.stretches().back().before + even.stretches().back().length; }
 };
@@ -292,7 +293,9 @@ Expected<ShapedPath> path_of(const Method& method, const Keyframes& keys, const 
   return make_pose_curve(method, keys).and_then([&](PoseCurve curve) {
     auto even =
         options.constant_rate ? EvenPath::by_angle(curve, sharp_bend) : EvenPath::by_distance(curve, sharp_bend);
-    return std::move(even).map([&](EvenPath found) { return ShapedPath{std::move(curve), std::move(found)}; });
+    return std::move(even).map([&](EvenPath found) {
+      return ShapedPath{std::move(curve), std::move(found), {keys.times().begin(), keys.times().end()}};
+    });
   });
 }
 
@@ -393,6 +396,7 @@ Expected<Retiming> evenly_retimed(const Track& track, const Method& method, cons
   if (motion.has_rests()) retiming.rests = dense->keys.rests();
   retiming.evenness = evenness_of(*dense, motion, method);
   retiming.evenness->typed_longer = paths.typed_longer();
+  retiming.evenness->path_times = path->times;
   retiming.warnings = warnings_of(*retiming.evenness, options.path_times);
   return retiming;
 }

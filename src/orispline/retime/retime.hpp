@@ -88,6 +88,7 @@ struct Evenness {
   double largest_rate = 0.0;             ///< |ω| [rad/s]
   double largest_acceleration = 0.0;     ///< |α| [rad/s²]
   std::optional<double> typed_longer{};  ///< by which share of its length the path is longer by the typed times
+  std::vector<double> path_times{};      ///< of the keys that were given, by which they shape the path [s]
   std::size_t stops = 0;                 ///< where the path turns back or bends too sharply for the ease
   std::size_t slower_stretches = 0;      ///< between stops, too short to get as fast as asked for
 };
