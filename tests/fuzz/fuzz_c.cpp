@@ -225,18 +225,21 @@ class Program {
     take_text(orispline_keys_json(keys, &json, &error), error, json);
   }
 
-  void write_keys() {
+  /// Asks for the bytes of a file of one of the objects.
+  template <class Objects, class Write>
+  void write(const Objects& objects, const Write& written) {
     char *bytes = nullptr, *warnings = nullptr;
     std::size_t size = 0;
     const auto [name, option, given] = named();
-    const orispline_keys* const keys = keys_.any(input_);
+    const auto* const object = objects.any(input_);
     orispline_error* error = nullptr;
-    claim_done(
-        orispline_keys_write(keys, name, &option, given, &bytes, &size, input_.below(2) ? &warnings : nullptr, &error),
-        error, &bytes);
+    claim_done(written(object, name, &option, given, &bytes, &size, input_.below(2) ? &warnings : nullptr, &error),
+               error, &bytes);
     orispline_text_free(bytes);
     orispline_text_free(warnings);
   }
+
+  void write_keys() { write(keys_, orispline_keys_write); }
 
   void make_curve() {
     orispline_curve* curve = nullptr;
@@ -477,18 +480,7 @@ class Program {
     take_text(orispline_value_json(value, &json, &error), error, json);
   }
 
-  void write_value() {
-    char *bytes = nullptr, *warnings = nullptr;
-    std::size_t size = 0;
-    const auto [name, option, given] = named();
-    const orispline_value* const value = values_.any(input_);
-    orispline_error* error = nullptr;
-    claim_done(orispline_value_write(value, name, &option, given, &bytes, &size, input_.below(2) ? &warnings : nullptr,
-                                     &error),
-               error, &bytes);
-    orispline_text_free(bytes);
-    orispline_text_free(warnings);
-  }
+  void write_value() { write(values_, orispline_value_write); }
 
   /// Asks some tasks to stop.
   static std::int32_t stop_soon(double share, void* program) {

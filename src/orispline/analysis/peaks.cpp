@@ -24,7 +24,6 @@ constexpr double worth_climbing = 0.8;  // of the largest square found: below it
 /// so much of the largest found, the body rests, and differences are rounding.
 constexpr double resolved = 3e-3, rate_at_rest = 1e-6;
 constexpr int most_bisections = 60;
-constexpr std::size_t keys_near = 3;  // so many segments away a short step still shapes the curve
 constexpr double least_share = 1e-9;  // of a segment, that is still cut
 constexpr double least_steps = 64.0;  // of time's rounding, the same
 /// Parts that are cut, beside one a segment.
@@ -123,7 +122,6 @@ class LargestRates {
   void cut_towards_ends(std::size_t segment);
   void add(Part part);
   [[nodiscard]] double priority_of(const Part& part) const;
-  [[nodiscard]] double shortest_step_near(std::size_t segment) const;
 
   const Searched& searched_;
   MomentBounds moments_;
@@ -147,7 +145,8 @@ void LargestRates::look_at(std::size_t segment) {
   for (std::size_t i = 0; i < steps_of_part; ++i) note_summit(segment, samples[i], samples[i + 1], reached.sizes);
   if (!reach.is_bound()) {
     are_bounds_ = false;
-    if (shortest_step_near(segment) * double{steps_of_part} < end - start) uneven_.push_back(segment);
+    if (shortest_step_near(searched_.curve.knots(), segment) * double{steps_of_part} < end - start)
+      uneven_.push_back(segment);
   }
   add({segment, start, end, reached, reach.rounding(), reach.is_bound() ? gap : resolution});
 }
@@ -219,7 +218,7 @@ void LargestRates::cut(std::size_t segment, double start, double end) {
 /// Where keys are far nearer to each other than in the middle: down to their steps.
 void LargestRates::cut_towards_ends(std::size_t segment) {
   const double start = knots_[segment], end = knots_[segment + 1], step = end - start;
-  const double shortest = std::max(shortest_step_near(segment), least_share * step);
+  const double shortest = std::max(shortest_step_near(searched_.curve.knots(), segment), least_share * step);
   for (double share = step; share > shortest;) {
     share /= double{steps_of_part};
     cut(segment, start, start + share);
@@ -241,13 +240,6 @@ void LargestRates::refine() {
     --left;
     cut(part.segment, part.start, part.end);
   }
-}
-
-double LargestRates::shortest_step_near(std::size_t segment) const {
-  double shortest = knots_[segment + 1] - knots_[segment];
-  for (std::size_t i = segment - std::min(segment, keys_near); i <= segment + keys_near && i + 1 < knots_.size(); ++i)
-    shortest = std::min(shortest, knots_[i + 1] - knots_[i]);
-  return shortest;
 }
 
 }  // namespace

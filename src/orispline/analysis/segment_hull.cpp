@@ -419,4 +419,13 @@ HullBounds SegmentHull::chart_on(double start, double end) const {
   return lesser(bounds_of(speed, change + speed * turns, halves), derivatives_of_winding(lengths, across, shortest));
 }
 
+double shortest_step_near(const Knots& knots, std::size_t segment) {
+  constexpr std::size_t segments_near = 3;
+  double shortest = knots.span(segment).step();
+  const std::size_t end = std::min(segment + segments_near + 1, knots.segments());
+  for (std::size_t i = segment - std::min(segment, segments_near); i < end; ++i)
+    shortest = std::min(shortest, knots.span(i).step());
+  return shortest;
+}
+
 }}  // namespace orispline

@@ -99,4 +99,7 @@ class SegmentHull {
   std::array<double, 3> lengths_{}, along_{}, across_{};
 };
 
+/// The shortest step [s] of those that shape a segment: its own, and three on either side.
+[[nodiscard]] double shortest_step_near(const Knots& knots, std::size_t segment);
+
 }}  // namespace orispline

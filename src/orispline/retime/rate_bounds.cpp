@@ -206,7 +206,6 @@ QuantitySizes Moving::rounding() const {
 }
 
 constexpr double gap = 1e-4;           // of a bound above the largest value found, relative
-constexpr std::size_t keys_near = 3;   // so many segments away a short step still shapes the curve
 constexpr std::size_t first_cuts = 4;  // of a segment
 /// Parts that the segments of a curve are cut into, all together, and those of each that it has in any case.
 constexpr std::size_t most_parts = std::size_t{1} << 16, fewest_parts = std::size_t{1} << 10;
@@ -243,7 +242,7 @@ class PeakSearch {
       add(span_.start() + (static_cast<double>(i) + 0.5) * step, 0.5 * step, any);
     for (std::size_t made = first_cuts; !open_.empty() && made < parts; made += 2) halve_worst();
     for (const Part& part : open_) take(part.bounds);
-    source_.round(peaks_, shortest_step_near());
+    source_.round(peaks_, shortest_step_near(knots_, segment_));
     return std::move(peaks_);
   }
 
@@ -296,14 +295,6 @@ class PeakSearch {
       if (bounds[k] > 0.0) excess = std::max(excess, bounds[k] / near_enough);
     }
     return excess;
-  }
-
-  [[nodiscard]] double shortest_step_near() const {
-    const auto t = knots_.times();
-    double shortest = span_.step();
-    for (std::size_t i = segment_ - std::min(segment_, keys_near); i <= segment_ + keys_near && i + 1 < t.size(); ++i)
-      shortest = std::min(shortest, t[i + 1] - t[i]);
-    return shortest;
   }
 
   Source source_;
