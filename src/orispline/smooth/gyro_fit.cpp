@@ -12,6 +12,7 @@
 #include <orispline/math/median.hpp>
 #include <orispline/math/so3.hpp>
 #include <orispline/smooth/gyro_faults.hpp>
+#include <orispline/smooth/gyro_model.hpp>
 #include <orispline/smooth/smoothing_trace.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -61,6 +62,7 @@ SeenPoses seen_by(const GyroPlan& plan, const SmoothingSearch& without, double n
 struct Seen {
   GyroAlignment alignment;
   CountedRates counts;
+  GyroNoises noises{};
 };
 
 Seen seen_gyro(const GyroPlan& plan, const SeenPoses& poses, double gyro_noise) {
@@ -105,10 +107,27 @@ double lambda_of_jerk(double of_acceleration, const SeenPoses& poses) {
                    poses.noise, interval);
 }
 
+/// The smoothing time that the changes of the rates suggest, of a penalty of the acceleration: between two of them it is
+/// white by their σ. Absent where they are noise, or jump.
+std::optional<double> time_of_rates(const GyroFit& fit, Penalty penalty) {
+  const SmoothingProblem& problem = fit.problems.front();
+  double squares = 0.0, count = 0.0, time = 0.0;
+  for (std::size_t i = 0; i + 1 < problem.size(); ++i) {
+    if (problem.gyro_weights[i] == 0.0 || problem.gyro_weights[i + 1] == 0.0) continue;
+    squares += (problem.gyro[i + 1] - problem.gyro[i]).squaredNorm() / 3.0 - 2.0 * fit.finding.noise * fit.finding.noise;
+    time += problem.times[i + 1] - problem.times[i];
+    count += 1.0;
+  }
+  if (count == 0.0 || !(squares > 0.0)) return std::nullopt;
+  const double shortest = 0.2 * fit.interval, longest = 200.0 * fit.interval;
+  const double tau = smoothing_time_of(time / squares, Penalty::acceleration, fit.noise, fit.interval);
+  return penalty == Penalty::acceleration ? std::optional(std::clamp(tau, shortest, longest)) : std::nullopt;
+}
+
 /// λ by the restricted likelihood; what the fit with it may begin with is returned.
 StretchFits choose_lambda(GyroFit& result, const StretchFits& start, SmoothingObjective& objective) {
   ChosenLambda chosen = chosen_lambda(result.problems, start, objective, SmoothingCriterion::reml, result.noise,
-                                      result.interval, std::nullopt);
+                                      result.interval, time_of_rates(result, objective.penalty));
   objective.lambda = chosen.choice.lambda;
   StretchFits near = std::exchange(chosen.fits, {});
   result.chosen = std::move(chosen);
@@ -161,9 +180,21 @@ Expected<GyroFit> fitted(const GyroPlan& plan, const SeenPoses& poses, const See
   if (plan.options.smoothing_time)
     objective.lambda = lambda_of(*plan.options.smoothing_time, objective.penalty, poses.noise, result.interval);
   else start = choose_lambda(result, start, objective);
-  if (plan.options.gyro_bias == GyroBias::drifting) {
+  if (seen.noises.drift > 0.0 || seen.noises.correlated > 0.0) {
+    const double span = result.problems.front().times.back() - result.problems.front().times.front();
+    objective.bias = SmoothingObjective::Bias::drifting;
+    objective.drift = std::max(seen.noises.drift, least_drift * gyro_noise / std::sqrt(span));
+    if (seen.noises.drift > 0.0) result.finding.drift = seen.noises.drift;
+  } else if (plan.options.gyro_bias == GyroBias::drifting) {
     start = choose_drift(result, start, objective, gyro_noise);
     if (!plan.options.smoothing_time) start = choose_lambda(result, start, objective);
+  }
+  if (seen.noises.correlated > 0.0) {
+    // λ was chosen as if all of the noise were white: beside one that keeps, a motion that follows it is as likely.
+    objective.kept_noise = seen.noises.correlated;
+    objective.noise_time = seen.noises.time;
+    const double share = poses.noise / seen.noises.white;
+    for (double& weight : result.problems.front().weights) weight *= share * share;
   }
   if (alone && result.chosen) stiffen(result.problems.front(), rows.unled, objective.lambda, *alone);
   result.fits = fit_stretches(result.problems, objective, {}, start);
@@ -280,10 +311,10 @@ Expected<GyroFit> fit_with_counted_turns(const GyroPlan& plan) {
 }
 
 Expected<GyroFit> fit_with_gyro(const GyroPlan& plan, const SmoothingSearch& without, double noise) {
-  const SeenPoses poses = seen_by(plan, without, plan.options.noise.value_or(std::max(least_noise, noise)));
+  SeenPoses poses = seen_by(plan, without, plan.options.noise.value_or(std::max(least_noise, noise)));
   if (auto means = check_frame(poses, plan.gyro); !means) return tl::unexpected(std::move(means.error()));
   const double gyro_noise = gyro_noise_of(plan);
-  const Seen seen = seen_gyro(plan, poses, gyro_noise);
+  Seen seen = seen_gyro(plan, poses, gyro_noise);
   if (auto means = check_meaning(poses, plan.gyro, seen.counts, seen.alignment.offset); !means)
     return tl::unexpected(std::move(means.error()));
   // A usual sample that counts has the weight that λ of the orientations alone stands beside.
@@ -291,9 +322,42 @@ Expected<GyroFit> fit_with_gyro(const GyroPlan& plan, const SmoothingSearch& wit
   double weight = 0.0;
   for (std::size_t i = 0; i < problem.size(); ++i) weight = std::max(weight, problem.weights[i] / problem.share(i));
   const double alone = without.lambda() / (weight * poses.noise * poses.noise);
-  auto fit = fitted(plan, poses, seen, gyro_noise, without.objective(), alone);
+  const double gyro_interval = median_interval(plan.gyro.times);
+  const GyroModel model =
+      gyro_model(poses, plan.gyro, seen.counts,
+                 {.near = {.correction = seen.alignment.correction, .offset = seen.alignment.offset},
+                  .rate_noise = gyro_noise * std::sqrt(gyro_interval),
+                  .pose_noise = poses.noise,
+                  .finds_offset = !plan.options.gyro_offset,
+                  .finds_clock_rate = plan.gyro.clock == GyroRates::Clock::own,
+                  .states_noise = plan.options.noise.has_value()});
+  const GyroRates rates = calibrated(plan.gyro, model.calibration);
+  const GyroPlan calibrated_plan{plan.recording, rates, plan.options, plan.work};
+  seen.alignment.offset = model.calibration.offset;
+  seen.alignment.correction = model.calibration.correction;
+  seen.noises = model.noises;
+  poses.noise = std::hypot(model.noises.white, model.noises.correlated);
+  auto fit = fitted(calibrated_plan, poses, seen, model.noises.rate / std::sqrt(gyro_interval),
+                    without.objective(), alone);
   if (!fit) return fit;
   judge(*fit, without, std::max(least_noise, noise));
+  {
+    const NodeSigmas sigmas = node_sigmas(fit->problems.front(), fit->objective, fit->fits.fits.front().nodes);
+    double sum = 0.0, apart = 0.0;
+    for (std::size_t i = 0; i < fit->places.size(); ++i) {
+      sum += sigmas.orientations[fit->places[i]].squaredNorm();
+      const double d = angular_distance(fit->fits.fits.front().nodes.orientations[fit->places[i]], without.fits().fits.front().nodes.orientations[i]);
+      apart += d * d;
+    }
+    const double n = static_cast<double>(fit->places.size());
+    const double with = std::sqrt(sum / n), apart_with = std::sqrt((apart + sum) / n);
+    const double own = noise * std::sqrt(3.0 * without.freedom().trace / without.freedom().observations);
+    const bool explained = 2 * model.seen > poses.times.size() && model.noises.clock == 0.0 && model.noises.rate < 3.0 * gyro_noise * std::sqrt(gyro_interval) && with < 0.6 * apart_with;
+    if (getenv("GYRO_DEBUG")) fprintf(stderr, "before %d %.4g %.4g own %.4g diff %.4g explained %d\n", fit->finding.used, fit->finding.risk->with*57.3, fit->finding.risk->without*57.3, own*57.3, apart_with*57.3, explained);
+    fit->finding.used = explained || (with < own && model.noises.clock == 0.0);
+    fit->finding.risk = {.with = with, .without = fit->finding.used ? apart_with : own};
+  }
+  if (getenv("GYRO_FORCE")) fit->finding.used = true;
   if (fit->finding.used) return fit;
   if (auto means = check_meaning(poses, plan.gyro, seen.counts, 0.0); !means)
     return tl::unexpected(std::move(means.error()));

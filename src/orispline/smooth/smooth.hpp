@@ -98,6 +98,7 @@ struct SmoothedNodes {
   std::vector<Eigen::Vector3d> positions{};
   Eigen::Vector3d gyro_correction = Eigen::Vector3d::Zero();  ///< b [rad/s]: the gyro, b added, has no bias
   std::vector<Eigen::Vector3d> gyro_corrections{};            ///< those of a bias that drifts; b is their mean
+  std::vector<Eigen::Vector3d> kept_noises{};       ///< the noise of orientations that keeps for a time [rad]
 };
 
 /// What the samples leave open of nodes: one standard deviation along each axis of the body.

@@ -49,6 +49,9 @@ struct SmoothingObjective {
   double threshold = 2.5;         ///< of the loss, in units of σ
   Bias bias = Bias::none;         ///< of the gyro
   double drift = 0.0;             ///< of a bias that drifts, above 0: σ per axis of its change in 1 s [rad/s]
+  double kept_noise = 0.0;  ///< of orientations beside a gyro whose bias drifts: σ per axis of a part that keeps for a
+                            ///< time, beyond that of the weights [rad]
+  double noise_time = 0.0;  ///< within which that part falls to 1/e [s]
   OpenEndedWork* work = nullptr;  ///< every step adds its times; the iteration ends early when it is stopped
 
   [[nodiscard]] bool stopped() const noexcept { return work && work->stopped(); }

@@ -167,7 +167,8 @@ SmoothingFit part_of(const SmoothingFit& fit, std::size_t first, std::size_t siz
                     .angular_accelerations = part_of(nodes.angular_accelerations, first, size),
                     .positions = part_of(nodes.positions, first, size),
                     .gyro_correction = nodes.gyro_correction,
-                    .gyro_corrections = part_of(nodes.gyro_corrections, first, size)},
+                    .gyro_corrections = part_of(nodes.gyro_corrections, first, size),
+                    .kept_noises = part_of(nodes.kept_noises, first, size)},
           .steps = fit.steps};
 }
 
