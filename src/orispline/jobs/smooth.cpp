@@ -102,6 +102,27 @@ std::size_t samples_beyond_gyro(const SmoothOutcome& outcome) {
   return count < fewest_to_tell ? 0 : static_cast<std::size_t>(count);
 }
 
+/// Scale, mount and pace of the clock, where the gyro counts and the recording tells them.
+std::string calibration_lines(const GyroFinding& gyro) {
+  if (!gyro.used) return "";
+  std::string text;
+  if (gyro.scale) {
+    const Eigen::Vector3d &scale = gyro.scale->value, &sigma = gyro.scale->sigma;
+    text += formatted("  scale         {:.5g} ± {:.1g}, {:.5g} ± {:.1g}, {:.5g} ± {:.1g}: corrected\n", 1.0 + scale.x(),
+                      sigma.x(), 1.0 + scale.y(), sigma.y(), 1.0 + scale.z(), sigma.z());
+  }
+  if (gyro.mount) {
+    const Eigen::Vector3d axis = gyro.mount->value.normalized();
+    text += formatted("  mount         {:.3g}° ± {:.1g}° about ({:.2g}, {:.2g}, {:.2g}): corrected\n",
+                      gyro.mount->value.norm() * degrees, gyro.mount->sigma.maxCoeff() * degrees, axis.x(), axis.y(),
+                      axis.z());
+  }
+  if (gyro.clock_rate)
+    text += formatted("  pace          {:.4g} ppm {} ± {:.1g}: corrected\n", std::abs(gyro.clock_rate->value) * 1e6,
+                      gyro.clock_rate->value > 0.0 ? "fast" : "slow", gyro.clock_rate->sigma * 1e6);
+  return text;
+}
+
 std::string gyro_lines(const SmoothOutcome& outcome) {
   const Smoothing& smoothing = outcome.smoothing;
   if (!smoothing.gyro) return "";
@@ -111,10 +132,16 @@ std::string gyro_lines(const SmoothOutcome& outcome) {
   text +=
       gyro.used ? formatted(", correction {:.4g}, {:.4g}, {:.4g} °/s\n", bias.x(), bias.y(), bias.z()) : ", left out\n";
   text += formatted("  clock         {}\n", clock_text(gyro, outcome.request.options.gyro_offset.has_value()));
+  text += calibration_lines(gyro);
+  if (smoothing.correlated_noise)
+    text += formatted("  orientations  noise correlated over {:.3g} s, {:.4g}° per axis beside the white noise\n",
+                      smoothing.correlated_noise->time, smoothing.correlated_noise->sigma * degrees);
   if (gyro.drift) text += formatted("  bias          drifts by {:.3g} °/s in 1 s\n", *gyro.drift * degrees);
-  if (gyro.risk)
+  if (gyro.risk && gyro.used)
     text += formatted("  error         {:.4g}° expected with the gyro, {:.4g}° without\n", gyro.risk->with * degrees,
                       gyro.risk->without * degrees);
+  if (gyro.risk && !gyro.used)
+    text += formatted("  error         {:.4g}° expected without the gyro\n", gyro.risk->without * degrees);
   if (const std::size_t beyond = samples_beyond_gyro(outcome); gyro.used && beyond > 0)
     text +=
         formatted("  beyond it     {}, {}\n", counted(beyond, "sample"),

@@ -175,8 +175,10 @@ std::vector<Run> stuck_runs(const GyroRates& gyro) {
     else runs.push_back({k, k + 1});
   }
   std::vector<double> lengths;
-  for (const Run& run : runs) lengths.insert(lengths.end(), run.last - run.first, static_cast<double>(run.last - run.first));
-  const auto longest = std::max<std::size_t>(fewest_stuck, usual_runs * static_cast<std::size_t>(median(std::move(lengths))));
+  for (const Run& run : runs)
+    lengths.insert(lengths.end(), run.last - run.first, static_cast<double>(run.last - run.first));
+  const auto longest =
+      std::max<std::size_t>(fewest_stuck, usual_runs * static_cast<std::size_t>(median(std::move(lengths))));
   std::erase_if(runs, [longest](const Run& run) { return run.last - run.first < longest; });
   return runs;
 }
@@ -184,10 +186,10 @@ std::vector<Run> stuck_runs(const GyroRates& gyro) {
 /// Rates that stay the same while the orientations turn otherwise; the first of them was measured.
 void leave_out_stuck(const Differences& differences, const GyroRates& gyro, double usual, CountedRates& counts) {
   std::vector<double> off(gyro.rates.size(), 0.0);
-  for (std::size_t i = 0; i < differences.rows.size(); ++i)
-    off[differences.rows[i]] = differences.values[i].norm();
+  for (std::size_t i = 0; i < differences.rows.size(); ++i) off[differences.rows[i]] = differences.values[i].norm();
   for (const Run& run : stuck_runs(gyro)) {
-    const auto begin = off.begin() + static_cast<std::ptrdiff_t>(run.first), end = off.begin() + static_cast<std::ptrdiff_t>(run.last);
+    const auto begin = off.begin() + static_cast<std::ptrdiff_t>(run.first),
+               end = off.begin() + static_cast<std::ptrdiff_t>(run.last);
     if (*std::max_element(begin, end) > zero_fault * usual)
       for (std::size_t k = run.first + 1; k < run.last; ++k) counts[k] = false;
   }

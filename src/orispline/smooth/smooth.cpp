@@ -311,6 +311,8 @@ class Smoother {
     take_fits(fit.fits);
     result_.noise = fit.residual_noise;
     result_.gyro = fit.finding;
+    if (fit.objective.correlated_noise > 0.0)
+      result_.correlated_noise = {.sigma = fit.objective.correlated_noise, .time = fit.objective.correlation_time};
     if (fit.places.size() < result_.nodes.orientations.size()) {
       result_.places = fit.places;
       between_ = {fit.problems.front().times, fit.rates};
@@ -492,7 +494,7 @@ Expected<void> check(const SmoothOptions& options) {
     return bad_option("noise", "wanted no `smoothing_time` as well: each determines how smooth");
   if (!options.gyro && options.gyro_noise) return bad_option("gyro_noise", "wanted `gyro` as well");
   if (!options.gyro && options.gyro_offset) return bad_option("gyro_offset", "wanted `gyro` as well");
-  if (!options.gyro && options.gyro_bias != GyroBias::constant) return bad_option("gyro_bias", "wanted `gyro` as well");
+  if (!options.gyro && options.gyro_bias) return bad_option("gyro_bias", "wanted `gyro` as well");
   if (options.gyro && options.gap) return bad_option("gap", "wanted no `gyro`, which bridges gaps");
   return {};
 }

@@ -31,6 +31,20 @@ std::optional<double> risk(const Smoothing& smoothing) {
   return smoothing.gyro && smoothing.gyro->risk ? std::optional((*smoothing.gyro->risk).*Member) : std::nullopt;
 }
 
+/// The value, or its σ, of what was found of a gyro that counts.
+template <auto Member, int Which>
+auto found_of_gyro(const Smoothing& smoothing) {
+  using Value = decltype((*(GyroFinding{}.*Member)).value);
+  const auto* const found =
+      smoothing.gyro && smoothing.gyro->used && (*smoothing.gyro).*Member ? &*((*smoothing.gyro).*Member) : nullptr;
+  if (!found) return std::optional<Value>();
+  return std::optional<Value>(Which == 0 ? found->value : found->sigma);
+}
+template <auto Member>
+std::optional<double> correlated(const Smoothing& smoothing) {
+  return smoothing.correlated_noise ? std::optional((*smoothing.correlated_noise).*Member) : std::nullopt;
+}
+
 /// Of the positions; nothing without any.
 template <auto Member>
 std::optional<std::remove_cvref_t<decltype(PositionSmoothing{}.*Member)>> of_positions(const Smoothing& smoothing) {
@@ -97,7 +111,9 @@ std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept {
                                           .quantity = &quantities::time,
                                           .example = "0.02",
                                           .absent = "auto: found from the recording"}),
-      field<&SmoothOptions::gyro_bias>({.name = "gyro_bias", .sentence = "The bias of the gyro"}),
+      field<&SmoothOptions::gyro_bias>({.name = "gyro_bias",
+                                        .sentence = "The bias of the gyro",
+                                        .absent = "auto: constant, unless a walk explains the recording better"}),
       field<&SmoothOptions::position_noise>({.name = "position_noise",
                                              .sentence = "Standard deviation of the noise of the positions, per axis",
                                              .quantity = &quantities::length,
@@ -194,6 +210,39 @@ constexpr std::array of_orientations{
          .sentence = "Standard deviation per axis of the change of a drifting bias in one second",
          .quantity = &quantities::rate,
          .absent = "without a gyro, or its bias is constant"}),
+    field<&found_of_gyro<&GyroFinding::scale, 0>>(
+        {.name = "gyro_scale",
+         .sentence = "By which share of the true rate each axis of the gyro shows too much",
+         .absent = "without a gyro that counts, or where the recording does not tell"}),
+    field<&found_of_gyro<&GyroFinding::scale, 1>>({.name = "gyro_scale_sigma",
+                                                   .sentence = "Standard deviations of these shares",
+                                                   .absent = "where there are none"}),
+    field<&found_of_gyro<&GyroFinding::mount, 0>>(
+        {.name = "gyro_mount",
+         .sentence = "Rotation vector of the turn that brings the rates of the gyro into the frame of the body",
+         .quantity = &quantities::angle,
+         .absent = "without a gyro that counts, or where the recording does not tell"}),
+    field<&found_of_gyro<&GyroFinding::mount, 1>>({.name = "gyro_mount_sigma",
+                                                   .sentence = "Standard deviations of its components",
+                                                   .quantity = &quantities::angle,
+                                                   .absent = "where there are none"}),
+    field<&found_of_gyro<&GyroFinding::clock_rate, 0>>(
+        {.name = "gyro_clock_rate",
+         .sentence = "By which share of the time the clock of the gyro runs fast",
+         .absent = "without a gyro with a clock of its own that counts, or where the recording does not tell"}),
+    field<&found_of_gyro<&GyroFinding::clock_rate, 1>>({.name = "gyro_clock_rate_sigma",
+                                                        .sentence = "Standard deviation of this share",
+                                                        .absent = "where there is none"}),
+    field<&correlated<&Smoothing::CorrelatedNoise::sigma>>(
+        {.name = "correlated_noise",
+         .sentence = "Standard deviation of the correlated part of the noise of the orientations, per axis",
+         .quantity = &quantities::angle,
+         .absent = "without a gyro that counts, or where the noise is white"}),
+    field<&correlated<&Smoothing::CorrelatedNoise::time>>(
+        {.name = "correlation_time",
+         .sentence = "The time within which the correlation of this part falls to 1/e",
+         .quantity = &quantities::time,
+         .absent = "where there is none"}),
     field<&risk<&GyroFinding::Risk::with>>(
         {.name = "error_with_gyro",
          .sentence = "Root mean square of the error of the orientations that is to be expected with the gyro",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -31,6 +32,7 @@ struct SmoothingProblem {
   std::vector<double> shares{};                    ///< of the weights over that of a usual sample; empty: all 1
   std::vector<Eigen::Vector3d> gyro{};             ///< [rad/s], body frame; empty without a gyro
   std::vector<double> gyro_weights{};              ///< 1/σ² [s²/rad²] per axis; 0 where there is no rate
+  std::array<bool, 3> dead_gyro_axes{};            ///< about which the gyro says nothing
   std::vector<double> relative_lambdas{};          ///< λ of each interval over that of the objective; empty: all 1
 
   [[nodiscard]] std::size_t size() const noexcept { return times.size(); }
@@ -49,9 +51,9 @@ struct SmoothingObjective {
   double threshold = 2.5;         ///< of the loss, in units of σ
   Bias bias = Bias::none;         ///< of the gyro
   double drift = 0.0;             ///< of a bias that drifts, above 0: σ per axis of its change in 1 s [rad/s]
-  double kept_noise = 0.0;  ///< of orientations beside a gyro whose bias drifts: σ per axis of a part that keeps for a
-                            ///< time, beyond that of the weights [rad]
-  double noise_time = 0.0;  ///< within which that part falls to 1/e [s]
+  double correlated_noise = 0.0;  ///< of orientations beside a gyro whose bias drifts: σ per axis of a first-order
+                                  ///< Markov part, beyond the white noise of the weights [rad]
+  double correlation_time = 0.0;  ///< within which that part falls to 1/e [s]
   OpenEndedWork* work = nullptr;  ///< every step adds its times; the iteration ends early when it is stopped
 
   [[nodiscard]] bool stopped() const noexcept { return work && work->stopped(); }
@@ -89,7 +91,8 @@ struct SmoothingFit {
 
 /// Minimises Σ ρ(w |r|²) + λ ∫|ω^(p-1)|² dt + Σ w_g |ω - g - b|² over orientations, rates and bias at the times of the
 /// recording, r = log(q⁻¹ Q). Linear in the number of times. A bias that drifts is one of each time, and adds
-/// Σ |Δb|²/(drift² Δt).
+/// Σ |Δb|²/(drift² Δt). Correlated noise x of the orientations, in the body's frame, is one of each time too: r is then
+/// log(q⁻¹ Q) - x, and |x₀|²/σ² + Σ |Δx|²/(σ² (1 - a²)) is added, Δx = x' - a x, a = exp(-Δt/correlation_time).
 ///
 /// Gauss–Newton with the identity for the Hessian of |r|²/2, which majorises it, iterated weights for the loss, and
 /// step halving; each step by block QR from node to node, which squares no condition number. The penalty is that of

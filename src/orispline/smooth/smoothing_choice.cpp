@@ -157,6 +157,7 @@ SmoothingProblem part_of(const SmoothingProblem& stretch, std::size_t first, std
           .weights = part_of(stretch.weights, first, size),
           .gyro = part_of(stretch.gyro, first, size),
           .gyro_weights = part_of(stretch.gyro_weights, first, size),
+          .dead_gyro_axes = stretch.dead_gyro_axes,
           .relative_lambdas = part_of(stretch.relative_lambdas, first, size - 1)};
 }
 
@@ -168,7 +169,7 @@ SmoothingFit part_of(const SmoothingFit& fit, std::size_t first, std::size_t siz
                     .positions = part_of(nodes.positions, first, size),
                     .gyro_correction = nodes.gyro_correction,
                     .gyro_corrections = part_of(nodes.gyro_corrections, first, size),
-                    .kept_noises = part_of(nodes.kept_noises, first, size)},
+                    .correlated_noises = part_of(nodes.correlated_noises, first, size)},
           .steps = fit.steps};
 }
 

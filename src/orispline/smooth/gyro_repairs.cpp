@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/smooth/gyro_repairs.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <orispline/math/median.hpp>
+#include <orispline/smooth/smoothing_noise.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI {
+
+namespace {
+
+constexpr double batch_share = 0.2;  // of the mean interval: as near stand the stamps of one batch
+
+constexpr double wrap = 1.5;             // of the largest rate: a step that long is one round
+constexpr std::size_t fewest_wraps = 4;  // of a counter that comes round rather than rates that are wrong
+
+constexpr double turns = 5.0;  // in medians of what the rates of live axes differ by from those of the orientations
+
+/// By which the rates of an axis jump, where they do, but for the trend about the jump; 0: they do not.
+double range_of(const GyroRates& gyro, Eigen::Index axis) {
+  double largest = 0.0;
+  for (const Eigen::Vector3d& rate : gyro.rates) largest = std::max(largest, std::abs(rate[axis]));
+  std::vector<double> jumps;
+  for (std::size_t k = 2; k + 1 < gyro.rates.size(); ++k) {
+    const double step = gyro.rates[k][axis] - gyro.rates[k - 1][axis];
+    if (std::abs(step) < wrap * largest) continue;
+    const double trend =
+        0.5 * (gyro.rates[k - 1][axis] - gyro.rates[k - 2][axis] + gyro.rates[k + 1][axis] - gyro.rates[k][axis]);
+    if (std::abs(trend) < 0.5 * largest) jumps.push_back(std::abs(step - trend));
+  }
+  return jumps.size() < fewest_wraps ? 0.0 : median(std::move(jumps));
+}
+
+/// The rates of an axis with whole ranges added, so that no step is longer than half of one. They begin as they are,
+/// and the median is nearest to 0.
+void unwind(GyroRates& gyro, Eigen::Index axis, double range) {
+  double rounds = 0.0;
+  std::vector<double> all;
+  double before = gyro.rates.front()[axis];
+  for (Eigen::Vector3d& rate : gyro.rates) {
+    const double step = rate[axis] - before;
+    before = rate[axis];
+    if (std::abs(step) > 0.5 * range) rounds -= std::copysign(1.0, step);
+    rate[axis] += rounds * range;
+    all.push_back(rate[axis]);
+  }
+  const double shift = range * std::round(median(std::move(all)) / range);
+  for (Eigen::Vector3d& rate : gyro.rates) rate[axis] -= shift;
+}
+
+/// Whether there were batches, which are spread.
+bool spread_batches(GyroRates& gyro) {
+  const std::vector<double> times = gyro.times;
+  const double mean = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+  if (median_interval(times) >= batch_share * mean) return false;
+  std::optional<double> end_before;
+  for (std::size_t first = 0, last = 0; first < times.size(); first = last) {
+    for (last = first + 1; last < times.size() && times[last] - times[last - 1] < mean;) ++last;
+    const double end = times[last - 1], all = static_cast<double>(last - first);
+    // The first batch, and one behind a gap, have rates at the usual pace.
+    const double interval = end_before ? std::min((end - *end_before) / all, 2.0 * mean) : mean;
+    for (std::size_t k = first; k < last; ++k) gyro.times[k] = end - interval * static_cast<double>(last - 1 - k);
+    end_before = end;
+  }
+  return true;
+}
+
+std::array<bool, 3> dead_axes_of(const SeenPoses& poses, const GyroRates& gyro) {
+  std::array<bool, 3> dead{};
+  std::array<std::vector<double>, 3> off;
+  for (std::size_t k = 0; k < gyro.times.size(); ++k)
+    if (const auto turned = rate_of_poses(poses, gyro.times[k]))
+      for (Eigen::Index axis = 0; axis < 3; ++axis)
+        off[static_cast<std::size_t>(axis)].push_back(std::abs(gyro.rates[k][axis] - (*turned)[axis]));
+  double usual = 0.0;
+  std::array<double, 3> medians{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto same = [&](const Eigen::Vector3d& rate) {
+      return rate[static_cast<Eigen::Index>(axis)] == gyro.rates.front()[static_cast<Eigen::Index>(axis)];
+    };
+    dead[axis] = std::ranges::all_of(gyro.rates, same);
+    medians[axis] = off[axis].empty() ? 0.0 : median(std::move(off[axis]));
+    if (!dead[axis]) usual = std::max(usual, medians[axis]);
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    dead[axis] = dead[axis] && medians[axis] > turns * std::max(least_noise, usual);
+  return std::ranges::count(dead, true) < 3 ? dead : std::array<bool, 3>{};
+}
+
+}  // namespace
+
+RepairedGyro::RepairedGyro(const GyroRates& gyro, const SeenPoses& poses) : rates(gyro) {
+  if (gyro.clock == GyroRates::Clock::own) came_in_batches = spread_batches(rates);
+  dead_axes = dead_axes_of(poses, gyro);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto row = static_cast<Eigen::Index>(axis);
+    if (dead_axes[axis]) {
+      for (std::size_t k = 0; k < rates.times.size(); ++k)
+        rates.rates[k][row] = rate_of_poses(poses, rates.times[k]).value_or(rates.rates[k])[row];
+    } else if (const double range = range_of(rates, row); range > 0.0) {
+      unwind(rates, row, range);
+      unwound_axes[axis] = true;
+    }
+  }
+}
+
+}}  // namespace orispline

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/smooth/turn_filter.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Cholesky>
+
+#include <orispline/math/number.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI {
+
+namespace {
+
+namespace columns = calibration_columns;
+using elementary::exponential, elementary::natural_logarithm;
+
+constexpr double cross_share = 0.1;  // of cross-talk, in what is expected of scale and mount
+
+/// What the states are, three axes of each but for the clock.
+struct States {
+  bool drift = false, correlated = false, clock = false;  // beside the turn
+
+  [[nodiscard]] constexpr int size() const { return 3 + (drift ? 3 : 0) + (correlated ? 3 : 0) + (clock ? 1 : 0); }
+};
+
+template <int Sides>
+using Seen = Eigen::Matrix<double, 3, Sides>;
+
+/// A Kalman filter over turns, each seen with so many right-hand sides; calls `take(innovations, log_determinant)` with
+/// every innovation in units of its σ.
+template <States Of, int Sides, class See, class Take>
+void filter(std::span<const PathTurn> turns, const GyroNoises& noises, See see, Take take) {
+  constexpr int n = Of.size();
+  using Covariance = Eigen::Matrix<double, n, n>;
+  Eigen::Matrix<double, n, Sides> state = Eigen::Matrix<double, n, Sides>::Zero();
+  Covariance covariance = Covariance::Zero();
+  const double correlated = noises.correlated * noises.correlated, drift = noises.drift * noises.drift,
+               clock = noises.clock * noises.clock;
+  for (const PathTurn& turn : turns) {
+    Seen<Sides> seen = see(turn);
+    const double white = noises.white * noises.white / turn.share, h = turn.interval;
+    if (turn.starts) {  // the turn is open: the first orientation says what it is
+      covariance.setZero();
+      covariance.template topLeftCorner<3, 3>().diagonal().setConstant(white + (Of.correlated ? correlated : 0.0));
+      if constexpr (Of.correlated) {
+        covariance.template bottomRightCorner<3, 3>().diagonal().setConstant(correlated);
+        covariance.template topRightCorner<3, 3>() = -correlated * turn.to_world;
+        covariance.template bottomLeftCorner<3, 3>() = -correlated * turn.to_world.transpose();
+      }
+      state.setZero();
+      state.template topRows<3>() = seen;
+      continue;
+    }
+    const double fresh = noises.rate * noises.rate * h;
+    if constexpr (n == 3) {  // the same of all axes
+      const double predicted = covariance(0, 0) + fresh, spread = predicted + white;
+      seen -= state;
+      state += predicted / spread * seen;
+      covariance(0, 0) = predicted * white / spread;
+      take(Seen<Sides>(seen / std::sqrt(spread)), 3.0 * natural_logarithm(spread));
+    } else {
+      Eigen::Matrix<double, 3, n> sees = Eigen::Matrix<double, 3, n>::Zero();
+      sees.template leftCols<3>().setIdentity();
+      if constexpr (Of.drift) {
+        state.template topRows<3>() += turn.walked * state.template middleRows<3>(3);
+        covariance.template topRows<3>() += turn.walked * covariance.template middleRows<3>(3);
+        covariance.template leftCols<3>() += covariance.template middleCols<3>(3) * turn.walked.transpose();
+        covariance.template topLeftCorner<3, 3>().diagonal().array() += drift * h * h * h / 3.0;
+        covariance.template block<3, 3>(3, 3).diagonal().array() += drift * h;
+      }
+      if constexpr (Of.correlated) {
+        const double decay = exponential(-h / noises.correlation_time);
+        state.template bottomRows<3>() *= decay;
+        covariance.template bottomRows<3>() *= decay;
+        covariance.template rightCols<3>() *= decay;
+        covariance.template bottomRightCorner<3, 3>().diagonal().array() += correlated * (1.0 - decay * decay);
+        sees.template rightCols<3>() = turn.to_world;
+      }
+      if constexpr (Of.clock) {
+        covariance(n - 1, n - 1) += clock * h;
+        sees.template rightCols<1>() = turn.slopes.col(columns::offset);
+      }
+      covariance.template topLeftCorner<3, 3>().diagonal().array() += fresh;
+      const Eigen::Matrix<double, n, 3> cross = covariance * sees.transpose();
+      Eigen::Matrix3d spread = sees * cross;
+      spread.diagonal().array() += white;
+      const Eigen::LLT<Eigen::Matrix3d> factor(spread);
+      seen -= sees * state;
+      const Eigen::Matrix<double, n, 3> gain = factor.solve(cross.transpose()).transpose();
+      state.noalias() += gain * seen;
+      covariance.noalias() -= gain * cross.transpose();
+      covariance = (0.5 * (covariance + covariance.transpose())).eval();
+      take(Seen<Sides>(factor.matrixL().solve(seen)), 2.0 * natural_logarithm(factor.matrixLLT().diagonal().prod()));
+    }
+  }
+}
+
+template <int Sides, class See, class Take>
+void filter_with(std::span<const PathTurn> turns, const GyroNoises& noises, See see, Take take) {
+  const bool drifts = noises.drift > 0.0, correlates = noises.correlated > 0.0;
+  if (noises.clock > 0.0) filter<States{.clock = true}, Sides>(turns, noises, see, take);
+  else if (drifts && correlates) filter<States{.drift = true, .correlated = true}, Sides>(turns, noises, see, take);
+  else if (drifts) filter<States{.drift = true}, Sides>(turns, noises, see, take);
+  else if (correlates) filter<States{.correlated = true}, Sides>(turns, noises, see, take);
+  else filter<States{}, Sides>(turns, noises, see, take);
+}
+
+}  // namespace
+
+TurnInnovations filtered(std::span<const PathTurn> turns, const GyroNoises& noises) {
+  constexpr int sides = TurnInnovations::sides;
+  TurnInnovations result;
+  filter_with<sides>(
+      turns, noises,
+      [](const PathTurn& turn) {
+        Seen<sides> seen;
+        seen << turn.turn, turn.slopes;
+        return seen;
+      },
+      [&](const Seen<sides>& innovation, double log_determinant) {
+        result.products.noalias() += innovation.transpose() * innovation;
+        result.log_determinant += log_determinant;
+      });
+  return result;
+}
+
+double likelihood(std::span<const PathTurn> turns, const GyroNoises& noises, const CalibrationUnknowns& change) {
+  double sum = 0.0;
+  filter_with<1>(
+      turns, noises, [&](const PathTurn& turn) { return Seen<1>(turn.turn - turn.slopes * change); },
+      [&](const Seen<1>& innovation, double log_determinant) { sum += innovation.squaredNorm() + log_determinant; });
+  return sum;
+}
+
+double CalibrationPrior::width(int column) const {
+  if (column < columns::scale) return 0.0;
+  if (column < columns::mount) return scale;
+  if (column < columns::cross) return mount;
+  if (column < columns::offset) return cross_share * std::min(scale, mount);
+  return column == columns::offset ? offset : clock_rate;
+}
+
+FoundCalibration solved(const TurnInnovations& innovations, const CalibrationUnknowns& present,
+                        const CalibrationPrior& prior) {
+  constexpr double least = 1e-9;  // of what nothing tells
+  const auto& products = innovations.products;
+  const Eigen::Matrix<double, columns::count, columns::count> normal =
+      products.bottomRightCorner<columns::count, columns::count>();
+  const CalibrationUnknowns by_turn = products.bottomLeftCorner<columns::count, 1>();
+  const CalibrationUnknowns right = by_turn + normal * present;
+  FoundCalibration found;
+  found.evidence = innovations.log_determinant + products(0, 0) + present.dot(by_turn + right);
+  std::vector<Eigen::Index> active;
+  for (int column = 0; column < columns::count; ++column)
+    if (prior.has(column)) active.push_back(column);
+  Eigen::MatrixXd matrix = normal(active, active);
+  const Eigen::VectorXd side = right(active);
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    const double width = prior.width(static_cast<int>(active[i]));
+    const auto k = static_cast<Eigen::Index>(i);
+    matrix(k, k) += width > 0.0 ? 1.0 / (width * width) : least;
+    if (width > 0.0) found.evidence += 2.0 * natural_logarithm(width);
+  }
+  const Eigen::VectorXd unit = matrix.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::LDLT<Eigen::MatrixXd> factor(unit.asDiagonal() * matrix * unit.asDiagonal());
+  const Eigen::VectorXd values = unit.cwiseProduct(factor.solve(unit.cwiseProduct(side)));
+  const Eigen::MatrixXd inverse = factor.solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
+  found.evidence -= side.dot(values);
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const Eigen::Index column = active[static_cast<std::size_t>(i)];
+    found.evidence += natural_logarithm(factor.vectorD()[i]) - 2.0 * natural_logarithm(unit[i]);
+    found.values[column] = values[i];
+    found.sigmas[column] = unit[i] * std::sqrt(inverse(i, i));
+  }
+  return found;
+}
+
+}}  // namespace orispline
