@@ -16,9 +16,9 @@ namespace {
 /// Steps nearer than this to a full turn [rad] have no rotation vector that rates could be carried to.
 constexpr double full_turn_margin = 1e-6;
 
-/// How far from its key a piece may wind [rad]: there rounding turns it by some 1e-8 rad, and so much more as its keys
+/// How far from its key a piece may wind [rad]: there rounding turns it by some 1e-6 rad, and so much more as its keys
 /// are near each other. Still farther away it would no longer be a curve of these keys.
-constexpr double widest_winding = 1e8;
+constexpr double widest_winding = 1e10;
 
 /// That the piece after key i does not wind farther: it comes no farther than all these turns together.
 template <std::size_t N>
