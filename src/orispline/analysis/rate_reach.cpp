@@ -80,6 +80,8 @@ std::array<StepReach, steps_of_part> RateReach::of_steps(const RateSamples& samp
   for (const RateSample& sample : samples) square_of_part = std::max(square_of_part, sample.heights[0].square);
   for (std::size_t i = 0; i < steps_of_part; ++i) {
     reach[i].unresolved = std::max(deviations[i][0], deviations[i + 1][0]) / square_of_part;
+    reach[i].turn = std::sqrt(std::max(samples[i].heights[0].square, samples[i + 1].heights[0].square)) *
+                    (samples[i + 1].time - samples[i].time);
     for (std::size_t k = 0; k < 3; ++k) {
       const RateSample &a = samples[i], &b = samples[i + 1];
       const double square = largest_of_cubic(a.heights[k], b.heights[k], b.time - a.time) +
@@ -95,6 +97,7 @@ StepReach RateReach::of_segment(const RateSamples& samples) const {
   if (!coarse_) {
     for (const StepReach& step : of_steps(samples)) {
       reach.unresolved = std::max(reach.unresolved, step.unresolved);
+      reach.turn = std::max(reach.turn, step.turn);
       for (std::size_t k = 0; k < 3; ++k) reach.sizes[k] = std::max(reach.sizes[k], step.sizes[k]);
     }
     return reach;
