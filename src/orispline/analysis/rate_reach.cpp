@@ -34,12 +34,19 @@ double deviation(const RateHeight& a, const RateHeight& middle, const RateHeight
 
 RateReach::RateReach(const SegmentForm& form, const KnotSpan& span, const MomentBounds& moments)
     : form_(form), span_(span), moments_(moments), coarse_(coarse_bounds(form, span.step())) {
-  if (coarse_) round(coarse_->all.rate, coarse_->rounding);
+  if (!coarse_) return;
+  round(coarse_->all.rate, coarse_->rounding);
+  if (std::isfinite(coarse_->all.rate)) return;
+  refine();
+  if (std::isfinite(rounding_[0])) return;
+  coarse_.reset();  // of a rational curve that may come near the origin
+  hull_.reset();
+  rounding_ = {};
 }
 
 void RateReach::refine() {
+  if (!coarse_) return;
   hull_ = SegmentHull::of(form_, span_.step());
-  if (!hull_) return;
   const HullBounds whole = hull_->on(0.0, 1.0);
   round(whole.rate, hull_->rounding(whole));
 }
