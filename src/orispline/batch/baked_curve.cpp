@@ -185,8 +185,12 @@ bool has_norm_on(const BakedRecord<T>& piece, double first, double last) {
   constexpr double least = 1e-6;
   constexpr int most_parts = 1024;
   const auto norm = [&](const auto& component) {
-    return std::sqrt(std::transform_reduce(std::begin(piece.coefficients), std::end(piece.coefficients), 0.0,
-                                           std::plus(), [&](const auto& row) { return std::pow(component(row), 2); }));
+    double square = 0.0;
+    for (const auto& row : piece.coefficients) {
+      const double value = component(row);
+      square += value * value;
+    }
+    return std::sqrt(square);
   };
   const double farthest = std::max(std::abs(first), std::abs(last));
   const double slope = norm([&](const auto& row) { return steepest(row, farthest); });
