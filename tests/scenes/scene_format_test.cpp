@@ -70,15 +70,4 @@ TEST(SceneFormat, RefusesALargeFileByItsBeginning) {
   }
 }
 
-TEST(SceneFormat, ReadsNoMoreOfABufferBesideThanTheDocumentSays) {
-  const orispline::test::ScratchDirectory folder;
-  std::ofstream(folder.file("large.bin")) << "0123456789";
-  std::filesystem::resize_file(folder.file("large.bin"), largest_scene_file + 1);  // a hole, which takes no room
-  std::ofstream(folder.file("arm.gltf"))
-      << R"({"asset":{"version":"2.0"},"nodes":[{"name":"arm"}],"buffers":[{"byteLength":8,"uri":"large.bin"}]})";
-  const auto scene = read_scene(folder.file("arm.gltf"));
-  ASSERT_TRUE(scene) << describe(scene.error());
-  EXPECT_EQ(scene->bytes, std::filesystem::file_size(folder.file("arm.gltf")) + 8);
-}
-
 }}  // namespace orispline::scenes

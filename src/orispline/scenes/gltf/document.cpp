@@ -133,8 +133,6 @@ bool is_beside(std::string_view name) {
 /// A file of strangers must not make us wait for a pipe, nor carry other files of yours into what is written.
 Expected<std::string> file_in_folder(const Object& buffer, std::string_view uri, const std::string& folder,
                                      const std::string& name) {
-  const auto length = buffer.count("byteLength");
-  if (!length) return tl::unexpected(length.error());
   const std::string file = folder + name;
   if (const auto kind = io::place_at(file).kind; kind == io::PlaceKind::folder || kind == io::PlaceKind::other)
     return buffer.fault(
@@ -142,7 +140,7 @@ Expected<std::string> file_in_folder(const Object& buffer, std::string_view uri,
   if (!io::stays_within(folder, file))
     return buffer.fault(formatted(
         "found uri {}, a link to another folder, wanted a file beside the glTF file; copy it there", in_quotes(uri)));
-  return bytes_of_file(file, *length);
+  return bytes_of_file(file);
 }
 
 Expected<std::string> file_beside(const Object& buffer, std::string_view uri, const io::Input& from) {
