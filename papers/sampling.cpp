@@ -9,6 +9,7 @@
 #include <time.h>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/math/highest.hpp>
 
 namespace orispline::cli {
 
@@ -32,19 +33,6 @@ std::vector<std::pair<double, Motion>> motions_of_segment(const AnyCurve& curve,
     motions.emplace_back(t, curve.motion(t, k == steps_per_segment ? Side::left : Side::right));
   }
   return motions;
-}
-
-/// Of a figure that rises, then falls, to the rounding of its square root: by thirds.
-double largest_between(const AnyCurve& curve, std::size_t segment, double low, double high,
-                       const std::function<double(const Motion&)>& figure) {
-  constexpr int cuts = 50;
-  const auto at = [&](double t) { return figure(curve.motion_on(segment, t)); };
-  for (int i = 0; i < cuts; ++i) {
-    const double third = (high - low) / 3.0;
-    if (at(low + third) < at(high - third)) low += third;
-    else high -= third;
-  }
-  return at(0.5 * (low + high));
 }
 
 }  // namespace
@@ -106,16 +94,15 @@ std::vector<report::Series> names_of(std::span<const Served> curves) {
 }
 
 double largest_over_time(const AnyCurve& curve, const std::function<double(const Motion&)>& figure) {
-  double largest = -std::numeric_limits<double>::infinity();
+  double largest = 0.0;
   for (std::size_t segment = 0; segment < curve.knots().segments(); ++segment) {
-    const auto motions = motions_of_segment(curve, segment);
-    std::size_t highest = 0;
-    for (std::size_t k = 0; k < motions.size(); ++k)
-      if (figure(motions[k].second) > figure(motions[highest].second)) highest = k;
-    const std::size_t low = highest - std::min<std::size_t>(highest, 1),
-                      high = std::min(highest + 1, motions.size() - 1);
-    largest = std::max({largest, figure(motions[highest].second),
-                        largest_between(curve, segment, motions[low].first, motions[high].first, figure)});
+    std::vector<double> times, figures;
+    for (const auto& [t, motion] : motions_of_segment(curve, segment)) {
+      times.push_back(t);
+      figures.push_back(figure(motion));
+    }
+    const auto at = [&](double t) { return figure(curve.motion_on(segment, t)); };
+    largest = std::max(largest, highest(times, figures, at, largest).value);
   }
   return largest;
 }

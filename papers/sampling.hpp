@@ -31,7 +31,7 @@ namespace orispline::cli {
 [[nodiscard]] report::Series over_time(const AnyCurve& curve, const std::function<double(const Motion&)>& figure);
 
 /// The largest value of a figure of the motion: over 100 times in each segment and its two ends, then beside the
-/// highest of each.
+/// highest of them.
 [[nodiscard]] double largest_over_time(const AnyCurve& curve, const std::function<double(const Motion&)>& figure);
 
 /// The largest angle between two curves at the times [rad].

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include <orispline/analysis.hpp>
@@ -18,6 +19,8 @@ orispline_jump jump_of(const RateJump& jump) {
 }
 
 orispline_peak peak_of(const Peak& peak) { return {peak.value, peak.time}; }
+
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 Expected<Eigen::Matrix3d> inertia_in(const double* inertia) {
   if (!inertia) return Eigen::Matrix3d(Eigen::Matrix3d::Identity());
@@ -75,17 +78,27 @@ orispline_code orispline_curve_orders(const orispline_curve* curve, int32_t* ord
 
 orispline_code orispline_curve_peaks(const orispline_curve* curve, const double* inertia, orispline_peaks* found,
                                      orispline_error** error) {
+  std::array<double, 3> bounds;
+  return orispline_curve_bounded_peaks(curve, inertia, found, bounds.data(), error);
+}
+
+orispline_code orispline_curve_bounded_peaks(const orispline_curve* curve, const double* inertia,
+                                             orispline_peaks* found, double* bounds, orispline_error** error) {
   return guarded(error, [&]() -> Expected<void> {
     const auto body = checked(curve);
     if (!body) return tl::unexpected(body.error());
     return check_pointer(found, "found")
+        .and_then([&] { return check_pointer(bounds, "bounds"); })
         .and_then([&] { return inertia_in(inertia); })
         .map([&](const Eigen::Matrix3d& matrix) {
-          constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-          const Peaks largest = peaks((*body)->pose().orientation, matrix);
+          Peaks largest = peaks((*body)->pose().orientation, matrix);
+          if (!inertia) largest.torque = {absent, absent};
           *found = {.angular_velocity = peak_of(largest.angular_velocity),
                     .angular_acceleration = peak_of(largest.angular_acceleration),
-                    .torque = inertia ? peak_of(largest.torque) : orispline_peak{nan, nan}};
+                    .torque = peak_of(largest.torque)};
+          bounds[0] = largest.angular_velocity.bound.value_or(absent);
+          bounds[1] = largest.angular_acceleration.bound.value_or(absent);
+          bounds[2] = largest.torque.bound.value_or(absent);
         });
   });
 }

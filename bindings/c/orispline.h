@@ -290,6 +290,12 @@ typedef struct orispline_peaks {
 ORISPLINE_C_API orispline_code orispline_curve_peaks(const orispline_curve *curve, const double *inertia,
                                                      orispline_peaks *found, orispline_error **error);
 
+/// The same, with what each of the rates is nowhere above: three `bounds` in the order of the peaks, in their units, NaN
+/// where no bound is known.
+ORISPLINE_C_API orispline_code orispline_curve_bounded_peaks(const orispline_curve *curve, const double *inertia,
+                                                             orispline_peaks *found, double *bounds,
+                                                             orispline_error **error);
+
 /// JSON: the list of what is to be said of the curve, as in the documents of the command: each has a `code` for programs
 /// and a `message` for people, where it has a place `line` and `key`, and the numbers of the message by their names.
 ORISPLINE_C_API orispline_code orispline_curve_warnings(const orispline_curve *curve, char **json,

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/file_format.hpp>
 #include <orispline/io/file_system.hpp>
 #include <orispline/io/output_file.hpp>
+#include <orispline/scenes/scene_file.hpp>
 
 #include "options/option_text.hpp"
 
@@ -39,9 +38,8 @@ bool is_part_of(const std::string& path, const std::string& scene) {
   if (!has_extension(scene, ".gltf") || !fs::is_regular_file(part, unknown) ||
       place_of(path).parent_path() != place_of(scene).parent_path())
     return false;
-  std::ifstream file(scene, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return text.find(formatted("\"{}\"", part.filename().string())) != std::string::npos;
+  const auto text = scenes::bytes_of_file(scene);
+  return text && text->find(formatted("\"{}\"", part.filename().string())) != std::string::npos;
 }
 
 }  // namespace

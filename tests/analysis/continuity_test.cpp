@@ -45,6 +45,19 @@ TEST(Continuity, MeasuresAJumpByTheFasterSideOfAKey) {
   }
 }
 
+TEST(Continuity, SeesARateThatIsLargestOnOneSideOfAKeyAndNowhereElse) {
+  for (const auto& turns : {std::vector{0.0, 0.1, 1.1, 1.2, 1.3}, std::vector{0.0, 0.1, 0.2, 1.2, 1.3}}) {
+    KeyframeData data{.times = {0.0, 1.0, 2.0, 3.0, 4.0}};
+    for (const double turn : turns) data.orientations.push_back(about_x(turn));
+    const AnyCurve curve = make_curve("timed-c1", Keyframes::make(std::move(data)).value()).value();
+    double largest = 0.0;  // about one axis the acceleration is linear in time from key to key
+    for (const double t : curve.knots().times())
+      for (const Side side : {Side::left, Side::right})
+        largest = std::max(largest, curve.motion(t, side).angular_acceleration.norm());
+    EXPECT_EQ(continuity_at_keys(curve).angular_acceleration.magnitude, largest);
+  }
+}
+
 TEST(Continuity, IsAsDeclaredOnUniformKnots) {
   for (const FamilyInfo& family : families_info())
     EXPECT_EQ(continuity_of(family.name, uniform_spacings).order(), family.continuity_uniform) << family.name;

@@ -45,6 +45,14 @@ TEST(Decimation, DependsOnTheSeedAlone) {
   EXPECT_NE(kept_samples(first, 500), kept_samples(second, 500));
 }
 
+// By std::mt19937_64, whose numbers the standard states: N + 0.35 N (2 d − 1), d being the upper 53 bits as a fraction.
+TEST(Decimation, TakesTheVerySamplesThatItsSeedSays) {
+  EXPECT_EQ(kept_samples({.keep_every = 10, .spacing = Spacing::jittered, .seed = 7}, 100),
+            (Indices{0, 12, 23, 27, 43, 47, 57, 72, 83, 88}));
+  EXPECT_EQ(kept_samples({.spacing = Spacing::jittered, .seed = 3}, 100),
+            (Indices{0, 8, 14, 25, 31, 40, 47, 57, 64, 73, 78, 86, 97}));
+}
+
 TEST(Decimation, NeverStandsStill) {
   for (const Spacing spacing : {Spacing::even, Spacing::jittered, Spacing::random})
     for (std::size_t step = 1; step <= 8; ++step)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -171,6 +172,27 @@ TEST(CurveOfC, SaysWhereItIsAndWhatItIsWorth) {
   EXPECT_GT(largest.torque.value, largest.angular_acceleration.value);
   expect_ok(call(orispline_curve_peaks, curve, static_cast<const double*>(nullptr), &largest));
   EXPECT_TRUE(std::isnan(largest.torque.value));
+}
+
+TEST(CurveOfC, TellsWhatItsRatesAreNowhereAbove) {
+  const KeyframeData data = walk(9);
+  const AnyCurve wanted = make_curve("auto", keyframes(data)).value();
+  const CurveHandle bounded = curve_through(keys_of(data), "auto"), unbounded = curve_through(keys_of(data), "squad");
+  const std::array<double, 9> inertia{1, 0, 0, 0, 2, 0, 0, 0, 2.5};
+  orispline_peaks largest;
+  std::array<double, 3> bounds{};
+  const auto find = [&](const CurveHandle& curve, const double* tensor) {
+    expect_ok(call(orispline_curve_bounded_peaks, static_cast<const orispline_curve*>(curve.get()), tensor, &largest,
+                   bounds.data()));
+  };
+  find(bounded, inertia.data());
+  EXPECT_EQ(bounds[0], peaks(wanted).angular_velocity.bound);
+  EXPECT_EQ(bounds[1], peaks(wanted).angular_acceleration.bound);
+  EXPECT_GE(bounds[2], largest.torque.value);
+  find(bounded, nullptr);
+  EXPECT_TRUE(std::isnan(largest.torque.value) && std::isnan(bounds[2]));
+  find(unbounded, inertia.data());
+  EXPECT_TRUE(std::ranges::all_of(bounds, [](double bound) { return std::isnan(bound); }));
 }
 
 TEST(CurveOfC, TellsItsWarnings) {

@@ -159,6 +159,8 @@ TEST_F(NullPointersOfC, AreNoCurve) {
   expect_refused(orispline_curve_continuity, curve, static_cast<orispline_continuity*>(nullptr));
   expect_refused(orispline_curve_orders, curve, static_cast<std::int32_t*>(nullptr), std::size_t{1});
   expect_refused(orispline_curve_peaks, curve, no(&number), static_cast<orispline_peaks*>(nullptr));
+  orispline_peaks largest;
+  expect_refused(orispline_curve_bounded_peaks, curve, no(&number), &largest, static_cast<double*>(nullptr));
   expect_refused(orispline_curve_warnings, no(curve), &text);
   EXPECT_EQ(orispline_curve_make(nullptr, nullptr, nullptr, nullptr), ORISPLINE_BAD_ARGUMENT) << "nobody asks why";
 }

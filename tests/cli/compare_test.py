@@ -38,6 +38,8 @@ class Compare(CommandTest):
         self.assertAlmostEqual(auto["jerk_energy"], 4.5, delta=1e-9)
         self.assertAlmostEqual(auto["peak_rate_rad_s"], 3.0, delta=1e-10)
         self.assertAlmostEqual(auto["peak_rate_at_s"], 2.0, delta=1e-9)
+        self.assertLessEqual(auto["peak_rate_rad_s"], auto["peak_rate_bound_rad_s"])
+        self.assertLess(auto["peak_rate_bound_rad_s"], 1.001 * 3.0)
         self.assertAlmostEqual(auto["angle_travelled_deg"], math.degrees(2), delta=1e-8)
         times = [0.05 * i for i in range(41)]
         chord = [(math.floor(t / 0.5 + 1e-9) * 0.5) for t in times]
@@ -117,6 +119,9 @@ class Compare(CommandTest):
         row, = self.compared("cubic.csv --keep-every 10 --methods auto --inertia=1,2,3 --sort torque")
         self.assertAlmostEqual(row["torque_energy"], 9 * 6.0, delta=1e-8)
         self.assertAlmostEqual(row["peak_torque_n_m"], 3 * 3.0, delta=1e-8)
+        self.assertLess(row["peak_torque_bound_n_m"], 1.001 * 9.0)
+        squad, = self.compared("cubic.csv --keep-every 10 --methods squad")
+        self.assertIsNone(squad["peak_rate_bound_rad_s"])
 
     def test_every_energy_is_told_beside_the_least_possible(self):
         self.write("plain.csv", motion_about_z(lambda t: t ** 3 / 4, lambda t: 0).replace(",wx,wy,wz", ",a,b,c"))

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`orispline retime --fastest-keys`: durations that do not depend on the times that were typed."""
 import json
+import math
 import pathlib
 import random
 
@@ -34,6 +35,26 @@ class FastestKeys(CommandTest):
                 self.assertEqual(report["slowing"], "fastest-keys")
                 for limit in [key for key in report if "_limit_" in key]:
                     self.assertLessEqual(report[limit.replace("_limit_", "_bound_")], report[limit])
+
+    def test_more_inserted_keys_make_no_slower_motion_and_leave_those_given(self):
+        def rows(file):
+            return [line.split(",")[1:8] for line in file.read_text("utf-8").splitlines() if line[0].isdigit()]
+
+        given = [[float(cell) for cell in row] for row in rows(DATA / "camera_keys.csv")]
+        seconds = [math.inf]
+        for count in (0, 1, 2):  # with one key an interval 4.151 s, with two in each 4.159 s
+            told = self.run_command(f"retime {DATA / 'camera_keys.csv'} --max-rate 90deg/s --max-acceleration 200deg/s2 --max-jerk 2000deg/s3 "
+                                    f"--fastest-keys --insert-keys {count} -o fast.csv --json")
+            report = json.loads(told.stdout)
+            made = [[float(cell) for cell in row] for row in rows(self.folder / "fast.csv")]
+            self.assertEqual([row for row in made if row in given], given)
+            self.assertEqual(len(made), len(given) + report["inserted"])
+            self.assertLessEqual(report["inserted"], count * (len(given) - 1))
+            self.assertLessEqual(report["duration_after_s"], seconds[-1])
+            seconds.append(report["duration_after_s"])
+        self.assertLess(seconds[-1], 0.98 * seconds[1])
+        self.assertEqual(self.run_command(f"retime {DATA / 'camera_keys.csv'} --max-rate 90deg/s --insert-keys 2 -o fast.csv").stderr,
+                         "orispline: --insert-keys: it makes the fastest keys faster, wanted --fastest-keys as well\n")
 
     def test_what_is_told(self):
         told = self.run_command(f"retime {DATA / 'robot_keys.csv'} --max-rate 90deg/s --max-acceleration 60deg/s2 --fastest-keys -o fast.csv").stderr

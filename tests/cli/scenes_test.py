@@ -222,7 +222,7 @@ class OneJoint(SceneTest):
         self.assertLessEqual(report["keys_written"], 61)
         self.assertLessEqual(report["error_max_deg"], 0.03)
         self.assertRegex(self.run_command("sample flight.csv --tolerance 0.03deg -o flight.glb").stderr,
-                         r"at most 0\.02944° from the curve \(tolerance 0\.03°\)")
+                         r"at most 0\.0296° from the curve \(tolerance 0\.03°\)")
         true, found = (rows_of(self.output_of(f"sample {name} --rate 50 --derivatives 0")) for name in ("flight.csv", "flight.glb"))
         worst = max(angle_between(p[1:5], q[1:5]) for p, q in zip(true, found))
         self.assertLessEqual(worst, 0.03)

@@ -47,14 +47,14 @@ Eigen::Quaterniond rate_of(const Eigen::Quaterniond& q, const Eigen::Vector3d& w
 
 double apart(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return (a.coeffs() - b.coeffs()).norm(); }
 
-TEST(CubicChannel, IsWithinTheToleranceBetweenThePlacesThatWereLookedAt) {
+TEST(CubicChannel, IsWithinTheToleranceAndNowhereFartherThanItSays) {
   for (const char* method : {"slerp", "auto", "squad", "timed-c2", "hermite-c1"})
     for (const double tolerance : {1.0 * degree, 0.01 * degree})
       for (const Spacing spacing : {Spacing::even, Spacing::uneven}) {
         const AnyCurve curve = curve_of(method, random_walk(7, 12, spacing));
         const auto found = cubic_channel(curve, tolerance);
         EXPECT_LE(found.largest_distance, tolerance) << method;
-        EXPECT_LE(farthest(curve, found.channel), 1.02 * tolerance) << method;
+        EXPECT_LE(farthest(curve, found.channel), found.largest_distance * (1.0 + 1e-9)) << method;
         const ChannelCurve<Eigen::Quaterniond> cubic(found.channel);
         EXPECT_NEAR(angular_distance(cubic.at(found.largest_at), curve(found.largest_at)), found.largest_distance,
                     1e-12)
@@ -104,10 +104,10 @@ TEST(CubicChannel, KeepsBothRatesWhereTheyJump) {
 TEST(CubicChannel, OfTheFlightHasNoMoreKeysThanStated) {
   const AnyCurve curve = curve_of("auto", flight());
   for (const auto& [tolerance, keys] :
-       {std::pair(0.36, 40u), std::pair(0.03, 61u), std::pair(0.01, 90u), std::pair(0.0044, 118u)}) {
+       {std::pair(0.36, 40u), std::pair(0.03, 61u), std::pair(0.01, 91u), std::pair(0.0044, 118u)}) {
     const auto found = cubic_channel(curve, tolerance * degree);
     EXPECT_LE(found.channel.size(), keys) << tolerance;
-    EXPECT_LE(farthest(curve, found.channel), 1.02 * tolerance * degree);
+    EXPECT_LE(farthest(curve, found.channel), tolerance * degree);
   }
 }
 

@@ -26,14 +26,23 @@ double mean_step(const AnyCurve& curve) {
   return (domain.end - domain.start) / static_cast<double>(curve.knots().segments());
 }
 
+/// The sizes of its rates at a clock that ticks once a step.
+RateSizes rate_sizes(const AnyCurve& curve) {
+  RateSizes sizes;
+  for (const double t : sample_times(curve.knots().times(), 5))
+    sizes.include(at_clock(mean_step(curve), curve.motion(t)));
+  return sizes;
+}
+
 /// A curve and what a change of its keys makes of it.
 struct Changed {
   AnyCurve curve, changed;
   MotionTolerance allowed;
+  RateSizes sizes = rate_sizes(curve);
 
   /// No unit of time is special to rounding either: it is judged at clocks that tick once a step.
   void require_same(const Motion& found, const Motion& wanted) const {
-    require(near(at_clock(mean_step(changed), found), at_clock(mean_step(curve), wanted), allowed));
+    require(near(at_clock(mean_step(changed), found), at_clock(mean_step(curve), wanted), allowed, sizes));
   }
 };
 

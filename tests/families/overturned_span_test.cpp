@@ -41,6 +41,18 @@ TEST(OverturnedSpan, IsToldWithTheTwoKeysThatAreTooNear) {
   }
 }
 
+TEST(OverturnedSpan, SaysThatAMethodCannotBeUsedWhereItsCurveGoesRoundAndRound) {
+  for (const char* method : {"auto", "timed-c2", "log-parabola"}) {
+    const auto found = told(method, steady_but_for_one_key(1e-5));
+    ASSERT_TRUE(found) << method;
+    EXPECT_TRUE(found->message.starts_with(std::string(method) + " cannot be used on these keys: between the keys at "))
+        << found->message;
+    EXPECT_TRUE(found->message.ends_with("or take slerp or squad, which can be used whatever the times are"))
+        << found->message;
+  }
+  for (const char* usable : {"slerp", "squad"}) EXPECT_FALSE(told(usable, steady_but_for_one_key(1e-5))) << usable;
+}
+
 TEST(OverturnedSpan, IsNotToldWhereTheCurveTurnsAsItsKeysDo) {
   for (const char* method : {"auto", "hermite-c2", "timed-c2", "tcb"}) {
     EXPECT_FALSE(told(method, steady_but_for_one_key(1.0))) << method;

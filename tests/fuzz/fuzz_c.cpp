@@ -336,8 +336,10 @@ class Program {
     orispline_peaks peaks;
     std::vector<double> inertia = numbers(9);
     error = nullptr;
-    claim_done<void*>(orispline_curve_peaks(curve, input_.below(2) ? nullptr : inertia.data(), &peaks, &error), error,
-                      nullptr);
+    std::array<double, 3> bounds;
+    claim_done<void*>(
+        orispline_curve_bounded_peaks(curve, input_.below(2) ? nullptr : inertia.data(), &peaks, bounds.data(), &error),
+        error, nullptr);
   }
 
   void bake() {

@@ -45,6 +45,8 @@ test('what a curve is worth: continuity, peaks, its method', () => {
   assert.equal(steady.torque, undefined);
   const { torque, angularAcceleration } = ori.curve('auto', flight).peaks({ inertia: [1, 0, 0, 0, 1, 0, 0, 0, 1] });
   assert.ok(Math.abs(torque.value / angularAcceleration.value - 1) < 1e-9);
+  assert.ok(torque.bound >= torque.value && torque.bound <= 1.001 * torque.value);
+  assert.equal('bound' in ori.curve('squad', flight).peaks().angularVelocity, false);
   assert.equal(thrown(() => ori.curve('auto', three).peaks({ inertia: [1, 2, 3] })).option, 'inertia');
   assert.equal(ori.curve('timed-c2', three, { tension: 0.25 }).method, 'timed-c2:tension=0.25');
 });

@@ -158,7 +158,7 @@ def test_bad_input(ask, error, text):
 
 
 def test_a_tolerance_that_cannot_be_reached_names_the_key():
-    curve = ori.Curve([0.0, 1.0, 1.0 + 1e-6, 2.0, 3.0], Rotation.random(5, random_state=3), "hermite-c2")
+    curve = ori.Curve([0.0, 1.0, 1.0 + 1e-9, 2.0, 3.0], Rotation.random(5, random_state=3), "timed-c2")
     with pytest.raises(ori.ArgumentError, match="ask for a much larger tolerance, or a curve that turns less there") as found:
         curve.bake(1e-6)
     assert found.value.key == 0

@@ -8,6 +8,7 @@ import pickle
 import sys
 import threading
 import time
+import warnings
 
 import numpy as np
 import orispline as ori
@@ -294,3 +295,29 @@ def test_both_sides_of_a_jump():
         np.testing.assert_allclose(curve.motion(t, side="left").angular_velocity, curve.motion(t).angular_velocity, atol=1e-14)
     with pytest.raises(ori.ArgumentError, match="side: found 'before', wanted 'right' or 'left'"):
         curve.motion(1.0, side="before")
+
+
+def about_z(angles):
+    half = 0.5 * np.asarray(angles)
+    return np.stack([0 * half, 0 * half, np.sin(half), np.cos(half)], axis=-1)
+
+
+def test_what_is_noteworthy_about_a_curve_is_told_once_when_it_is_made():
+    steady, times = about_z(0.5 * np.arange(9)), np.arange(9.0)
+    near = np.where(times == 3.0, 3.98, times)
+    with pytest.warns(ori.ShapeWarning) as told:
+        curve = ori.Curve(near, steady)
+    assert [warning.message.code for warning in told] == ["overturned_span"] and told[0].filename == __file__
+    assert "the keys at 3.98 s and 4 s are too near in time" in str(told[0].message)
+    assert told[0].message.numbers["turn_deg"] > 2 * told[0].message.numbers["turn_of_keys_deg"]
+    with pytest.warns(ori.ShapeWarning, match="^joint 1: .*too near in time") as told:
+        ori.CurveStack(near, np.stack([0 * steady + [0, 0, 0, 1], steady], axis=1))
+    assert len(told) == 1
+    with pytest.warns(ori.ShapeWarning) as told:
+        ori.Curve([0, 1, 2, 4, 5], steady[:5], ori.blending("jumping", [["0", "h/h_1"]]))
+    assert [warning.message.code for warning in told] == ["jump_at_key"]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        ori.Curve(times, steady)
+        ori.Curve(near, steady, "slerp")
+        pickle.loads(pickle.dumps(curve))

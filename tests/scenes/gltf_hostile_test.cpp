@@ -49,6 +49,7 @@ TEST(GltfHostile, Documents) {
       {"{\"asset\":{\"version\":\"2.0\"},\"a\":1e999}", "found text that is not valid JSON, wanted a glTF document"},
       {"[1]", "found JSON that is no object, wanted a glTF document"},
       {std::string(100000, '['), "found JSON nested deeper than 512 levels, wanted fewer"},
+      {"[" + std::string(std::size_t{1} << 24, ',') + "]", "found JSON of more than 16777216 values, wanted fewer"},
       {"{}", "found no asset, wanted an object"},
       {R"({"asset":{"version":2.0}})", "asset: found 2.0 as version, wanted text"},
       {R"({"asset":{"version":"1.0"}})", "asset: found version '1.0', wanted 2.0"},

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 
+#include <orispline/base/expected.hpp>
 #include <orispline/curve/family.hpp>
 #include <support/specimens.hpp>
 
@@ -15,5 +17,12 @@ namespace orispline::testing_support {
 
 /// Hard keys may be answered by the error that the equations of the method were not solved for them.
 [[nodiscard]] inline bool may_refuse(const FamilyInfo& family) { return family.key_use.widest_turn < 10.0; }
+
+/// Keys at very uneven times may be answered by the error that the rates there would wind the curve beyond what doubles
+/// tell apart.
+[[nodiscard]] inline bool is_wound_too_far(const FamilyInfo& family, const Error& error) {
+  return family.rate_orders > 0 && error.code == ErrorCode::bad_data && error.where.key.has_value() &&
+         error.message.find(" wind the curve between the two by up to ") != std::string::npos;
+}
 
 }  // namespace orispline::testing_support

@@ -11,11 +11,13 @@
 
 namespace orispline::testing_support {
 
-/// Largest component of the difference, relative to max(1, largest component of the expected value).
+/// Largest component of the difference, relative to the largest component of the expected value, or to `least` if that
+/// is larger.
 template <class A, class B>
-[[nodiscard]] double relative_error(const Eigen::MatrixBase<A>& found, const Eigen::MatrixBase<B>& wanted) {
+[[nodiscard]] double relative_error(const Eigen::MatrixBase<A>& found, const Eigen::MatrixBase<B>& wanted,
+                                    double least = 1.0) {
   if (!found.allFinite()) return std::numeric_limits<double>::infinity();
-  const double scale = std::max(1.0, wanted.template lpNorm<Eigen::Infinity>());
+  const double scale = std::max(least, wanted.template lpNorm<Eigen::Infinity>());
   return (found - wanted).template lpNorm<Eigen::Infinity>() / scale;
 }
 
@@ -44,17 +46,32 @@ inline ::testing::AssertionResult near(const Eigen::Quaterniond& found, const Ei
 
 using tolerance::MotionTolerance;
 
-inline ::testing::AssertionResult near(const Motion& found, const Motion& wanted, const MotionTolerance& allowed) {
+/// The largest components of a curve's rates, 1 at least. Rounding at one time is as large as the rates elsewhere are.
+struct RateSizes {
+  double velocity = 1.0, acceleration = 1.0, jerk = 1.0;
+
+  void include(const Motion& m) {
+    velocity = std::max(velocity, m.angular_velocity.lpNorm<Eigen::Infinity>());
+    acceleration = std::max(acceleration, m.angular_acceleration.lpNorm<Eigen::Infinity>());
+    jerk = std::max(jerk, m.angular_jerk.lpNorm<Eigen::Infinity>());
+  }
+};
+
+/// Rates are compared relative to the larger of their own size and that of the curve's.
+inline ::testing::AssertionResult near(const Motion& found, const Motion& wanted, const MotionTolerance& allowed,
+                                       const RateSizes& of_curve = {}) {
   const auto orientation =
       within(relative_error(found.orientation, wanted.orientation), allowed.orientation, "orientation");
   if (!orientation) return orientation;
-  const auto velocity = within(relative_error(found.angular_velocity, wanted.angular_velocity),
+  const auto velocity = within(relative_error(found.angular_velocity, wanted.angular_velocity, of_curve.velocity),
                                allowed.angular_velocity, "angular velocity");
   if (!velocity) return velocity;
-  const auto acceleration = within(relative_error(found.angular_acceleration, wanted.angular_acceleration),
-                                   allowed.angular_acceleration, "angular acceleration");
+  const auto acceleration =
+      within(relative_error(found.angular_acceleration, wanted.angular_acceleration, of_curve.acceleration),
+             allowed.angular_acceleration, "angular acceleration");
   if (!acceleration) return acceleration;
-  return within(relative_error(found.angular_jerk, wanted.angular_jerk), allowed.angular_jerk, "angular jerk");
+  return within(relative_error(found.angular_jerk, wanted.angular_jerk, of_curve.jerk), allowed.angular_jerk,
+                "angular jerk");
 }
 
 }  // namespace orispline::testing_support

@@ -26,10 +26,11 @@ export interface Continuity {
   angularJerk: Jump;
 }
 
-/** The largest value of a rate that was found, and where [s]. */
+/** The largest value of a rate that was found, and where [s]. It is nowhere above `bound`, which is absent where no bound is known. */
 export interface Peak {
   value: number;
   time: number;
+  bound?: number;
 }
 
 export interface Peaks {
@@ -91,14 +92,15 @@ export class WholeCurve extends Curve {
     const { inertia } = optionsOf('options', options), matrix = inertia === undefined ? undefined : numbersOf('inertia', inertia);
     if (matrix && matrix.length !== 9) throw badArgument('inertia', `found ${matrix.length} numbers, wanted 9`);
     const { engine } = this, at = engine.numbersAt;
-    if (matrix) engine.withNumbers(matrix, (numbers) => engine.check('orispline_curve_peaks', this.handle, numbers, at));
-    else engine.check('orispline_curve_peaks', this.handle, 0, at);
+    const find = (numbers: number) => engine.check('orispline_curve_bounded_peaks', this.handle, numbers, at, at + 48);
+    if (matrix) engine.withNumbers(matrix, find);
+    else find(0);
     const peak = (k: number): Peak => {
-      const [value, time] = engine.numbers.subarray(at / 8 + k, at / 8 + k + 2);
-      return { value, time };
+      const [value, time] = engine.numbers.subarray(at / 8 + 2 * k), bound = engine.numbers[at / 8 + 6 + k];
+      return Number.isNaN(bound) ? { value, time } : { value, time, bound };
     };
-    const found: Peaks = { angularVelocity: peak(0), angularAcceleration: peak(2) };
-    return matrix ? { ...found, torque: peak(4) } : found;
+    const found: Peaks = { angularVelocity: peak(0), angularAcceleration: peak(1) };
+    return matrix ? { ...found, torque: peak(2) } : found;
   }
 
   /** What `orispline/player` plays: what `orispline bake` writes, with the times of the keys. The tolerance is in rad. */

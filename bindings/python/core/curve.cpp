@@ -7,11 +7,13 @@
 #include <nanobind/stl/pair.h>
 
 #include <orispline/analysis.hpp>
+#include <orispline/families/method_warnings.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/jobs.hpp>
 
 #include "arrays.hpp"
 #include "errors.hpp"
+#include "fields.hpp"
 #include "quantity.hpp"
 #include "sample_memory.hpp"
 #include "text.hpp"
@@ -101,6 +103,10 @@ void add_curve(nb::module_& module) {
       .def_prop_ro("has_positions", [](const PythonCurve& curve) { return curve.pose().position.has_value(); })
       .def_prop_ro("domain",
                    [](const PythonCurve& curve) { return std::pair(curve.domain().start, curve.domain().end); })
+      .def_prop_ro("warnings",
+                   [](const PythonCurve& curve) {
+                     return warnings_of(orispline::warnings_of(curve.method(), *curve.keys().track));
+                   })
       .def("continuity",
            [](const PythonCurve& curve) {
              return continuity_at_keys(curve.pose().orientation,

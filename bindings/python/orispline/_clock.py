@@ -112,6 +112,18 @@ class Clock:
         first, last = _told_apart(*(time.item() for time in (self.charted(ends) if self.kind else self.back(ends))))
         return f"{first} … {last} {'s' if self.kind else self.unit}"
 
+    def check_series(self, seconds: Array) -> None:
+        """Raises DataError where such times of a series [s] are not finite, or decrease."""
+        bad = ~np.isfinite(seconds)
+        if bad.any():
+            raise DataError(f"times: found {seconds[bad][0]} at index {int(bad.argmax())}, wanted finite times")
+        falls = np.diff(seconds) < 0
+        if falls.any():
+            at = int(falls.argmax())
+            before, after = self.back(seconds[at:at + 2])
+            shown = [f"{time:.17g}" if isinstance(time, float) else str(time) for time in (after, before)]
+            raise DataError(f"times: found {shown[0]} after {shown[1]} at index {at + 1}, wanted times that do not decrease")
+
     def check_inside(self, seconds: Array, domain: tuple[float, float]) -> None:
         """Raises an error about the first time outside, where times are not seconds: about those the library has one."""
         outside = np.flatnonzero((seconds < domain[0]) | (seconds > domain[1]))

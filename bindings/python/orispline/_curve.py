@@ -12,9 +12,8 @@ from ._arrays import Array, inertia_tensor, numbers, output, sample_rows
 from ._baked import BakedCurve, baked
 from ._blending import Blending
 from ._checks import check_number, flag, in_world, index_of, rate_text, real, thread_count, whole
-from ._clock import Clock
 from ._columns import PARTS
-from ._errors import ArgumentError, DataError
+from ._errors import ArgumentError, DataError, tell
 from ._forms import quaternions
 from ._keys import Keys
 from ._looks import Looks
@@ -77,6 +76,12 @@ class Curve(Looks, Orienting):
     TypeError
         Arguments for keys beside a `Keys`.
 
+    Warns
+    -----
+    ShapeWarning
+        What is noteworthy about the curve, as the command's `sample` says it, such as `overturned_span`: it turns much farther
+        than its keys.
+
     Examples
     --------
     >>> import orispline as ori
@@ -114,6 +119,7 @@ class Curve(Looks, Orienting):
         keys = times if isinstance(times, Keys) else Keys(times, **{"rotations": None, **given})
         text = keys._method_text(method, ends, start_rate, end_rate, closed, period, settings)
         self._set(keys, _core.Curve(keys._core, text), extrapolate)
+        tell(self._core.warnings)
 
     def _set(self, keys: Keys, core: Any, extrapolate: Extrapolate) -> None:
         way = index_of("extrapolate", extrapolate, (*BEYOND, LEAVE_OUT))
@@ -434,7 +440,7 @@ class Curve(Looks, Orienting):
         0.14159265359
         """
         seconds, rows = self._series(times, numbers("rates", rates, (None, 3)), "rates")
-        _check_rising(seconds, self._clock)
+        self._clock.check_series(seconds)
         bad = ~np.isfinite(rows).all(axis=1)
         if bad.any():
             raise DataError(f"rates: found {rows[bad][0].tolist()} at index {int(bad.argmax())}, wanted finite numbers")
@@ -586,15 +592,3 @@ def _restored(keys: Keys, method: str, extrapolate: Extrapolate) -> Curve:
     curve = Curve.__new__(Curve)
     curve._set(keys, _core.Curve(keys._core, method), extrapolate)
     return curve
-
-
-def _check_rising(seconds: Array, clock: Clock) -> None:
-    bad = ~np.isfinite(seconds)
-    if bad.any():
-        raise DataError(f"times: found {seconds[bad][0]} at index {int(bad.argmax())}, wanted finite times")
-    falls = np.diff(seconds) < 0
-    if falls.any():
-        at = int(falls.argmax())
-        before, after = clock.back(seconds[at:at + 2])
-        shown = [f"{time:.17g}" if isinstance(time, float) else str(time) for time in (after, before)]
-        raise DataError(f"times: found {shown[0]} after {shown[1]} at index {at + 1}, wanted times that do not decrease")

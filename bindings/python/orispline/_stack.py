@@ -12,7 +12,7 @@ from ._arrays import array_of, numbers, output, sample_rows
 from ._checks import flag, in_world, thread_count, wrong_type
 from ._columns import PARTS
 from ._curve import Curve
-from ._errors import ArgumentError, DataError, Error
+from ._errors import ArgumentError, DataError, Error, collected, tell
 from ._keys import Keys
 from ._samples import Samples, samples_of
 from ._types import stacked_quantity, stacked_rate
@@ -85,11 +85,13 @@ class CurveStack:
         for joint in range(array.shape[1]):
             try:
                 keys = Keys(times, array[:, joint], **how, **{name: rows[:, joint] for name, rows in parts.items()})  # type: ignore[arg-type]
-                curves.append(Curve(keys, method=method, extrapolate=extrapolate, **options))
+                with collected() as found:
+                    curves.append(Curve(keys, method=method, extrapolate=extrapolate, **options))
             except Error as error:
                 error.joint = joint
                 error.args = (f"joint {joint}: {error}", *error.args[1:])
                 raise
+            tell((f"joint {joint}: {warning}", warning.code, warning.numbers) for warning in found)
         self._set(curves)
 
     def _set(self, curves: list[Curve]) -> None:

@@ -53,9 +53,10 @@ struct Peaks {
 ///
 /// Segments that are stated as polynomials have bounds (`SegmentHull`): each step that may hold more than was found is
 /// cut, the worst first, until no bound is more than 1e-3 above the largest value found, rounding apart. For other
-/// segments no bound is known: they are cut where the rates differ from the cubics between the steps, so fine as the
-/// curve turns, and towards keys with far shorter steps beside. A maximum between two steps is found by bisection of
-/// the exact derivative (ω·α, α·jerk, torque times its rate), to the rounding of time.
+/// segments no bound is known: they are cut where the rates differ from the cubics between the steps or the body turns
+/// by more than 0.2 rad on one, and towards keys with far shorter steps beside; of a curve that may turn by more than
+/// 1e4 rad not all maxima are found so. A maximum between two steps is found by bisection of the exact derivative (ω·α,
+/// α·jerk, torque times its rate), to the rounding of time.
 [[nodiscard]] ORISPLINE_EXPORT Peaks peaks(const AnyCurve& curve,
                                            const Eigen::Matrix3d& inertia = Eigen::Matrix3d::Identity());
 

@@ -76,6 +76,11 @@ template <Peak Peaks::*figure>
   return time_in_file(times, (m.peaks.*figure).time);
 }
 
+template <Peak Peaks::*figure>
+[[nodiscard]] Value peak_bound(const Measures& m, const MeasureTimes&) {
+  return (m.peaks.*figure).bound;
+}
+
 [[nodiscard]] inline Value angle_travelled(const Measures& m, const MeasureTimes&) {
   return m.angle_travelled * degrees;
 }

@@ -23,6 +23,9 @@ constexpr double worth_climbing = 0.8;  // of the largest square found: below it
 /// |ω|² is resolved where it is so near to the cubics between the steps, of the largest on the part; where |ω| is below
 /// so much of the largest found, the body rests, and differences are rounding.
 constexpr double resolved = 3e-3, rate_at_rest = 1e-6;
+/// Nor is it where the body turns farther on a step [rad]: rates rise and fall within a part of a turn. A curve that
+/// may turn this far has too many turns to look at each.
+constexpr double resolved_turn = 0.2, most_turn = 1e4;
 constexpr int most_bisections = 60;
 constexpr double least_share = 1e-9;  // of a segment, that is still cut
 constexpr double least_steps = 64.0;  // of time's rounding, the same
@@ -182,7 +185,10 @@ double LargestRates::priority_of(const Part& part) const {
   }
   if (excess > 1.0) return excess;
   const bool rests = part.reach.sizes[0] < rate_at_rest * best_[0].size();
-  return part.reach.unresolved > resolved && !rests ? part.reach.unresolved / (1.0 + part.reach.unresolved) : 0.0;
+  const bool turns = part.reach.turn > resolved_turn && best_[0].size() * (knots_.back() - knots_.front()) < most_turn;
+  const double wanting =
+      std::max(part.reach.unresolved > resolved && !rests ? part.reach.unresolved : 0.0, turns ? part.reach.turn : 0.0);
+  return wanting / (1.0 + wanting);
 }
 
 void LargestRates::add(Part part) {

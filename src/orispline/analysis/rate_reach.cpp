@@ -34,12 +34,19 @@ double deviation(const RateHeight& a, const RateHeight& middle, const RateHeight
 
 RateReach::RateReach(const SegmentForm& form, const KnotSpan& span, const MomentBounds& moments)
     : form_(form), span_(span), moments_(moments), coarse_(coarse_bounds(form, span.step())) {
-  if (coarse_) round(coarse_->all.rate, coarse_->rounding);
+  if (!coarse_) return;
+  round(coarse_->all.rate, coarse_->rounding);
+  if (std::isfinite(coarse_->all.rate)) return;
+  refine();
+  if (std::isfinite(rounding_[0])) return;
+  coarse_.reset();  // of a rational curve that may come near the origin
+  hull_.reset();
+  rounding_ = {};
 }
 
 void RateReach::refine() {
+  if (!coarse_) return;
   hull_ = SegmentHull::of(form_, span_.step());
-  if (!hull_) return;
   const HullBounds whole = hull_->on(0.0, 1.0);
   round(whole.rate, hull_->rounding(whole));
 }
@@ -80,6 +87,8 @@ std::array<StepReach, steps_of_part> RateReach::of_steps(const RateSamples& samp
   for (const RateSample& sample : samples) square_of_part = std::max(square_of_part, sample.heights[0].square);
   for (std::size_t i = 0; i < steps_of_part; ++i) {
     reach[i].unresolved = std::max(deviations[i][0], deviations[i + 1][0]) / square_of_part;
+    reach[i].turn = std::sqrt(std::max(samples[i].heights[0].square, samples[i + 1].heights[0].square)) *
+                    (samples[i + 1].time - samples[i].time);
     for (std::size_t k = 0; k < 3; ++k) {
       const RateSample &a = samples[i], &b = samples[i + 1];
       const double square = largest_of_cubic(a.heights[k], b.heights[k], b.time - a.time) +
@@ -95,6 +104,7 @@ StepReach RateReach::of_segment(const RateSamples& samples) const {
   if (!coarse_) {
     for (const StepReach& step : of_steps(samples)) {
       reach.unresolved = std::max(reach.unresolved, step.unresolved);
+      reach.turn = std::max(reach.turn, step.turn);
       for (std::size_t k = 0; k < 3; ++k) reach.sizes[k] = std::max(reach.sizes[k], step.sizes[k]);
     }
     return reach;

@@ -34,6 +34,7 @@ using RateSamples = std::array<RateSample, times_of_part>;
 struct StepReach {
   RateSizes sizes{};
   double unresolved = 0.0;
+  double turn = 0.0;  ///< of the body on the step [rad]; 0 for bounds
 };
 
 /// What the rates reach on the steps between samples: bounds that hold where the segment is stated as polynomials, else

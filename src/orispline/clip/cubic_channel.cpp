@@ -2,16 +2,18 @@
 #include <orispline/clip/cubic_channel.hpp>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <orispline/clip/clip_motion.hpp>
 #include <orispline/curve/key_check.hpp>
+#include <orispline/math/highest.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-constexpr int parts = 16;             // of an interval, between which it is looked at
+constexpr std::size_t parts = 16;     // of an interval, between which it is looked at
 constexpr double shortest = 0x1p-20;  // interval that is halved, as a part of the curve
 
 /// A value with its time derivative, component by component [1/s].
@@ -33,15 +35,16 @@ Moving<Eigen::Vector3d> moving(const AnyPath& path, double t, Side side) {
 double distance(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return angular_distance(a, b); }
 double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm(); }
 
-/// The farthest that a curve is from cubics in an interval, and when.
+/// The farthest that a curve is from cubics in an interval, if it comes near the distance that is known.
 template <CurvePoint P, class C>
-std::pair<double, double> farthest_between(const C& curve, const ChannelCurve<P>& cubics, double start, double end) {
-  std::pair<double, double> worst{0.0, start};
-  for (int k = 1; k < parts; ++k) {
-    const double t = start + (end - start) * k / parts;
-    worst = std::max(worst, {distance(cubics.at(t), moving(curve, t, Side::right).value), t});
+Height farthest_between(const C& curve, const ChannelCurve<P>& cubics, double start, double end, double known) {
+  const auto off = [&](double t) { return distance(cubics.at(t), moving(curve, t, Side::right).value); };
+  std::array<double, parts - 1> times, distances;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    times[k] = start + (end - start) * static_cast<double>(k + 1) / double{parts};
+    distances[k] = off(times[k]);
   }
-  return worst;
+  return highest(times, distances, off, known);
 }
 
 /// Goes from the start of a curve to its end.
@@ -72,7 +75,8 @@ class Follower {
                            .values = {found_.channel.values.back(), right.value},
                            .in_tangents = {left.derivative, right.derivative},
                            .out_tangents = {left.derivative, right.derivative}};
-    const auto [farthest, at] = farthest_between(curve_, ChannelCurve<P>(piece), start, end);
+    const auto [at, farthest] =
+        farthest_between(curve_, ChannelCurve<P>(piece), start, end, std::min(found_.largest_distance, tolerance_));
     const double middle = start + 0.5 * (end - start);
     if ((farthest > tolerance_ || turns_far(piece)) && end - start > shortest_)
       return follow(start, middle), follow(middle, end);
@@ -113,7 +117,7 @@ double largest_distance_of(const C& curve, const Channel<P>& channel) {
   const ChannelCurve<P> cubic(channel);
   double worst = 0.0;
   for (std::size_t i = 0; i + 1 < channel.size(); ++i)
-    worst = std::max(worst, farthest_between(curve, cubic, channel.times[i], channel.times[i + 1]).first);
+    worst = std::max(worst, farthest_between(curve, cubic, channel.times[i], channel.times[i + 1], worst).value);
   return worst;
 }
 

@@ -16,15 +16,22 @@ namespace {
 /// Steps nearer than this to a full turn [rad] have no rotation vector that rates could be carried to.
 constexpr double full_turn_margin = 1e-6;
 
-/// How far rates may turn within a step [rad]: the jerk has the ninth power of this over the cube of the step, which is
-/// a double at the shortest one too.
-constexpr double widest_turn = 1e25;
+/// How far from its key a piece may wind [rad]: there rounding turns it by some 1e-6 rad, and so much more as its keys
+/// are near each other. Still farther away it would no longer be a curve of these keys.
+constexpr double widest_winding = 1e10;
 
-/// How far the rates of a key would turn within h seconds [rad], of the order that turns farthest.
-double turn_within(double h, const std::array<Eigen::Vector3d, 3>& rates, std::size_t orders) {
-  double turn = 0.0, power = 1.0;
-  for (std::size_t k = 0; k < orders; ++k) turn = std::max(turn, (power *= h) * rates[k].stableNorm());
-  return turn;
+/// That the piece after key i does not wind farther: it comes no farther than all these turns together.
+template <std::size_t N>
+Expected<void> check_winding(std::string_view method, std::size_t i, const std::array<Eigen::Vector3d, N>& turns) {
+  double winding = 0.0;
+  for (const Eigen::Vector3d& turn : turns) winding += turn.norm();
+  if (winding <= widest_winding) return {};
+  return failure(ErrorCode::bad_data,
+                 formatted("{}: the rates at this key and the next one wind the curve between the two by up to {:.2g} "
+                           "rad, so far that rounding shows in its orientation, wanted {:g} at most; correct the times "
+                           "or rates of the keys around, put keys in between, or take slerp or squad",
+                           method, winding, widest_winding),
+                 {.key = i});
 }
 
 std::size_t reach_of(const FamilySettings& settings) { return settings.choice("stencil") == "3" ? 1 : 2; }
@@ -73,35 +80,31 @@ Expected<ChartCurve<2 * K + 1>> Hermite<K>::chart(const Keyframes& keys, const F
                                "or set form=cumulative",
                                info.name),
                      {.key = i});
-    for (const std::size_t key : {i, i + 1})
-      if (const double turn = turn_within(knots.span(i).step(), motions[key].rates, K); !(turn <= widest_turn))
-        return failure(ErrorCode::bad_data,
-                       formatted("{}: the rates at this key turn by {:.2g} rad within a step, wanted {:g} at most; put "
-                                 "keys in between, or set form=cumulative",
-                                 info.name, turn, widest_turn),
-                       {.key = key});
     pieces.push_back(hermite_piece<K>(start.orientation, step, start.rates, end.rates, knots.span(i).step()));
+    if (const auto sound = check_winding(info.name, i, pieces.back().coefficients); !sound)
+      return tl::unexpected(sound.error());
   }
   return ChartCurve<2 * K + 1>(std::move(knots), std::move(pieces));
 }
 
 template <std::size_t K>
-typename Hermite<K>::Cumulative Hermite<K>::cumulative(const Keyframes& keys, const FamilySettings& settings) {
+auto Hermite<K>::cumulative(const Keyframes& keys, const FamilySettings& settings) -> Expected<Cumulative> {
   Knots knots = key_knots(keys);
   const auto motions = motions_at_keys(keys, settings);
   ControlPolygon<> polygon{.bases = {keys.orientations().begin(), keys.orientations().end() - 1}, .increments = {}};
   polygon.increments.reserve((2 * K + 1) * knots.segments());
   for (std::size_t i = 0; i < knots.segments(); ++i) {
     const auto increments = cumulative_hermite_increments<K>(motions[i], motions[i + 1], knots.span(i).step());
+    if (const auto sound = check_winding(info.name, i, increments); !sound) return tl::unexpected(sound.error());
     polygon.increments.insert(polygon.increments.end(), increments.begin(), increments.end());
   }
-  return {std::move(knots), {}, std::move(polygon)};
+  return Cumulative(std::move(knots), {}, std::move(polygon));
 }
 
 template <std::size_t K>
 Expected<AnyCurve> Hermite<K>::curve(const Keyframes& keys, const FamilySettings& settings) {
-  if (settings.choice("form") == "cumulative") return AnyCurve(cumulative(keys, settings));
-  return chart(keys, settings).map([](auto curve) { return AnyCurve(std::move(curve)); });
+  const auto any = [](auto curve) { return AnyCurve(std::move(curve)); };
+  return settings.choice("form") == "cumulative" ? cumulative(keys, settings).map(any) : chart(keys, settings).map(any);
 }
 
 template <std::size_t K>

@@ -89,14 +89,15 @@ struct Hermite {
                                    .support_keys = 6,
                                    .choices = choices,
                                    .rate_orders = K};
-  /// In the form that is chosen. Error (bad_data) in the chart: a step of a full turn.
+  /// In the form that is chosen. Errors (bad_data): rates that wind the curve beyond what doubles tell apart, and in
+  /// the chart a step of a full turn.
   [[nodiscard]] static Expected<AnyCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   /// Space needs no chart, and the keys have no rates there.
   [[nodiscard]] static Expected<HermitePath<2 * K + 1>> path(const Keyframes& keys, const FamilySettings& settings);
 
   using Cumulative = CumulativeCurve<CumulativeBernsteinBasis<2 * K + 1>>;
   [[nodiscard]] static Expected<ChartCurve<2 * K + 1>> chart(const Keyframes& keys, const FamilySettings& settings);
-  [[nodiscard]] static Cumulative cumulative(const Keyframes& keys, const FamilySettings& settings);
+  [[nodiscard]] static Expected<Cumulative> cumulative(const Keyframes& keys, const FamilySettings& settings);
 };
 
 extern template struct Hermite<1>;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include <orispline/base/formatted.hpp>
@@ -20,6 +21,7 @@ namespace {
 
 constexpr double worth_saying = 0.25 * std::numbers::pi;  // of a span, beside the turn of its keys [rad]
 constexpr double much_farther = 2.0;                      // than the keys
+constexpr double of_no_use = 200.0 * std::numbers::pi;  // whatever a curve is for: a hundred full turns of a span [rad]
 /// A span whose neighbour's rate would turn it so many times as far may turn farther; the curve tells.
 constexpr double suspicious = 3.0;
 constexpr std::size_t keys_near = 2;       // so many spans away a fast step shapes the curve
@@ -78,6 +80,25 @@ double turn_of_curve(const Method& method, const Keyframes& keys, std::size_t sp
   return turn / steps * knots.step();
 }
 
+/// In words: how far the curve turns, and what cures it.
+std::string said(const Span& span, const Method& method, double turn, double of_keys, const Track& track) {
+  const auto time = [&](std::size_t key) { return track.time_text(track.time_of(key)); };
+  const std::string where = formatted("between the keys at {} and {}", time(span.start), time(span.start + 1));
+  const std::string cause = formatted(
+      "the keys at {} and {} are too near in time for how far they turn; correct the time of one of them, "
+      "leave one out, or take",
+      time(span.fast), time(span.fast + 1));
+  if (turn > of_no_use)
+    return formatted(
+        "{} cannot be used on these keys: {} its curve goes {:.4g} times all round, where the keys turn "
+        "by {:.4g} degrees, since {} slerp or squad, which can be used whatever the times are",
+        method.name, where, turn / (2.0 * std::numbers::pi), of_keys * degrees, cause);
+  return formatted(
+      "{} the curve of {} turns by {:.4g} degrees, where the keys turn by {:.4g}: {} slerp, which turns "
+      "no farther than the keys",
+      where, method.name, turn * degrees, of_keys * degrees, cause);
+}
+
 }  // namespace
 
 std::optional<Warning> overturned_span(const Method& method, const FamilyInfo& family, const Track& track) {
@@ -94,14 +115,8 @@ std::optional<Warning> overturned_span(const Method& method, const FamilyInfo& f
     of_keys = own;
   }
   if (!found) return std::nullopt;
-  const auto time = [&](std::size_t key) { return track.time_text(track.time_of(key)); };
   return Warning{.code = "overturned_span",
-                 .message = formatted(
-                     "between the keys at {} and {} the curve of {} turns by {:.4g} degrees, where the keys turn by "
-                     "{:.4g}: the keys at {} and {} are too near in time for how far they turn; correct the time "
-                     "of one of them, leave one out, or take slerp, which turns no farther than the keys",
-                     time(found->start), time(found->start + 1), method.name, farthest * degrees, of_keys * degrees,
-                     time(found->fast), time(found->fast + 1)),
+                 .message = said(*found, method, farthest, of_keys, track),
                  .where = {.key = found->fast},
                  .numbers = {{"turn_deg", farthest * degrees}, {"turn_of_keys_deg", of_keys * degrees}}};
 }

@@ -24,10 +24,16 @@ constexpr std::string_view rms_of_accepted = "rms_accepted_deg";
 /// The energies and peaks of the curve.
 Measures shape_of(const AnyCurve& curve) { return {.energies = energies(curve), .peaks = peaks(curve)}; }
 
+Peak larger(const Peak& a, const Peak& b) {
+  Peak peak = b.value > a.value ? b : a;
+  peak.bound = a.bound && b.bound ? std::optional(std::max(*a.bound, *b.bound)) : std::nullopt;
+  return peak;
+}
+
 /// What the whole curve does in its stretches, and not what it would do in the gaps between them.
 Expected<Measures> shape_of(const Candidate& whole, const std::vector<Stretch>& stretches) {
-  const auto larger = [](Peak& peak, const Peak& other) { peak = other.value > peak.value ? other : peak; };
-  Measures measures;
+  constexpr Peak none{.value = 0.0, .time = 0.0, .bound = 0.0};
+  Measures measures{.peaks = {none, none, none}};
   std::size_t first = 0;
   for (const Stretch& stretch : stretches) {
     std::vector<std::size_t> indices(stretch.count);
@@ -36,8 +42,8 @@ Expected<Measures> shape_of(const Candidate& whole, const std::vector<Stretch>& 
     if (!part) return part;
     measures.energies.acceleration += part->energies.acceleration;
     measures.energies.jerk += part->energies.jerk;
-    larger(measures.peaks.angular_velocity, part->peaks.angular_velocity);
-    larger(measures.peaks.angular_acceleration, part->peaks.angular_acceleration);
+    measures.peaks.angular_velocity = larger(measures.peaks.angular_velocity, part->peaks.angular_velocity);
+    measures.peaks.angular_acceleration = larger(measures.peaks.angular_acceleration, part->peaks.angular_acceleration);
   }
   return measures;
 }

@@ -12,6 +12,7 @@
 #include <orispline/clip/single_precision.hpp>
 #include <orispline/curve/key_check.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/math/highest.hpp>
 #include <orispline/reduce/cubic_keys.hpp>
 #include <orispline/reduce/hermite_keys.hpp>
 #include <orispline/reduce/reduce.hpp>
@@ -144,12 +145,13 @@ template <CurvePoint P>
 LargestInTime farthest_between(const Channel<P>& before, const Channel<P>& after, BetweenSamples between) {
   const CubicSamples<P> samples = cubic_samples(before, between);
   const ChannelCurve<P> curve(after);
-  LargestInTime farthest{.time = before.times.front()};
-  for (std::size_t i = 0; i < samples.targets.times.size(); ++i) {
-    const double t = samples.targets.times[i];
-    farthest.take(distance(P(samples.targets.points[i]), curve.at(t)), t);
-  }
-  return farthest;
+  const auto off = [&](double t) { return distance(samples.motion(t), curve.at(t)); };
+  const std::vector<double>& times = samples.targets.times;
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    distances.push_back(distance(P(samples.targets.points[i]), curve.at(times[i])));
+  const Height farthest = highest(times, distances, off);
+  return {.value = farthest.value, .time = farthest.place};
 }
 
 template <CurvePoint P>

@@ -25,7 +25,7 @@ template <CurvePoint P>
 [[nodiscard]] LargestInTime farthest_at_keys(const Channel<P>& before, const Channel<P>& after);
 
 /// The farthest that a channel with fewer keys is from what the motion before is taken to be: at the keys that it had
-/// and at three points between two of them [rad, or a length].
+/// and between them, beside the farthest of three points there until nothing rises [rad, or a length].
 template <CurvePoint P>
 [[nodiscard]] LargestInTime farthest_between(const Channel<P>& before, const Channel<P>& after, BetweenSamples between);
 

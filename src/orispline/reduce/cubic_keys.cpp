@@ -234,8 +234,7 @@ template Channel<Eigen::Vector3d> fewest_cubics(const CubicSamples<Eigen::Vector
 
 template <CurvePoint P>
 CubicSamples<P> cubic_samples(const Channel<P>& channel, BetweenSamples between) {
-  const PointAt<P> motion = motion_between(channel, between);
-  CubicSamples<P> samples{.stride = points_a_sample};
+  CubicSamples<P> samples{.motion = motion_between(channel, between), .stride = points_a_sample};
   auto& [times, points] = samples.targets;
   for (std::size_t i = 0; i < channel.size(); ++i) {
     times.push_back(channel.times[i]);
@@ -244,7 +243,7 @@ CubicSamples<P> cubic_samples(const Channel<P>& channel, BetweenSamples between)
     for (std::size_t k = 1; k < points_a_sample; ++k) {
       const double share = static_cast<double>(k) / points_a_sample;
       times.push_back(channel.times[i] + share * (channel.times[i + 1] - channel.times[i]));
-      append(points, components(motion(times.back())));
+      append(points, components(samples.motion(times.back())));
     }
   }
   return samples;

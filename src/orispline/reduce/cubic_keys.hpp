@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <orispline/clip/clip.hpp>
@@ -9,9 +10,11 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
-/// Targets of which every `stride`-th, from the first to the last, is a sample that may become a key.
+/// Targets of which every `stride`-th, from the first to the last, is a sample that may become a key, and the motion
+/// that they are of.
 template <CurvePoint P>
 struct CubicSamples {
+  std::function<P(double)> motion{};
   CubicTargets<P> targets{};
   std::size_t stride = 1;
 

@@ -16,7 +16,8 @@ struct MotionQuantities {
   const std::optional<Eigen::Matrix3d>& inertia;  ///< for torques
 };
 
-/// The largest of every segment at 17 even places of its closed interval.
+/// The largest of every segment at 17 even places of its closed interval: while times are sought, for which bounds of
+/// thousands of curves would take too long. What is found is certified then.
 [[nodiscard]] std::vector<QuantitySizes> sampled_peaks(const PoseCurve& curve, const MotionQuantities& quantities);
 
 /// The peaks of every segment on its closed interval, by bounds and not by samples; nothing where the curve does not

@@ -2,9 +2,11 @@
 #include <orispline/retime/retime.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include <orispline/analysis/continuity.hpp>
 #include <orispline/base/counted.hpp>
@@ -110,7 +112,6 @@ constexpr double promised_slack = 2e-4;   // more is worth a warning
 constexpr double usual_rounds = 3.0;      // of slowing all alike
 constexpr double hurry = 0.8;             // of intervals that are shortened to start anew
 constexpr double ways_down = 3.0;         // of the fastest keys
-constexpr std::size_t patterns = 3;       // of inserted keys
 constexpr double most_time_scale = 1e15;  // thirty million years a second
 
 /// Times at which the motion keeps its limits, as in Retiming.
@@ -334,11 +335,19 @@ struct Task {
   OpenEndedWork& work;
 };
 
+/// More keys may make a slower motion, and take longer: fewer are tried too, in few intervals or in all.
+std::vector<KeysPerInterval> counts_up_to(std::size_t most) {
+  std::vector<KeysPerInterval> counts;
+  for (std::size_t count = most; count > 0; count /= 2)
+    for (const std::size_t inside : std::set<std::size_t>{0, (count + 1) / 3, count}) counts.push_back({count, inside});
+  return counts;
+}
+
 double usual_curves(const FamilyInfo& family, const RetimeOptions& options) {
   if (options.slowing == Slowing::uniform) return usual_rounds;
   const double way_down = usual_rounds + curves_for_interval_times(family.support_keys);
   if (options.slowing == Slowing::per_interval) return way_down;
-  return ways_down * way_down * (options.insert_keys > 0 ? 1.0 + static_cast<double>(patterns) : 1.0);
+  return ways_down * way_down * (1.0 + static_cast<double>(counts_up_to(options.insert_keys).size()));
 }
 
 /// `others`: times from which the fastest keys may be sought as well.
@@ -390,15 +399,12 @@ Track with_more_keys(const Track& track, const MoreKeys& more) {
   return denser;
 }
 
-/// The fastest of what was found and of the same with more keys on its curve, in few intervals or in all. Fewer keys
-/// where more of them save nothing.
+/// The fastest of what was found and of the same with more keys on its curve.
 Expected<Retiming> with_keys_inserted(const Task& task, const Track& track, Retiming few) {
   const auto path = make_pose_curve(task.method, few.track.keys);
   if (!path) return tl::unexpected(path.error());
-  const std::size_t most = task.options.insert_keys;
-  const std::array<KeysPerInterval, patterns> counts{{{most, 0}, {most, (most + 1) / 3}, {most, most}}};
   Retiming best = few;
-  for (const KeysPerInterval& count : counts) {
+  for (const KeysPerInterval& count : counts_up_to(task.options.insert_keys)) {
     const auto more = with_more_keys(few.track.keys, *path, count);
     if (!more || more->inserted.empty()) continue;
     const auto times = more->keys.times();

@@ -72,6 +72,9 @@ struct ORISPLINE_EXPORT SceneFormat {
   bool has_no_unit = false;   ///< its files do not say in what their lengths are; others: in metres
   bool holds_floats = false;  ///< times and values are in single precision
 
+  /// Whether a file of so many bytes that begins with `start` can be one of the format, before all of it is read: the
+  /// errors are those of `read`. Null: only `read` tells.
+  Expected<void> (*check_start)(std::string_view start, std::size_t size, const std::string& path) = nullptr;
   /// From the bytes of a file; where they are from is for messages and for files beside it. Errors name the file, and
   /// the line or clip, joint and key: bad_data, bad_access.
   Expected<Scene> (*read)(std::string_view bytes, const io::Input& from, const SceneReading&) = nullptr;
@@ -95,8 +98,12 @@ extern const SceneFormat bvh_format, gltf_format;
 /// A file larger than this is not read [bytes].
 inline constexpr std::size_t largest_scene_file = std::size_t{2} << 30;
 
-/// All bytes of a file. Errors (bad_access): it cannot be read; it is larger than `largest_scene_file`.
-[[nodiscard]] ORISPLINE_EXPORT Expected<std::string> bytes_of_file(const std::string& path);
+/// The bytes of a file, `most` of them where it has more. Of a large file the format is asked first whether it can be
+/// one of its files. Errors: bad_access where it cannot be read, or what is wanted is more than `largest_scene_file`;
+/// those of check_start().
+[[nodiscard]] ORISPLINE_EXPORT Expected<std::string> bytes_of_file(const std::string& path,
+                                                                   std::size_t most = largest_scene_file + 1,
+                                                                   const SceneFormat* format = nullptr);
 
 /// Reads the skeleton and the clips of a file, in the format of its extension, and checks them by check_clip().
 ///

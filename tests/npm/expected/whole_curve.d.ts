@@ -20,10 +20,11 @@ export interface Continuity {
     /** [rad/s³]. */
     angularJerk: Jump;
 }
-/** The largest value of a rate that was found, and where [s]. */
+/** The largest value of a rate that was found, and where [s]. It is nowhere above `bound`, which is absent where no bound is known. */
 export interface Peak {
     value: number;
     time: number;
+    bound?: number;
 }
 export interface Peaks {
     /** [rad/s]. */

@@ -28,6 +28,7 @@ struct Hierarchy {
   std::vector<std::size_t> lines{};     ///< where each begins
 };
 
+constexpr std::string_view first_word = "HIERARCHY";
 constexpr std::size_t most_columns = 6;  // of a joint
 
 /// `Xposition`, `zrotation`; nothing for any other word.
@@ -52,7 +53,7 @@ class HierarchyReader {
   explicit HierarchyReader(Text& text) : text_(text) {}
 
   Expected<Hierarchy> read() {
-    if (const auto word = text_.next(); !is_word(word, "HIERARCHY")) return text_.refused(word, "HIERARCHY");
+    if (const auto word = text_.next(); !is_word(word, first_word)) return text_.refused(word, first_word);
     while (true) {
       const std::string_view word = text_.next();
       if (open_.empty() && !found_.joints.empty() && is_word(word, "MOTION")) return std::move(found_);
@@ -364,6 +365,15 @@ std::vector<Warning> warnings_of_names(const Hierarchy& hierarchy, const std::st
 
 }  // namespace
 
+/// The first word, or as much of it as the beginning has. Errors (bad_data) name the file and the line.
+Expected<void> check_start(std::string_view start, std::size_t size, const std::string& path) {
+  Text text(start, path);
+  const std::string_view word = text.next();
+  const bool goes_on = text.bytes_left() == 0 && start.size() < size;
+  if (is_word(word, goes_on ? first_word.substr(0, word.size()) : first_word)) return {};
+  return text.refused(word, first_word);
+}
+
 /// A skeleton with one clip, named by the file, and a `Source`. Errors (bad_data) name the file and the line.
 Expected<Scene> read(std::string_view bytes, const io::Input& from, const SceneReading&) {
   const std::string& path = from.name();
@@ -400,6 +410,7 @@ constinit const SceneFormat bvh_format{.id = "bvh",
                                        .summary = "motion capture as a hierarchy and a table of angles",
                                        .extensions = bvh::file_extensions,
                                        .has_no_unit = true,
+                                       .check_start = bvh::check_start,
                                        .read = bvh::read,
                                        .write = bvh::write};
 

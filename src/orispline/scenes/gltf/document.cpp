@@ -40,38 +40,51 @@ void append_number(std::string& bytes, std::size_t number) {
 tl::unexpected<Error> bad(std::string message) { return failure(ErrorCode::bad_data, std::move(message)); }
 
 struct Chunk {
-  std::string_view type{}, content{};
+  std::string_view type{};
+  std::size_t length = 0;
 };
 
-Expected<Chunk> chunk_at(std::string_view bytes, std::size_t at) {
-  if (bytes.size() - at < chunk_header_size)
-    return bad(formatted("found {} bytes at byte {}, wanted a chunk of a GLB", bytes.size() - at, at));
-  const std::size_t length = number_at(bytes, at), room = bytes.size() - at - chunk_header_size;
+/// The header of the chunk at that byte of a GLB of `size` bytes.
+Expected<Chunk> chunk_at(std::string_view bytes, std::size_t at, std::size_t size) {
+  if (size - at < chunk_header_size)
+    return bad(formatted("found {} bytes at byte {}, wanted a chunk of a GLB", size - at, at));
+  const std::size_t length = number_at(bytes, at), room = size - at - chunk_header_size;
   if (length > room)
     return bad(formatted("found a chunk of {} bytes at byte {}, wanted at most the {} that follow", length, at, room));
-  return Chunk{bytes.substr(at + 4, 4), bytes.substr(at + chunk_header_size, length)};
+  return Chunk{bytes.substr(at + 4, 4), length};
+}
+
+/// How many bytes a GLB states, of a file of `size` bytes that begins so; its first chunk is sound.
+Expected<std::size_t> stated_size(std::string_view start, std::size_t size) {
+  if (size < header_size) return bad(formatted("found {} bytes, wanted a whole GLB", size));
+  if (const std::uint32_t version = number_at(start, 4); version != 2)
+    return bad(formatted("found GLB version {}, wanted 2", version));
+  const std::size_t stated = number_at(start, 8);
+  if (stated > size || stated < header_size)
+    return bad(formatted("found a GLB of {} bytes that states {}, wanted a whole one", size, stated));
+  if (stated == header_size) return bad("found a GLB without a JSON chunk, wanted it first");
+  const auto chunk = chunk_at(start, header_size, stated);
+  if (!chunk) return tl::unexpected(chunk.error());
+  if (chunk->type != json_type) return bad("found a GLB without a JSON chunk, wanted it first");
+  return stated;
 }
 
 Expected<Container> glb_parts(std::string_view bytes) {
-  if (bytes.size() < header_size) return bad(formatted("found {} bytes, wanted a whole GLB", bytes.size()));
-  if (const std::uint32_t version = number_at(bytes, 4); version != 2)
-    return bad(formatted("found GLB version {}, wanted 2", version));
-  const std::size_t length = number_at(bytes, 8);
-  if (length > bytes.size() || length < header_size)
-    return bad(formatted("found a GLB of {} bytes that states {}, wanted a whole one", bytes.size(), length));
-  bytes = bytes.substr(0, length);
+  const auto stated = stated_size(bytes, bytes.size());
+  if (!stated) return tl::unexpected(stated.error());
   Container parts;
-  for (std::size_t at = header_size; at < length;) {
-    const auto chunk = chunk_at(bytes, at);
+  for (std::size_t at = header_size; at < *stated;) {
+    const auto chunk = chunk_at(bytes, at, *stated);
     if (!chunk) return tl::unexpected(chunk.error());
-    if (at == header_size && chunk->type != json_type) return bad("found a GLB without a JSON chunk, wanted it first");
-    if (at == header_size) parts.json = chunk->content;
-    if (chunk->type == binary_type && !parts.binary) parts.binary = chunk->content;
-    at += chunk_header_size + chunk->content.size();
+    const std::string_view content = bytes.substr(at + chunk_header_size, chunk->length);
+    if (at == header_size) parts.json = content;
+    if (chunk->type == binary_type && !parts.binary) parts.binary = content;
+    at += chunk_header_size + content.size();
   }
-  if (length == header_size) return bad("found a GLB without a JSON chunk, wanted it first");
   return parts;
 }
+
+bool is_glb(std::string_view start) { return start.starts_with(glb_magic); }
 
 std::size_t padded(std::size_t size) { return (size + 3) / 4 * 4; }
 
@@ -280,8 +293,13 @@ std::string_view wanted_instead_of(std::string_view extension) {
 }  // namespace
 
 Expected<Container> container_of(std::string_view bytes) {
-  if (bytes.substr(0, glb_magic.size()) == glb_magic) return glb_parts(bytes);
+  if (is_glb(bytes)) return glb_parts(bytes);
   return Container{.json = bytes};
+}
+
+Expected<void> check_start(std::string_view start, std::size_t size, const std::string&) {
+  if (is_glb(start)) return stated_size(start, size).map([](std::size_t) {});
+  return check_start_of_json(start);
 }
 
 Expected<std::string> glb_of(std::string_view json, std::string_view binary) {

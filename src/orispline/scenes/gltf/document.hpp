@@ -26,6 +26,10 @@ struct Container {
 /// Views of the bytes, told apart by their first four. Errors (bad_data): a header or a chunk that is not whole.
 [[nodiscard]] Expected<Container> container_of(std::string_view bytes);
 
+/// Whether a file of so many bytes that begins so can be a glTF file. Errors (bad_data): as of container_of(); text
+/// that cannot be JSON.
+[[nodiscard]] Expected<void> check_start(std::string_view start, std::size_t size, const std::string& path);
+
 /// A GLB. Errors (bad_data): more bytes than it can state.
 [[nodiscard]] Expected<std::string> glb_of(std::string_view json, std::string_view binary);
 

@@ -534,6 +534,7 @@ constinit const SceneFormat gltf_format{.id = "gltf",
                                         .summary = "glTF 2.0, in one file or as text",
                                         .extensions = gltf::file_extensions,
                                         .holds_floats = true,
+                                        .check_start = gltf::check_start,
                                         .read = gltf::read_scene,
                                         .write = gltf::written_scene};
 

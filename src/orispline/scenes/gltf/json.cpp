@@ -12,8 +12,9 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
 namespace {
 
-bool is_nested_too_deeply(std::string_view text) {
-  std::size_t depth = 0;
+/// Nothing of the text is kept, so that no text takes memory that is refused.
+Expected<void> check_size(std::string_view text) {
+  std::size_t depth = 0, values = 1;
   bool is_in_quotes = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
@@ -21,13 +22,21 @@ bool is_nested_too_deeply(std::string_view text) {
       ++i;
     } else if (c == '"') {
       is_in_quotes = !is_in_quotes;
-    } else if (!is_in_quotes && (c == '[' || c == '{')) {
-      if (++depth > deepest_nesting) return true;
+    } else if (!is_in_quotes && (c == '[' || c == '{' || c == ',')) {
+      if (++values > most_values)
+        return failure(ErrorCode::bad_data, formatted("found JSON of more than {} values, wanted fewer", most_values));
+      if (c != ',' && ++depth > deepest_nesting)
+        return failure(ErrorCode::bad_data,
+                       formatted("found JSON nested deeper than {} levels, wanted fewer", deepest_nesting));
     } else if (!is_in_quotes && (c == ']' || c == '}') && depth > 0) {
       --depth;
     }
   }
-  return false;
+  return {};
+}
+
+tl::unexpected<Error> no_json() {
+  return failure(ErrorCode::bad_data, "found text that is not valid JSON, wanted a glTF document");
 }
 
 /// Also of `3.0`, which is the same number to JSON.
@@ -42,13 +51,18 @@ std::optional<std::size_t> whole_number(const Json& value) {
 
 }  // namespace
 
+Expected<void> check_start_of_json(std::string_view start) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF", blanks = " \t\r\n", beginnings = "{[\"-0123456789tfn";
+  if (start.starts_with(byte_order_mark)) start.remove_prefix(byte_order_mark.size());
+  const std::size_t first = start.find_first_not_of(blanks);
+  if (first != start.npos && beginnings.find(start[first]) == beginnings.npos) return no_json();
+  return {};
+}
+
 Expected<Json> parsed(std::string_view text) {
-  if (is_nested_too_deeply(text))
-    return failure(ErrorCode::bad_data,
-                   formatted("found JSON nested deeper than {} levels, wanted fewer", deepest_nesting));
+  if (auto sound = check_size(text); !sound) return tl::unexpected(std::move(sound.error()));
   Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded())
-    return failure(ErrorCode::bad_data, "found text that is not valid JSON, wanted a glTF document");
+  if (json.is_discarded()) return no_json();
   return json;
 }
 

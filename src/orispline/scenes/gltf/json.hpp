@@ -20,7 +20,12 @@ using Json = nlohmann::json;
 /// A document that is nested deeper is refused: what walks it and what writes it calls itself at each level.
 inline constexpr std::size_t deepest_nesting = 512;
 
-/// A document of any content. Errors (bad_data): text that is not JSON, or nested too deeply.
+/// A document of more values is refused: each takes some 50 bytes of memory, however short it is written.
+inline constexpr std::size_t most_values = std::size_t{1} << 24;
+
+/// Whether a text that begins so can be JSON. Errors (bad_data).
+[[nodiscard]] Expected<void> check_start_of_json(std::string_view start);
+/// A document of any content. Errors (bad_data): text that is not JSON, is nested too deeply, or has too many values.
 [[nodiscard]] Expected<Json> parsed(std::string_view text);
 
 /// A value as messages show it: `'text'`, `-1.5`, `a list`.
