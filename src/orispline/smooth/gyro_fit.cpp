@@ -241,6 +241,14 @@ double squares_apart(const GyroFit& fit, const SmoothingSearch& without) {
   return sum;
 }
 
+/// λ of the orientations by themselves, beside weights of 1/noise² of a usual sample that counts.
+double lambda_alone(const SmoothingSearch& without, double noise) {
+  const SmoothingProblem& problem = without.problems().front();
+  double weight = 0.0;
+  for (std::size_t i = 0; i < problem.size(); ++i) weight = std::max(weight, problem.weights[i] / problem.share(i));
+  return without.lambda() / (weight * noise * noise);
+}
+
 /// As a gyro stands to orientations where no more can be told.
 GyroModel uncalibrated(const SeenPoses& poses, const GyroAlignment& alignment, double rate_noise) {
   return {.calibration = {.correction = alignment.correction, .offset = alignment.offset},
@@ -342,18 +350,16 @@ Expected<GyroFit> fit_with_counted_turns(const GyroPlan& plan) {
 Expected<GyroFit> fit_with_gyro(const GyroPlan& given, const SmoothingSearch& without, double noise) {
   SeenPoses poses = seen_by(given, without, given.options.noise.value_or(std::max(least_noise, noise)));
   if (auto means = check_frame(poses, given.gyro); !means) return tl::unexpected(std::move(means.error()));
-  const RepairedGyro repaired(given.gyro, poses);
+  RepairedGyro repaired(given.gyro, poses);
   const GyroPlan plan{given.recording, repaired.rates, given.options, given.work};
   const double gyro_noise = gyro_noise_of(plan), interval = median_interval(plan.gyro.times);
-  const Seen seen = seen_gyro(plan, poses, gyro_noise);
+  Seen seen = seen_gyro(plan, poses, gyro_noise);
+  std::vector<GyroFinding::ClockJump> jumps;
+  if (plan.gyro.clock == GyroRates::Clock::own && !repaired.has_dead_axis())
+    jumps = close_jumps(repaired.rates, poses, seen.counts, seen.alignment, gyro_noise * std::sqrt(interval));
+  if (!jumps.empty()) seen = seen_gyro(plan, poses, gyro_noise);
   if (auto means = check_meaning(poses, plan.gyro, seen.counts, seen.alignment.offset); !means)
     return tl::unexpected(std::move(means.error()));
-  // A usual sample that counts has the weight that λ of the orientations alone stands beside.
-  const SmoothingProblem& problem = without.problems().front();
-  double weight = 0.0;
-  for (std::size_t i = 0; i < problem.size(); ++i) weight = std::max(weight, problem.weights[i] / problem.share(i));
-  const double alone = without.lambda() / (weight * poses.noise * poses.noise);
-
   const GyroModel model = repaired.has_dead_axis()
                               ? uncalibrated(poses, seen.alignment, gyro_noise * std::sqrt(interval))
                               : gyro_model(poses, plan.gyro, seen.counts, model_plan(plan, poses, seen.alignment));
@@ -369,9 +375,10 @@ Expected<GyroFit> fit_with_gyro(const GyroPlan& given, const SmoothingSearch& wi
                      .rate_noise = model.noises.rate / std::sqrt(interval),
                      .noises = model.noises,
                      .dead_axes = repaired.dead_axes},
-                    without.objective(), alone);
+                    without.objective(), lambda_alone(without, poses.noise));
   if (!fit) return fit;
   tell(model, fit->finding);
+  fit->finding.clock_jumps = std::move(jumps);
   fit->finding.came_in_batches = repaired.came_in_batches;
   fit->finding.unwound_axes = repaired.unwound_axes;
   fit->finding.dead_axes = repaired.dead_axes;

@@ -6,6 +6,7 @@
 
 #include <orispline/math/median.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>
+#include <orispline/smooth/turn_filter.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -17,6 +18,22 @@ constexpr double wrap = 1.5;             // of the largest rate: a step that lon
 constexpr std::size_t fewest_wraps = 4;  // of a counter that comes round rather than rates that are wrong
 
 constexpr double turns = 5.0;  // in medians of what the rates of live axes differ by from those of the orientations
+
+constexpr double gap = 1.5;             // in usual intervals
+constexpr std::size_t most_gaps = 8;    // that are tried
+constexpr double price_of_jump = 40.0;  // by which -2 log of the likelihood has to fall
+
+/// The largest gaps, by the rate behind each, from the first one to the last.
+std::vector<std::size_t> largest_gaps(const std::vector<double>& times, double interval) {
+  std::vector<std::size_t> gaps;
+  for (std::size_t k = 1; k < times.size(); ++k)
+    if (times[k] - times[k - 1] > gap * interval) gaps.push_back(k);
+  const auto length = [&times](std::size_t k) { return times[k - 1] - times[k]; };
+  std::ranges::sort(gaps, {}, length);
+  gaps.resize(std::min(gaps.size(), most_gaps));
+  std::ranges::sort(gaps);
+  return gaps;
+}
 
 /// By which the rates of an axis jump, where they do, but for the trend about the jump; 0: they do not.
 double range_of(const GyroRates& gyro, Eigen::Index axis) {
@@ -104,6 +121,33 @@ RepairedGyro::RepairedGyro(const GyroRates& gyro, const SeenPoses& poses) : rate
       unwound_axes[axis] = true;
     }
   }
+}
+
+std::vector<GyroFinding::ClockJump> close_jumps(GyroRates& gyro, const SeenPoses& poses, const CountedRates& counts,
+                                                const GyroAlignment& alignment, double rate_noise) {
+  const GyroCalibration near{.correction = alignment.correction, .offset = alignment.offset};
+  const GyroNoises noises{.rate = rate_noise, .white = poses.noise};
+  const CalibrationPrior prior{.scale = 0.01, .mount = 0.01, .offset = 0.1};
+  CalibrationUnknowns present = CalibrationUnknowns::Zero();
+  present.segment<3>(calibration_columns::correction) = near.correction;
+  const auto evidence = [&](const GyroRates& rates) {
+    return solved(filtered(path_turns(poses, rates, counts, near), noises), present, prior).evidence;
+  };
+  const double interval = median_interval(gyro.times);
+  const std::vector<std::size_t> gaps = largest_gaps(gyro.times, interval);
+  std::vector<GyroFinding::ClockJump> jumps;
+  double least = gaps.empty() ? 0.0 : evidence(gyro);
+  for (const std::size_t first : gaps) {
+    const double seconds = gyro.times[first] - gyro.times[first - 1] - interval;
+    GyroRates closed = gyro;
+    for (std::size_t k = first; k < closed.times.size(); ++k) closed.times[k] -= seconds;
+    const double there = evidence(closed);
+    if (!(there + price_of_jump < least)) continue;
+    least = there;
+    gyro = std::move(closed);
+    jumps.push_back({.rate = first, .seconds = seconds});
+  }
+  return jumps;
 }
 
 }}  // namespace orispline

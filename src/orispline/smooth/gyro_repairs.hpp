@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include <orispline/smooth/gyro_alignment.hpp>
 
@@ -21,5 +22,12 @@ struct RepairedGyro {
 
   [[nodiscard]] bool has_dead_axis() const { return dead_axes[0] || dead_axes[1] || dead_axes[2]; }
 };
+
+/// Closes the gaps between stamps behind which the orientations say that the clock jumped, so that no rate is missing
+/// there: the largest ones are tried, by the likelihood of the turns between path and world. Of rates with a clock of
+/// their own. `rate_noise`: of the integrated rates, σ per axis after 1 s [rad].
+[[nodiscard]] std::vector<GyroFinding::ClockJump> close_jumps(GyroRates& gyro, const SeenPoses& poses,
+                                                              const CountedRates& counts,
+                                                              const GyroAlignment& alignment, double rate_noise);
 
 }}  // namespace orispline

@@ -152,6 +152,12 @@ struct GyroFinding {
   /// By which the clock runs fast, as a share; absent where the clock is that of the orientations or does not tell.
   std::optional<Found<double>> clock_rate{};
 
+  /// The clock jumped ahead by so much at a rate, so that the stamps from there on were set back.
+  struct ClockJump {
+    std::size_t rate;
+    double seconds;
+  };
+  std::vector<ClockJump> clock_jumps{};
   bool came_in_batches = false;         ///< its stamps, which were spread evenly
   std::array<bool, 3> unwound_axes{};   ///< whose counters came round
   std::array<bool, 3> dead_axes{};      ///< whose rates are all the same: the others count

@@ -100,6 +100,15 @@ std::string axes_text(const std::array<bool, 3>& axes) {
 }
 
 void warn_of_repairs(const GyroFinding& gyro, std::vector<Warning>& warnings) {
+  if (!gyro.clock_jumps.empty()) {
+    const auto& [rate, seconds] = gyro.clock_jumps.front();
+    warnings.push_back(
+        {.code = "gyro_clock_jumps",
+         .message = formatted("the clock of the gyro jumps ahead {}, first by {:.4g} s at rate {} of the "
+                              "gyro; no rate is missing there, and the stamps behind it were set back",
+                              counted(gyro.clock_jumps.size(), "time"), seconds, rate),
+         .numbers = {{"jump_s", seconds}}});
+  }
   if (gyro.came_in_batches)
     warnings.push_back({.code = "gyro_in_batches",
                         .message = "the stamps of the gyro come in batches; the rates of each batch were spread evenly "
