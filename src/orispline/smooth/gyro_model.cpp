@@ -184,7 +184,7 @@ FoundCalibration best_calibration(const TurnInnovations& innovations, const Cali
 GyroModel gyro_model(const SeenPoses& poses, const GyroRates& gyro, const CountedRates& counts,
                      const GyroModelPlan& plan) {
   GyroModel model{.calibration = plan.near, .noises = {.rate = plan.rate_noise, .white = plan.pose_noise}};
-  model.calibration.clock_origin = std::midpoint(poses.times.front(), poses.times.back());
+  model.calibration.clock_origin = plan.near.offset + std::midpoint(poses.times.front(), poses.times.back());
   model.values.segment<3>(columns::correction) = plan.near.correction;
   for (int round = 0; round < rounds; ++round) {
     const std::vector<PathTurn> turns = path_turns(poses, gyro, counts, model.calibration);
