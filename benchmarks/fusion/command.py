@@ -46,7 +46,6 @@ class Smoothed:
         self.used = bool(self.document.get("gyro_used"))
         expected = self.document["error_with_gyro_rad" if self.used else "error_without_gyro_rad"]
         self.said = expected / DEGREE / self.error_at_poses if expected else None
-        self.warnings = [warning["kind"] if isinstance(warning, dict) and "kind" in warning else str(warning) for warning in self.document["warnings"]]
 
 
 def both(command, folder, recording):
