@@ -48,14 +48,17 @@ class Smoothed:
         self.said = expected / DEGREE / self.error_at_poses if expected else None
 
 
-def both(command, folder, recording):
-    """With the gyro, and without it."""
-    at = recording.times[recording.at]
+def poses(folder, recording):
+    return written(folder / "poses.csv", "t," + POSE, recording.times[recording.at], recording.poses.as_quat())
+
+
+def with_gyro(command, folder, recording):
     if recording.own_clock:
-        poses = written(folder / "poses.csv", "t," + POSE, at, recording.poses.as_quat())
         rates = written(folder / "gyro.csv", "t," + RATE, recording.gyro_times, recording.gyro)
-        words = (poses, "--gyro-file", rates)
-    else:
-        poses = written(folder / "rows.csv", f"t,{POSE},{RATE}", at, recording.poses.as_quat(), recording.gyro)
-        words = (poses, "--gyro")
-    return Smoothed(command, folder, recording, *words), Smoothed(command, folder, recording, poses)
+        return Smoothed(command, folder, recording, poses(folder, recording), "--gyro-file", rates)
+    rows = written(folder / "rows.csv", f"t,{POSE},{RATE}", recording.times, recording.poses.as_quat(), recording.gyro)
+    return Smoothed(command, folder, recording, rows, "--gyro")
+
+
+def without_gyro(command, folder, recording):
+    return Smoothed(command, folder, recording, poses(folder, recording))

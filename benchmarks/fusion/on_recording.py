@@ -35,7 +35,8 @@ def main():
     rows = []
     for seed in range(chosen.seeds[0], sum(chosen.seeds)):
         with tempfile.TemporaryDirectory() as folder:
-            gyro, alone = command.both(chosen.command.resolve(), pathlib.Path(folder), recorded(chosen.recording, seed))
+            case = chosen.command.resolve(), pathlib.Path(folder), recorded(chosen.recording, seed)
+            gyro, alone = command.with_gyro(*case), command.without_gyro(*case)
         rows.append((gyro.error, gyro.said, 100 * gyro.held, alone.error))
         print(f"{seed}, {', '.join(f'{value:.3g}' for value in rows[-1])}{'' if gyro.used else ', left out'}", flush=True)
     print("mean,", ", ".join(f"{value:.3g}" for value in np.mean(rows, 0)))
