@@ -85,18 +85,12 @@ def recorded(setting, seed):
         np.ones((count, 3), bool), setting.every > 1)
 
 
-def scaled(share):
-    def change(recording):
-        recording.gyro *= 1.0 + share
-
-    return change
+def scaled(share, recording):
+    recording.gyro *= 1.0 + share
 
 
-def mounted(degrees):
-    def change(recording):
-        recording.gyro = Rotation.from_euler("x", degrees, degrees=True).apply(recording.gyro)
-
-    return change
+def mounted(degrees, recording):
+    recording.gyro = Rotation.from_euler("x", degrees, degrees=True).apply(recording.gyro)
 
 
 def drifts(recording):
@@ -112,12 +106,9 @@ def clock_steps(recording):
     recording.own_clock = True
 
 
-def clock_runs(share):
-    def change(recording):
-        recording.gyro_times *= 1.0 + share
-        recording.own_clock = True
-
-    return change
+def clock_runs(share, recording):
+    recording.gyro_times *= 1.0 + share
+    recording.own_clock = True
 
 
 def batches(recording):
