@@ -70,6 +70,7 @@ bench-python: build
 
 # A gyro beside the least error that is possible, and VQF; fills the tables of docs/gyro.md. Half an hour of one core.
 bench-fusion: build
+	tools/setup.sh build python
 	python3 -m venv build/fusion/venv
 	build/fusion/venv/bin/python -m pip install --quiet numpy scipy vqf
 	build/fusion/venv/bin/python benchmarks/fusion/run.py build/release/orispline --jobs $(JOBS) --document docs/gyro.md

@@ -41,7 +41,7 @@ def correlated(seconds):
 
 
 TABLES = {
-    "accuracy": [Row(f"{turning} °/s", dataclasses.replace(ACCURACY, turning=turning)) for turning in (20, 80, 200)],
+    "accuracy": [Row(f"{turning} °/s", dataclasses.replace(ACCURACY, turning=turning)) for turning in (20, 80)],
     "faults": [
         Row("none", FAULTS),
         Row("scale +2 %", FAULTS, functools.partial(made.scaled, 0.02)),
