@@ -85,7 +85,7 @@ std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept {
   static constexpr std::array fields{
       field<&SmoothOptions::penalty>({.name = "penalty",
                                       .sentence = "Rate whose squared integral is kept small",
-                                      .absent = "acceleration, or jerk with a gyro that leaves out an end"}),
+                                      .absent = "acceleration, or jerk with a gyro that does not count turns"}),
       field<&SmoothOptions::noise>({.name = "noise",
                                     .sentence = "Standard deviation of the noise of the orientations, per axis",
                                     .quantity = &quantities::angle,
