@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -18,9 +19,7 @@ struct Repairs {
     made.gyro.rates.clear();
     for (const double t : made.data.times) {
       const double step = 1e-4;
-      const auto rate = [&](double at) {
-        return turned ? turned(made.motion.rate(at)) : made.motion.rate(at);
-      };
+      const auto rate = [&](double at) { return turned ? turned(made.motion.rate(at)) : made.motion.rate(at); };
       fitted.angular_velocities.push_back(rate(t));
       fitted.angular_accelerations.emplace_back((rate(t + step) - rate(t - step)) / (2.0 * step));
       made.gyro.times.push_back(t);
@@ -71,14 +70,19 @@ TEST(GyroRepairs, LeaveGoodRatesAsTheyAre) {
 
 TEST(GyroRepairs, SpreadBatchesOfStamps) {
   Repairs batches(7);
-  const std::vector<double> wanted = batches.made.gyro.times;
   constexpr std::size_t size = 10;
+  std::vector<double>& times = batches.made.gyro.times;
+  times.resize(times.size() / size * size);
+  batches.made.gyro.rates.resize(times.size());
+  const std::vector<double> wanted = times;
   for (std::size_t k = 0; k < wanted.size(); ++k)
-    batches.made.gyro.times[k] = wanted[k / size * size + size - 1] + 1e-5 * static_cast<double>(k % size) - 9e-5;
+    times[k] = wanted[k / size * size + size - 1] + 1e-5 * static_cast<double>(k % size) - 9e-5;
   const RepairedGyro gyro = batches.repaired();
   EXPECT_TRUE(gyro.came_in_batches);
   EXPECT_EQ(gyro.rates.rates, batches.made.gyro.rates);
-  for (std::size_t k = 0; k < wanted.size(); ++k) EXPECT_NEAR(gyro.rates.times[k], wanted[k], 1e-4) << k;
+  for (std::size_t k = 0; k < wanted.size();
+       ++k)  // how long the first batch lasted is known from the mean interval only
+    EXPECT_NEAR(gyro.rates.times[k], wanted[k], k < size ? 1e-3 : 1e-4) << k;
 }
 
 TEST(GyroRepairs, UnwindCounters) {

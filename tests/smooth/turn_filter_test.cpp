@@ -100,9 +100,8 @@ TEST_P(TurnFilter, HasTheLikelihoodOfTheGaussian) {
   Dice dice(6);
   CalibrationUnknowns change;
   for (double& x : change) x = dice.between(-0.1, 0.1);
-  const double wanted =
-      (dense.whitened.col(0) - dense.whitened.rightCols<columns::count>() * change).squaredNorm() +
-      dense.log_determinant;
+  const double wanted = (dense.whitened.col(0) - dense.whitened.rightCols<columns::count>() * change).squaredNorm() +
+                        dense.log_determinant;
   EXPECT_NEAR(likelihood(turns, GetParam(), change), wanted, 1e-9 * std::abs(wanted));
   const TurnInnovations innovations = filtered(turns, GetParam());
   EXPECT_NEAR(innovations.log_determinant, dense.log_determinant, 1e-9 * std::abs(dense.log_determinant));
@@ -114,8 +113,9 @@ TEST_P(TurnFilter, HasTheLikelihoodOfTheGaussian) {
 TEST_P(TurnFilter, HasTheEvidenceOfTheGaussian) {
   CalibrationUnknowns present;
   present.setLinSpaced(-0.01, 0.02);
-  for (const CalibrationPrior& prior :
-       {CalibrationPrior{}, {.scale = 0.05, .mount = 0.02}, {.scale = 0.01, .mount = 0.05, .offset = 0.1, .clock_rate = 0.2}}) {
+  for (const CalibrationPrior& prior : {CalibrationPrior{},
+                                        {.scale = 0.05, .mount = 0.02},
+                                        {.scale = 0.01, .mount = 0.05, .offset = 0.1, .clock_rate = 0.2}}) {
     std::vector<Eigen::Index> active;
     std::vector<double> roots;  // of the precision that is expected of each
     double wanted = dense.log_determinant;

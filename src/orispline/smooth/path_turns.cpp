@@ -157,10 +157,9 @@ std::vector<PathTurn> path_turns(const SeenPoses& poses, const GyroRates& gyro, 
     turn.slopes.leftCols<of_rates>() = slopes;
     turn.slopes.col(columns::offset) = turn.to_world * here.point.rate;
     // A clock that runs fast stretches the time over which rates are integrated: so much less than with its stamps.
-    turn.slopes.col(columns::clock_rate) =
-        (here.time + calibration.offset - calibration.clock_origin) * turn.to_world *
-            (here.point.rate - calibration.correction) -
-        slopes.middleCols<3>(columns::scale).rowwise().sum();
+    turn.slopes.col(columns::clock_rate) = (here.time + calibration.offset - calibration.clock_origin) * turn.to_world *
+                                               (here.point.rate - calibration.correction) -
+                                           slopes.middleCols<3>(columns::scale).rowwise().sum();
     before = reference;
   }
   return turns;
