@@ -334,12 +334,13 @@ class Program {
     error = nullptr;
     claim_done<void*>(orispline_curve_orders(curve, or_null(orders), orders.size(), &error), error, nullptr);
     orispline_peaks peaks;
-    std::vector<double> inertia = numbers(9);
+    const std::vector<double> numbers_of_body = numbers(9);
+    const double* const inertia = input_.below(2) ? nullptr : numbers_of_body.data();
     error = nullptr;
+    claim_done<void*>(orispline_curve_peaks(curve, inertia, &peaks, &error), error, nullptr);
     std::array<double, 3> bounds;
-    claim_done<void*>(
-        orispline_curve_bounded_peaks(curve, input_.below(2) ? nullptr : inertia.data(), &peaks, bounds.data(), &error),
-        error, nullptr);
+    error = nullptr;
+    claim_done<void*>(orispline_curve_bounded_peaks(curve, inertia, &peaks, bounds.data(), &error), error, nullptr);
   }
 
   void bake() {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/scenes/scene_file.hpp>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -50,29 +49,28 @@ Expected<Scene> checked(Scene scene) {
 
 }  // namespace
 
-Expected<std::string> bytes_of_file(const std::string& path, std::size_t most, const SceneFormat* format) {
+Expected<std::string> bytes_of_file(const std::string& path, const SceneFormat* format) {
   if (path == io::standard_stream)
     return failure(ErrorCode::bad_argument, "found standard input for a file of skeletons, wanted the name of a file");
   const auto close = [](std::FILE* file) { std::fclose(file); };
   const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
   if (!file) return unreadable(path);
   constexpr std::size_t piece = std::size_t{1} << 20;
-  const std::size_t size = size_of(file.get()), wanted = std::min(size, most);
-  if (wanted > largest_scene_file) return too_large(path);
+  const std::size_t size = size_of(file.get());
+  if (size > largest_scene_file) return too_large(path);
   std::string bytes;
-  for (bool goes_on = true; goes_on && bytes.size() < most;) {
-    const std::size_t had = bytes.size(), room = std::min(piece, most - had);
-    bytes.resize(had + room);
-    const std::size_t got = std::fread(bytes.data() + had, 1, room, file.get());
+  for (std::size_t got = piece; got == piece && bytes.size() <= largest_scene_file;) {
+    const std::size_t had = bytes.size();
+    bytes.resize(had + piece);
+    got = std::fread(bytes.data() + had, 1, piece, file.get());
     bytes.resize(had + got);
-    goes_on = got == room;
-    if (had > 0 || wanted <= got) continue;
+    if (had > 0 || size <= got) continue;
     if (format != nullptr && format->check_start != nullptr)
       if (auto sound = format->check_start(bytes, size, path); !sound) return tl::unexpected(std::move(sound.error()));
-    bytes.reserve(std::min(wanted + piece, most));
+    bytes.reserve(size + piece);
   }
   if (std::ferror(file.get())) return unreadable(path);
-  if (bytes.size() > largest_scene_file) return too_large(path);
+  if (bytes.size() > largest_scene_file) return too_large(path);  // of a file that did not state its size
   return bytes;
 }
 
@@ -84,8 +82,7 @@ Expected<Scene> read_scene(const io::Input& input, const SceneReading& reading) 
     if (error.where.file.empty()) error.where.file = path;
     return error;
   };
-  const auto file =
-      input.is_in_memory() ? Expected<std::string>() : bytes_of_file(path, largest_scene_file + 1, *format);
+  const auto file = input.is_in_memory() ? Expected<std::string>() : bytes_of_file(path, *format);
   if (!file) return tl::unexpected(in_this_file(file.error()));
   const std::string_view bytes = input.is_in_memory() ? input.bytes() : *file;
   if (bytes.empty()) return failure(ErrorCode::bad_data, "empty: no skeleton", {.file = path});

@@ -98,11 +98,9 @@ extern const SceneFormat bvh_format, gltf_format;
 /// A file larger than this is not read [bytes].
 inline constexpr std::size_t largest_scene_file = std::size_t{2} << 30;
 
-/// The bytes of a file, `most` of them where it has more. Of a large file the format is asked first whether it can be
-/// one of its files. Errors: bad_access where it cannot be read, or what is wanted is more than `largest_scene_file`;
-/// those of check_start().
+/// All bytes of a file. Of a large one the format is asked first whether it can be one of its files. Errors: bad_access
+/// where it cannot be read or is larger than `largest_scene_file`; those of check_start().
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::string> bytes_of_file(const std::string& path,
-                                                                   std::size_t most = largest_scene_file + 1,
                                                                    const SceneFormat* format = nullptr);
 
 /// Reads the skeleton and the clips of a file, in the format of its extension, and checks them by check_clip().

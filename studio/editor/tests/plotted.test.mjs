@@ -50,6 +50,17 @@ test('where the first key was moved or deleted, whose time is what the file coun
   await compare(file, document);
 });
 
+/** Whether a walk led rates of keys so near together that the library refuses the curve, as of the file. */
+function windsTooFar({ keys, first: choice }) {
+  try {
+    ask.sample({ keys, choice, count: 2, rates: 0 });
+    return false;
+  } catch ({ message }) {
+    assert.match(message, /wind the curve/);
+    return true;
+  }
+}
+
 const recording = ['t_ms,qw,qx,qy,qz,wx,wy,wz,note', '1700000000000.25,1,0,0,0,0.5,0,0,"a, b"', '1700000000750,0.8,0.6,0,0,,,,c', '1700000002000,0,1,0,0,0.5,0.1,0,d', ''].join('\r\n');
 const tum = ['1305031098.6659 1 0 0 0 0 0 1', '1305031099.5 2 0 0 0 0.6 0 0.8', '1305031101 3 1 0 0.6 0 0 0.8', ''].join('\n');
 
@@ -77,6 +88,6 @@ for (const [name, file] of [
         ];
         document = ways[Math.floor(random() * ways.length)]();
       }
-      await compare(file, document);
+      if (!windsTooFar(document)) await compare(file, document);
     }
   });
