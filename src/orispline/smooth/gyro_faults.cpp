@@ -24,6 +24,8 @@ constexpr double jump = 5.0;           // of the turn between path and world acr
 constexpr double zero_fault = 4.0;     // zeros in all three axes
 constexpr double clipped_excess = 1.0;
 
+constexpr double untold_turn = 0.5;  // [rad]: what integrating may be off by where rates tell nothing of the turn
+
 constexpr double widest_step = 3.0;  // between orientations that tell a rate, in the median one
 
 constexpr std::size_t longest_pair = 2, joined_over = 2;  // rates
@@ -276,7 +278,9 @@ bool leave_out_faults(const SeenPoses& poses, const GyroRates& gyro, const GyroA
     const double half = 0.5 * median_interval(gyro.times);
     const std::size_t first = differences.rows[run.first], last = differences.rows[run.last - 1];
     const double rounding = integration_error(gyro, first, last + 1);
-    if (!single && turns.change_beyond(rounding, gyro.times[first] - half, gyro.times[last] + half) < jump) continue;
+    if (!single && rounding < untold_turn &&
+        turns.change_beyond(rounding, gyro.times[first] - half, gyro.times[last] + half) < jump)
+      continue;
     for (std::size_t i = run.first; i < run.last; ++i) counts[differences.rows[i]] = false;
   }
   for (std::size_t i = 0; i < differences.rows.size(); ++i)

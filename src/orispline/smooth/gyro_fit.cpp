@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -198,16 +199,17 @@ Expected<GyroFit> fitted(const GyroPlan& plan, const SeenPoses& poses, const Cal
   return result;
 }
 
-/// What the model of a gyro says of it.
-void tell(const GyroModel& model, GyroFinding& finding) {
+/// What the model of a gyro says of it, whose rates were turned by `mount` before.
+void tell(const GyroModel& model, const Eigen::Matrix3d& mount, GyroFinding& finding) {
   namespace columns = calibration_columns;
   if (model.has_scale) {
     const Eigen::Array3d shares = 1.0 + model.values.segment<3>(columns::scale).array();
     finding.scale = {.value = (1.0 / shares - 1.0).matrix(), .sigma = model.sigmas.segment<3>(columns::scale)};
   }
-  if (model.has_mount)
-    finding.mount = {.value = model.values.segment<3>(columns::mount),
-                     .sigma = model.sigmas.segment<3>(columns::mount)};
+  if (const Eigen::Quaterniond turned(mount); model.has_mount || turned.vec().norm() > 0.0) {
+    const Eigen::AngleAxisd whole(exp<double>(model.values.segment<3>(columns::mount)) * turned);
+    finding.mount = {.value = whole.angle() * whole.axis(), .sigma = model.sigmas.segment<3>(columns::mount)};
+  }
   if (model.has_clock_rate)
     finding.clock_rate = {.value = model.values[columns::clock_rate], .sigma = model.sigmas[columns::clock_rate]};
 }
@@ -256,24 +258,35 @@ GyroModel uncalibrated(const SeenPoses& poses, const GyroAlignment& alignment, d
           .seen = poses.times.size()};
 }
 
+/// Root mean square of the error that the orientations say they have by themselves [rad].
+double error_alone(const SmoothingSearch& without, double noise) {
+  return noise * std::sqrt(3.0 * without.freedom().trace / without.freedom().observations);
+}
+
+/// Why a gyro does not count. `is_clean`: its rates are hardly noisier than neighbouring ones tell.
+GyroFinding::Doubt doubt_of(const GyroModel& model, bool reaches, bool is_clean, bool gains) {
+  using enum GyroFinding::Doubt;
+  if (!reaches) return reach;
+  if (model.noises.clock > 0.0) return clock;
+  return is_clean && (model.explains || gains) ? gain : rates;
+}
+
 /// Whether the gyro counts. By its model the motion with it is the better the farther the other one is away: the error
-/// of the best estimate is not correlated with what any estimate says. That is believed where the rates are hardly
-/// noisier than their neighbours tell; else the orientations have to be surer of themselves without the gyro, by the
-/// residuals that they have alone.
+/// of the best estimate is not correlated with what any estimate says. That is believed where the rates explain the
+/// motion and are hardly noisier than their neighbours tell; else the orientations have to be surer of themselves than
+/// without the gyro, by the residuals that they have alone, and much surer where no rates would explain as much.
 void judge(GyroFit& fit, const GyroModel& model, const SmoothingSearch& without, double noise,
            double local_rate_noise) {
   const auto count = static_cast<double>(fit.places.size());
   const double posterior = posterior_variance(fit), with = std::sqrt(posterior / count),
                without_by_gyro = std::sqrt((posterior + squares_apart(fit, without)) / count),
-               alone = noise * std::sqrt(3.0 * without.freedom().trace / without.freedom().observations);
-  const bool reaches = 2 * model.seen > fit.places.size(), one_clock = model.noises.clock == 0.0;
-  const bool explains = model.noises.rate < most_rate_noise * local_rate_noise && with < sure_gain * without_by_gyro;
-  fit.finding.used = with <= harmless_error || (reaches && one_clock && (explains || with < alone));
-  if (!fit.finding.used)
-    fit.finding.doubt = !reaches                                                 ? GyroFinding::Doubt::reach
-                        : !one_clock                                             ? GyroFinding::Doubt::clock
-                        : model.noises.rate < most_rate_noise * local_rate_noise ? GyroFinding::Doubt::gain
-                                                                                 : GyroFinding::Doubt::rates;
+               alone = error_alone(without, noise);
+  const bool reaches = 2 * model.seen > fit.places.size();
+  const bool is_clean = model.noises.rate < most_rate_noise * local_rate_noise;
+  const bool counts =
+      model.explains ? (is_clean && with < sure_gain * without_by_gyro) || with < alone : with < sure_gain * alone;
+  fit.finding.used = with <= harmless_error || (reaches && model.noises.clock == 0.0 && counts);
+  if (!fit.finding.used) fit.finding.doubt = doubt_of(model, reaches, is_clean, with < alone);
   fit.finding.risk = {.with = with, .without = fit.finding.used ? without_by_gyro : alone};
   fit.residual_noise = model.noises.correlated > 0.0 ? model.noises.white : residual_noise(fit, posterior);
 }
@@ -376,8 +389,14 @@ Expected<GyroFit> fit_with_gyro(const GyroPlan& given, const SmoothingSearch& wi
                      .noises = model.noises,
                      .dead_axes = repaired.dead_axes},
                     without.objective(), lambda_alone(without, poses.noise));
+  if (!fit && fit.error().code == ErrorCode::not_converged) {  // they contradict each other
+    GyroFit none;
+    none.finding.doubt = GyroFinding::Doubt::rates;
+    none.finding.risk = {.with = std::numeric_limits<double>::infinity(), .without = error_alone(without, noise)};
+    return none;
+  }
   if (!fit) return fit;
-  tell(model, fit->finding);
+  tell(model, repaired.mount, fit->finding);
   fit->finding.clock_jumps = std::move(jumps);
   fit->finding.came_in_batches = repaired.came_in_batches;
   fit->finding.unwound_axes = repaired.unwound_axes;

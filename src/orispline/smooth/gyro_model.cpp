@@ -22,6 +22,9 @@ constexpr std::size_t fewest_turns = 8, most_turns_of_search = 3000, search_part
 // Standard deviations that are expected of scale and mount [rad]: those of a good sensor, and of one that was put on by
 // hand and never calibrated; of the rate of its clock, which may be that of the orientations; and of the offset [s].
 constexpr std::array scale_widths{0.005, 0.05}, mount_widths{0.002, 0.05};
+// Off by more in scale or mount [rad] it is no sensor; where the orientations are said to have noise that correlates,
+// with which such a shape can be taken for it, it is none sooner.
+constexpr double widest_shape = 0.4, widest_shape_beside_correlation = 0.15;
 constexpr std::array clock_rate_widths{0.0, 3e-5, 5e-4};
 constexpr double offset_width = 0.02;
 constexpr double sure = 3.0;  // in standard deviations: a smaller scale, mount or clock rate is not told
@@ -179,6 +182,15 @@ FoundCalibration best_calibration(const TurnInnovations& innovations, const Cali
   return best;
 }
 
+/// -2 log of the likelihood of the turns if the gyro told nothing but that the rate is constant.
+double evidence_without(const SeenPoses& poses, GyroRates gyro, const CountedRates& counts, const GyroModel& model) {
+  std::ranges::fill(gyro.rates, Eigen::Vector3d::Zero());
+  GyroCalibration none = model.calibration;
+  none.correction.setZero();
+  return solved(filtered(path_turns(poses, gyro, counts, none), model.noises), CalibrationUnknowns::Zero(), {})
+      .evidence;
+}
+
 }  // namespace
 
 GyroModel gyro_model(const SeenPoses& poses, const GyroRates& gyro, const CountedRates& counts,
@@ -186,6 +198,7 @@ GyroModel gyro_model(const SeenPoses& poses, const GyroRates& gyro, const Counte
   GyroModel model{.calibration = plan.near, .noises = {.rate = plan.rate_noise, .white = plan.pose_noise}};
   model.calibration.clock_origin = plan.near.offset + std::midpoint(poses.times.front(), poses.times.back());
   model.values.segment<3>(columns::correction) = plan.near.correction;
+  FoundCalibration found;
   for (int round = 0; round < rounds; ++round) {
     const std::vector<PathTurn> turns = path_turns(poses, gyro, counts, model.calibration);
     model.seen = turns.size();
@@ -194,8 +207,8 @@ GyroModel gyro_model(const SeenPoses& poses, const GyroRates& gyro, const Counte
     const NoiseSearch search(parts, plan, model.values);
     model.noises = round == 0 ? search.rough() : search.best(median_interval(poses.times));
     const TurnInnovations innovations = filtered(turns, model.noises);
-    const FoundCalibration found = round == 0 ? solved(innovations, model.values, search.widest())
-                                              : best_calibration(innovations, model.values, plan);
+    found = round == 0 ? solved(innovations, model.values, search.widest())
+                       : best_calibration(innovations, model.values, plan);
     model.values = found.values;
     model.sigmas = found.sigmas;
     model.calibration.correction = found.values.segment<3>(columns::correction);
@@ -206,6 +219,10 @@ GyroModel gyro_model(const SeenPoses& poses, const GyroRates& gyro, const Counte
   const auto tells = [&](int first, int count) {
     return (model.values.segment(first, count).cwiseAbs() - sure * model.sigmas.segment(first, count)).maxCoeff() > 0.0;
   };
+  const auto shape = model.values.segment<columns::offset - columns::scale>(columns::scale);
+  const double widest = model.noises.correlated > 0.0 ? widest_shape_beside_correlation : widest_shape;
+  model.explains =
+      shape.cwiseAbs().maxCoeff() < widest && found.evidence + price < evidence_without(poses, gyro, counts, model);
   model.has_scale = tells(columns::scale, 3);
   model.has_mount = tells(columns::mount, 3);
   model.has_clock_rate = tells(columns::clock_rate, 1);

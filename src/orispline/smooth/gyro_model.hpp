@@ -14,6 +14,7 @@ struct GyroModel {
   bool has_scale = false, has_mount = false, has_clock_rate = false;  ///< the recording tells them
   CalibrationUnknowns values = CalibrationUnknowns::Zero(), sigmas = CalibrationUnknowns::Zero();
   std::size_t seen = 0;  ///< orientations that the path of the gyro reaches
+  bool explains = true;  ///< the rates tell the turns better than none would, by a shape that a sensor may have
 };
 
 /// What is known beforehand.

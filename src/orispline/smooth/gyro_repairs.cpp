@@ -19,6 +19,9 @@ constexpr std::size_t fewest_wraps = 4;  // of a counter that comes round rather
 
 constexpr double turns = 5.0;  // in medians of what the rates of live axes differ by from those of the orientations
 
+constexpr double far_off = 0.05;      // [rad]: what is mounted nearer is found with the rest of the calibration
+constexpr double nearer_share = 0.4;  // of what rates differ by from those of the orientations, once they are turned
+
 constexpr double gap = 1.5;             // in usual intervals
 constexpr std::size_t most_gaps = 8;    // that are tried
 constexpr double price_of_jump = 40.0;  // by which -2 log of the likelihood has to fall
@@ -106,6 +109,30 @@ std::array<bool, 3> dead_axes_of(const SeenPoses& poses, const GyroRates& gyro) 
   return std::ranges::count(dead, true) < 3 ? dead : std::array<bool, 3>{};
 }
 
+/// The rotation that brings rates to those of the orientations but for a bias, where it is large and brings them much
+/// nearer; else none. Source: Umeyama 1991.
+Eigen::Matrix3d far_mount(const SeenPoses& poses, const GyroRates& gyro) {
+  Eigen::Matrix3Xd from(3, gyro.times.size()), to(3, gyro.times.size());
+  Eigen::Index count = 0;
+  for (std::size_t k = 0; k < gyro.times.size(); ++k)
+    if (const auto turned = rate_of_poses(poses, gyro.times[k])) {
+      from.col(count) = gyro.rates[k];
+      to.col(count++) = *turned;
+    }
+  const Eigen::Matrix3d none = Eigen::Matrix3d::Identity();
+  if (count < 3) return none;
+  from.conservativeResize(3, count);
+  to.conservativeResize(3, count);
+  const Eigen::Matrix3d mount = Eigen::umeyama(from, to, false).topLeftCorner<3, 3>();
+  const auto usual_length = [](const Eigen::Matrix3Xd& vectors) {  // about their mean
+    const Eigen::VectorXd lengths = (vectors.colwise() - vectors.rowwise().mean()).colwise().norm();
+    return median({lengths.begin(), lengths.end()});
+  };
+  if (Eigen::AngleAxisd(mount).angle() < far_off) return none;
+  const double usual = std::min(usual_length(from - to), usual_length(to));
+  return usual_length(mount * from - to) < nearer_share * usual ? mount : none;
+}
+
 }  // namespace
 
 RepairedGyro::RepairedGyro(const GyroRates& gyro, const SeenPoses& poses) : rates(gyro) {
@@ -121,6 +148,8 @@ RepairedGyro::RepairedGyro(const GyroRates& gyro, const SeenPoses& poses) : rate
       unwound_axes[axis] = true;
     }
   }
+  if (!has_dead_axis()) mount = far_mount(poses, rates);
+  for (Eigen::Vector3d& rate : rates.rates) rate = (mount * rate).eval();
 }
 
 std::vector<GyroFinding::ClockJump> close_jumps(GyroRates& gyro, const SeenPoses& poses, const CountedRates& counts,

@@ -19,6 +19,7 @@ struct RepairedGyro {
   GyroRates rates;
   bool came_in_batches = false;
   std::array<bool, 3> unwound_axes{}, dead_axes{};
+  Eigen::Matrix3d mount = Eigen::Matrix3d::Identity();  ///< from the axes of the sensor to those of the body
 
   [[nodiscard]] bool has_dead_axis() const { return dead_axes[0] || dead_axes[1] || dead_axes[2]; }
 };

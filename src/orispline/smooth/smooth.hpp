@@ -55,9 +55,9 @@ struct GyroRates {
 
 /// How a recording is to be smoothed. What is absent is estimated from it.
 struct SmoothOptions {
-  std::optional<Penalty> penalty{};  ///< absent: the acceleration, or the jerk with a gyro that does not count
-                                     ///< turns, whose accelerations it carries on to an end without rates
-  std::optional<double> noise{};     ///< σ of the orientations per axis [rad], 1e-7 to 0.5
+  std::optional<Penalty> penalty{};        ///< absent: the acceleration, or the jerk with a gyro that does not count
+                                           ///< turns, whose accelerations it carries on to an end without rates
+  std::optional<double> noise{};           ///< σ of the orientations per axis [rad], 1e-7 to 0.5
   std::optional<double> smoothing_time{};  ///< τ [s]; not together with `noise`. A thousandth of the median interval to
                                            ///< ten durations, for the jerk 5000 intervals
   Loss loss = Loss::robust;

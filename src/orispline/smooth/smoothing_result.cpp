@@ -84,6 +84,8 @@ Warning jumps_followed_at(std::size_t first, std::size_t count) {
           .numbers = {{"samples", static_cast<double>(count)}}};
 }
 
+constexpr double far_mount = 20.0;  // [°]: what no sensor that was put on with care is off by
+
 /// Over all axes.
 double root_mean_square(const std::vector<Eigen::Vector3d>& vectors) {
   double sum = 0.0;
@@ -113,6 +115,11 @@ void warn_of_repairs(const GyroFinding& gyro, std::vector<Warning>& warnings) {
     warnings.push_back({.code = "gyro_in_batches",
                         .message = "the stamps of the gyro come in batches; the rates of each batch were spread evenly "
                                    "over the time since the one before"});
+  if (const double angle = gyro.mount ? gyro.mount->value.norm() * degrees : 0.0; angle > far_mount)
+    warnings.push_back(
+        {.code = "gyro_turned",
+         .message = formatted("the gyro is mounted by {:.3g}° off the axes of the body; its rates were turned", angle),
+         .numbers = {{"mount_rad", angle / degrees}}});
   if (const std::string axes = axes_text(gyro.unwound_axes); !axes.empty())
     warnings.push_back({.code = "gyro_unwound",
                         .message = formatted("the rates of the gyro about {} come round like a counter that is too "
@@ -136,8 +143,8 @@ const char* reason_of(GyroFinding::Doubt doubt) {
              "the stamps";
     case GyroFinding::Doubt::rates:
       return "no scale, mount, bias or clock that was tried brings its rates to the orientations, as where an axis is "
-             "dead, rates are stuck or counters come round; set `noise` if the orientations are less exact than they "
-             "seem, and use orispline align for a sensor that is mounted by more than 20° otherwise";
+             "dead, rates are stuck or counters come round, or where they are those of another body; set `noise` if "
+             "the orientations are less exact than they seem";
     default:
       return "the orientations are hardly better known with it; set `noise` if they are less exact than they seem";
   }
