@@ -157,7 +157,7 @@ Expected<std::vector<std::uint32_t>> KeyRows::chosen_rows() {
   std::vector<std::size_t> starts = session_starts(times_);
   const std::size_t session = options_.session.value_or(1);
   if (session > starts.size() || session == all_sessions) return no_such_session(session, starts.size());
-  if (!options_.session && would_interleave(times_, starts))
+  if (!options_.session && !may_be_sorted(times_.size(), starts.size()))
     return mixed_sessions(starts.size(), {.file = file_.path, .line = file_.lines[starts[1]]});
   starts.push_back(times_.size());
   const std::size_t first = options_.session ? starts[session - 1] : 0;

@@ -10,6 +10,7 @@
 
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/key_file.hpp>
+#include <orispline/io/round_clock.hpp>
 #include <orispline/io/row_reader.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
@@ -35,7 +36,7 @@ class KeyRows {
   /// Keys that are gathered.
   [[nodiscard]] std::size_t size() const noexcept { return file_.lines.size(); }
   /// Whether all rows must be there before any of them is a key.
-  [[nodiscard]] bool needs_all() const noexcept { return options_.sort || options_.session; }
+  [[nodiscard]] bool needs_all() const noexcept { return options_.sort || options_.session || options_.clock.round; }
   /// Whether the rows, of which there are no more, have orientations and positions at different times.
   [[nodiscard]] bool are_two_tracks() const noexcept { return !file_.positions_apart.is_empty(); }
   /// Recordings in the rows of one that needs all.
@@ -86,7 +87,7 @@ class KeyRows {
   [[nodiscard]] Expected<void> add_unposed(const KeyRow& key, const TextTable& table);
   [[nodiscard]] Expected<Eigen::Quaterniond> normalised(Eigen::Quaterniond q, std::size_t line,
                                                         std::optional<std::size_t> column);
-  [[nodiscard]] Expected<void> settle_clock(const TextTable& table);
+  [[nodiscard]] Expected<void> settle_clock(KeyRow& key, const TextTable& table);
   void settle_time_unit(const Decimal& first);
   void warn_of_long_steps();
 
@@ -105,6 +106,7 @@ class KeyRows {
   ReadOptions options_;
   NewFrames frames_;
   KeyFile file_;
+  std::optional<RoundClock> round_clock_{};
   std::optional<bool> has_iso_times_{};  // unknown before the first row
   bool unit_is_assumed_ = false;         // seconds, since nothing tells
   bool looked_at_steps_ = false;
