@@ -62,9 +62,9 @@ TEST(Unwrap, PutsARowThatIsLateBehindItsRound) {
 }
 
 TEST(Unwrap, IsRefusedWhereTheClockNeverComesRound) {
-  EXPECT_EQ(
-      text_of(keys_of("t", {"1", "2", "3"}, {{"unwrap", "week"}}).error()),
-      "unwrap: found times from 1 to 3, which never come round at 604800; wanted a clock that does, or no such option");
+  EXPECT_EQ(text_of(keys_of("t", {"1", "2", "3"}, {{"unwrap", "week"}}).error()),
+            "[unwrap] found times from 1 to 3, which never come round at 604800; wanted a clock that does, or no such "
+            "option");
   EXPECT_NE(text_of(keys_of("t", {"1", "2", "604802", "1"}, {{"unwrap", "week"}}).error())
                 .find("found the times 1 and 604802, wanted all within one round of 604800"),
             std::string::npos);
@@ -72,7 +72,7 @@ TEST(Unwrap, IsRefusedWhereTheClockNeverComesRound) {
       text_of(keys_of("t", {"2024-01-01"}, {{"unwrap", "week"}}).error()).find("wanted a counter that comes round"),
       std::string::npos);
   EXPECT_EQ(text_of(keys_of("t", {"1"}, {{"unwrap", "month"}}).error()),
-            "unwrap: found 'month', wanted week, day, or a counter such as 24bit*1us, int16 or uint32");
+            "[unwrap] found 'month', wanted week, day, or a counter such as 24bit*1us, int16 or uint32");
 }
 
 TEST(Unwrap, IsOfRatesInAFileOfTheirOwnToo) {

@@ -85,6 +85,11 @@ KeyRows::KeyRows(std::string path, const FormatInfo& format, KeyColumns columns,
   file_.path = std::move(path);
   file_.format = &format;
   file_.ignored_columns = columns_.ignored;
+  if (!columns_.commented_header.empty())
+    file_.warnings.push_back({.code = "commented_header",
+                              .message = formatted("the columns are named by a comment, {}, since no row names them",
+                                                   in_quotes(columns_.commented_header)),
+                              .where = {.file = file_.path}});
   // A set of rows has no clock; and of a pose turned back the position needs the orientation.
   may_be_parts_ = !options_.count_rows && !options_.inverse_poses;
   if (!options_.count_rows) return;
@@ -150,7 +155,8 @@ Expected<void> KeyRows::append(const KeyRow& key, const Place& place) {
     const auto appended = append_time(key.time, place.time, place.line);
     if (!appended) return tl::unexpected(appended.error());
     if (!*appended) {
-      if (!unrising_) note_duplicate(pose);
+      if (unrising_) unrising_->turn = turn_to(pose);
+      else note_duplicate(pose);
       return {};
     }
     latest_pose_ = pose;
@@ -339,6 +345,7 @@ Expected<void> KeyRows::settle_clock(KeyRow& key, const TextTable& table) {
     columns_.states_time_unit = true;
   }
   has_iso_times_ = is_iso;
+  saw_leap_second_ = saw_leap_second_ || (is_iso && cell.find(":60") != std::string_view::npos);
   const auto& round = options_.clock.round;
   if (!round) return {};
   if (is_iso) return bad_option("unwrap", formatted("found {}, wanted a counter that comes round", in_quotes(cell)));

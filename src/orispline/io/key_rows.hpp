@@ -40,7 +40,7 @@ class KeyRows {
   /// Whether the rows, of which there are no more, have orientations and positions at different times.
   [[nodiscard]] bool are_two_tracks() const noexcept { return !file_.positions_apart.is_empty(); }
   /// Recordings in the rows of one that needs all.
-  [[nodiscard]] std::size_t sessions() const;
+  [[nodiscard]] std::size_t sessions() const { return recordings().size(); }
   [[nodiscard]] const KeyColumns& columns() const noexcept { return columns_; }
 
  private:
@@ -64,6 +64,7 @@ class KeyRows {
     std::string text;
     std::size_t line = 0;
     std::vector<Decimal> after{};
+    double turn = 0.0;  // [rad] from the row before
   };
   struct Pose {
     Eigen::Quaterniond orientation;
@@ -96,8 +97,10 @@ class KeyRows {
   [[nodiscard]] Expected<bool> append_time(const Decimal& time, std::string_view text, std::size_t line);
   [[nodiscard]] Error out_of_order() const;
   [[nodiscard]] bool is_zero_stamp() const;
+  [[nodiscard]] double turn_to(const Pose& pose) const;
   void note_duplicate(const Pose& dropped);
   void warn_of_duplicates();
+  [[nodiscard]] std::vector<std::size_t> recordings() const;
   [[nodiscard]] Expected<std::vector<std::uint32_t>> chosen_rows();
   [[nodiscard]] Expected<void> arrange();
   void choose_unposed(std::size_t first, std::size_t end);
@@ -107,6 +110,7 @@ class KeyRows {
   NewFrames frames_;
   KeyFile file_;
   std::optional<RoundClock> round_clock_{};
+  bool saw_leap_second_ = false;
   std::optional<bool> has_iso_times_{};  // unknown before the first row
   bool unit_is_assumed_ = false;         // seconds, since nothing tells
   bool looked_at_steps_ = false;
