@@ -109,8 +109,7 @@ def read_rates(path: Source, *, columns: Mapping[str, str] | None = None, time_s
     """
     rotations = {"world_rotation": rotation_text("world_rotation", world_rotation), "body_rotation": rotation_text("body_rotation", body_rotation)}
     options = stated({"time_scale": time_scale, "fps": fps, "epoch": epoch, "world_axes": world_axes, "body_axes": body_axes, "session": session,
-                      "unwrap": unwrap,
-                      **rotations}) + flags({"drop_duplicates": drop_duplicates, "sort": sort})
+                      "unwrap": unwrap, **rotations}) + flags({"drop_duplicates": drop_duplicates, "sort": sort})
     name, content = source_of(path)
     seconds, rates, first, warnings = _core.read_rates(name, options, names_by_meaning(columns), content)
     tell(warnings)
