@@ -101,6 +101,8 @@ class FirstHour(CommandTest):
 
     def test_files_of_other_kinds_are_named(self):
         for name, text, kind in (("v.aem", "CCSDS_AEM_VERS = 1.0\nCREATION_DATE = 2024\n", "an attitude ephemeris (AEM) of CCSDS, which is not read; "),
+                                 ("v.csv", "Trajectories\n250\n,,wand:wand,\nFrame,Sub Frame,RX\n", "an export of Vicon, whose rows stand below several "),
+                                 ("v.ori", "Type OrientationsGalactic\nOG 1 0 0 90 0\n", "a file of orientations (.ori) of MEGAlib, which holds "),
                                  ("walk.txt", "HIERARCHY\nROOT Hips\n{\n", "a BVH file, which is not read as rows; it is read with --input-format bvh, or without that option under a name"),
                                  ("walk.json", '{\n  "asset": {}\n}\n', "a JSON file, which is not read as rows; "),
                                  ("ck.xc", "DAFETF NAIF DAF ENCODED TRANSFER FILE\n'DAF/CK'\n", "a transfer file of SPICE, which is not read; "),

@@ -13,17 +13,19 @@ import unittest
 
 from command import BAD_DATA, BAD_USAGE, SUCCESS, CommandTest, main, rows_of, table_of, with_pages
 
-RECORDINGS = pathlib.Path(os.environ["ORISPLINE_SHARED_DATA"]).resolve().parent / "cases" / "recordings"
+CASES = pathlib.Path(os.environ["ORISPLINE_SHARED_DATA"]).resolve().parent / "cases"
 
 
 class Recordings(CommandTest):
+    cases = CASES / "recordings"
+
     def setUp(self):
         super().setUp()
-        if not RECORDINGS.is_dir():
-            self.skipTest(f"no {RECORDINGS}")
+        if not self.cases.is_dir():
+            self.skipTest(f"no {self.cases}")
 
     def use(self, name):
-        shutil.copy(RECORDINGS / name, self.folder / name)
+        shutil.copy(self.cases / name, self.folder / name)
         return name
 
     def summary(self, arguments):
@@ -40,7 +42,7 @@ class Sessions(Recordings):
         super().setUp()
         self.use("02_sessions.tum")
         self.second = "02_sessions.tum:24: time 100.35 comes after 101.9, and the rows go on from there: a second " \
-                      "recording begins, wanted one (--session N|all reads one of them)"
+                      "recording begins, wanted one, or --unwrap if the clock came round (--session N|all reads one of them)"
 
     def test_a_block_that_goes_back_is_a_second_recording(self):
         for command in ("sample 02_sessions.tum --rate 10 --drop-duplicates", "smooth 02_sessions.tum --drop-duplicates",
@@ -50,7 +52,8 @@ class Sessions(Recordings):
     def test_sorting_refuses_to_mix_them(self):
         self.assert_fails("convert 02_sessions.tum --sort --drop-duplicates", BAD_DATA,
                           "02_sessions.tum:24: found 2 recordings one behind the other, the second from here on, which "
-                          "sorting would mix; wanted one of them (--session N|all reads one of them)")
+                          "sorting would mix; wanted one of them, or --unwrap if the clock came round (--session N|all reads one of "
+                          "them)")
 
     def test_each_can_be_read(self):
         first = rows_of(self.output_of("convert 02_sessions.tum --session 1 --drop-duplicates --output-format csv"))
@@ -95,11 +98,48 @@ class Sessions(Recordings):
         self.assertIn("defect        02_sessions.tum:24: found 2 recordings one behind the other",
                       self.output_of("inspect 02_sessions.tum"))
 
-    def test_blocks_that_do_not_overlap_may_be_sorted(self):
+    def test_blocks_that_do_not_overlap_are_not_sorted_either(self):
         lines = self.read("02_sessions.tum").splitlines()
         late = [line.replace("10", "20", 1) for line in lines[23:]]
         self.write("parts.tum", "\n".join(late + lines[:6]) + "\n")
-        self.assertEqual(len(self.output_of("convert parts.tum --sort").splitlines()), 22)
+        self.assertIn("found 2 recordings one behind the other", self.run_command("convert parts.tum --sort").stderr)
+
+
+class Reports(Recordings):
+    cases = CASES / "reports"
+
+    def test_a_clock_that_comes_round_is_one_recording(self):
+        for name, options, keys in (("r12_tow.csv", "--columns t=gps_tow_s --unwrap week", 40),
+                                    ("r12_week.csv", "--columns t=week+tow", 40), ("r05_wrap24.csv", "--unwrap 24bit*1us", 1201)):
+            with self.subTest(name):
+                times = [row[0] for row in rows_of(self.output_of(f"convert {self.use(name)} {options}"))]
+                self.assertEqual(len(times), keys)
+                for one, other in zip(times, times[1:]):
+                    self.assertAlmostEqual(other - one, 0.1, delta=1e-6)
+
+    def test_sorting_refuses_it_and_unwrapping_what_never_does_so(self):
+        self.use("r12_tow.csv"), self.use("r22_jump.csv")
+        done = self.run_command("convert r12_tow.csv --columns t=gps_tow_s --sort -o sorted.csv")
+        self.assertEqual(done.returncode, BAD_DATA)
+        self.assertIn("--unwrap if the clock came round (--session N|all", done.stderr)
+        done = self.run_command("convert r22_jump.csv --unwrap week -o none.csv")
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (BAD_USAGE, 1))
+        self.assertIn("--unwrap: found times from 0 to 30, which never come round at 604800", done.stderr)
+        self.assertFalse((self.folder / "sorted.csv").exists() or (self.folder / "none.csv").exists())
+
+    def test_a_jump_makes_two_recordings(self):
+        self.use("r22_jump.csv")
+        done = self.run_command("convert r22_jump.csv")
+        self.assertNotIn("--drop-duplicates", done.stderr)
+        self.assertIn("the orientation jumps there by", done.stderr)
+        first, second = (rows_of(self.output_of(f"convert r22_jump.csv --session {k}")) for k in (1, 2))
+        self.assertEqual((first[0][0], first[-1][0], second[0][0], second[-1][0]), (0, 10, 10, 30))
+
+    def test_names_in_a_comment_are_read_and_said(self):
+        for name, options in (("r04_ns.csv", ""), ("r04_savetxt.csv", ""), ("r09_helios.trj", " --angle-unit deg")):
+            with self.subTest(name):
+                self.assertIn("the columns are named by a comment", self.said(f"convert {self.use(name)}{options} -o out.csv"))
+        self.assertIn("--angle-unit", self.run_command("convert r09_helios.trj").stderr)
 
 
 class Stamps(Recordings):

@@ -189,7 +189,7 @@ class SmoothWithGyro(CommandTest):
                 ("moved.csv", rates[:7] + rates[8:] + rates[7:8], "--sort", "moved.csv:401: time 0.07 comes after 3.99, wanted "
                  "increasing times (--sort orders the rows)"),
                 ("again.csv", rates + rates[100:150], "--session 1", "again.csv:402: time 1 comes after 3.99, and the rows go on from "
-                 "there: a second recording begins, wanted one (--session N|all reads one of them)")):
+                 "there: a second recording begins, wanted one, or --unwrap if the clock came round (--session N|all reads one of them)")):
             with self.subTest(name):
                 self.write(name, "t,wx,wy,wz\n" + "".join(text))
                 self.assert_fails(f"smooth poses.csv --gyro-file {name} -o nothing.csv", BAD_DATA, message)
@@ -198,7 +198,7 @@ class SmoothWithGyro(CommandTest):
                 self.assertEqual(self.read("out.csv"), wanted)
         self.assert_fails("smooth poses.csv --gyro-file again.csv --sort -o nothing.csv", BAD_DATA,
                           "again.csv:402: found 2 recordings one behind the other, the second from here on, which sorting would mix; wanted "
-                          "one of them (--session N|all reads one of them)")
+                          "one of them, or --unwrap if the clock came round (--session N|all reads one of them)")
 
     def test_rows_without_an_orientation_may_come_twice(self):
         header, *rows = (CASES / "12_cam10_gyro100.csv").read_text("utf-8").splitlines()

@@ -48,6 +48,18 @@ def test_one_of_several_recordings_is_read(file):
         ori.read(path, session=3)
 
 
+def test_a_clock_that_comes_round_is_counted_on(file, tmp_path):
+    path = file("t,qw,qx,qy,qz\n" + "".join(f"{t},1,0,0,0\n" for t in (604799, 604799.5, 0, 0.5)))
+    assert ori.read(path, unwrap="week").times.tolist() == [0, 0.5, 1, 1.5]
+    with pytest.raises(ori.ArgumentError, match="unwrap: found times from 0 to 604799.5, which never come round at"):
+        ori.read(path, unwrap="int32")
+    rates = file("t_us,wx,wy,wz\n16777215,0,0,1\n0,0,0,2\n", "gyro.csv")
+    assert ori.read_rates(rates, unwrap="24bit*1us").times.tolist() == [0, 1e-6]
+    np.save(tmp_path / "rows.npy", [[0, 1, 0, 0, 0]])
+    with pytest.raises(ori.ArgumentError, match="unwrap: found it with a NumPy file"):
+        ori.read(tmp_path / "rows.npy", unwrap="week")
+
+
 def test_all_recordings_are_read_as_a_list(file):
     rows = (1, 2, 3, 1.5, 2.5, 2.75)
     path = file("t,qw,qx,qy,qz\n" + "".join(f"{t},1,0,0,0\n" for t in rows))

@@ -138,7 +138,7 @@ nb::tuple sessions_of(const Numbers& times) {
   std::vector<Decimal> exact;
   for (const double t : span_of(times)) exact.push_back(Decimal::from_double(t));
   const auto starts = io::session_starts(exact);
-  return nb::make_tuple(starts, io::would_interleave(exact, starts));
+  return nb::make_tuple(starts, !io::may_be_sorted(exact.size(), starts.size()));
 }
 
 /// The method that the keys are for, `otherwise` where the file names none, but for what these names say otherwise and

@@ -23,7 +23,7 @@ AMBIGUOUS = 8  # columns: beside time and quaternion there may be a position or 
 #: Options that say nothing of numbers in rows, and what does in their place.
 REFUSED = {"order": "columns=['t', 'qw', …], which names the columns in their order", "fps": "time_scale, such as '1/24'",
            **dict.fromkeys(("input_orientation", "euler", "angle_unit"), "Keys(times, rotations, euler=…) of the array of numpy.load"),
-           **dict.fromkeys(("input_format", "epoch", "clip", "joint", "space", "ignore_recipe"), "it with files of text")}
+           **dict.fromkeys(("input_format", "epoch", "unwrap", "clip", "joint", "space", "ignore_recipe"), "it with files of text")}
 
 
 def read_npy(path: str, columns: Any, content: bytes | None, *, session: int | str | None, time_scale: Any, no_positions: bool, frames: Options,

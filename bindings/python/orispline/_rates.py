@@ -69,7 +69,7 @@ class Rates:
 def read_rates(path: Source, *, columns: Mapping[str, str] | None = None, time_scale: Number | None = None, fps: Number | None = None,
                epoch: str | datetime.date | np.datetime64 | None = None, world_axes: str | None = None, body_axes: str | None = None,
                world_rotation: Any = None, body_rotation: Any = None, drop_duplicates: bool = False, sort: bool = False,
-               session: int | None = None) -> Rates:
+               session: int | None = None, unwrap: str | None = None) -> Rates:
     """The rates of a gyro in a file of their own, as the command's `--gyro-file` reads them: a table with a header, the columns `t` and
     `wx`, `wy`, `wz` of the body, in any of their units.
 
@@ -79,7 +79,7 @@ def read_rates(path: Source, *, columns: Mapping[str, str] | None = None, time_s
     ----------
     path : str, path or file object
         `-` is standard input.
-    columns, time_scale, fps, epoch, world_axes, body_axes, world_rotation, body_rotation, drop_duplicates, sort
+    columns, time_scale, fps, epoch, world_axes, body_axes, world_rotation, body_rotation, drop_duplicates, sort, unwrap
         As of `read`.
     session : int
         Which of several recordings in the file; one that is alone is read whole.
@@ -109,7 +109,7 @@ def read_rates(path: Source, *, columns: Mapping[str, str] | None = None, time_s
     """
     rotations = {"world_rotation": rotation_text("world_rotation", world_rotation), "body_rotation": rotation_text("body_rotation", body_rotation)}
     options = stated({"time_scale": time_scale, "fps": fps, "epoch": epoch, "world_axes": world_axes, "body_axes": body_axes, "session": session,
-                      **rotations}) + flags({"drop_duplicates": drop_duplicates, "sort": sort})
+                      "unwrap": unwrap, **rotations}) + flags({"drop_duplicates": drop_duplicates, "sort": sort})
     name, content = source_of(path)
     seconds, rates, first, warnings = _core.read_rates(name, options, names_by_meaning(columns), content)
     tell(warnings)

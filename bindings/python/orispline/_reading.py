@@ -32,7 +32,7 @@ def read(path: Source, *, input_format: str | None = None,  # type: ignore[misc]
          columns: Mapping[str, str] | Sequence[str] | None = None, order: str | None = None,
          input_orientation: str | None = None, euler: str | None = None, angle_unit: str | None = None,
          time_scale: Number | None = None, fps: Number | None = None,
-         epoch: str | datetime.date | np.datetime64 | None = None, clip: str | None = None, joint: str | None = None,
+         epoch: str | datetime.date | np.datetime64 | None = None, unwrap: str | None = None, clip: str | None = None, joint: str | None = None,
          space: str | None = None, conjugate: bool = False, inverse_poses: bool = False, world_axes: str | None = None,
          body_axes: str | None = None, world_rotation: Any = None, body_rotation: Any = None, signs: str | None = None,
          ignore_recipe: bool = False, normalise: bool = False, normalize: bool = False, drop_duplicates: bool = False, drop_invalid: bool = False,
@@ -88,7 +88,7 @@ def read(path: Source, *, input_format: str | None = None,  # type: ignore[misc]
     (name, content), scalar_first = source_of(path), flag("scalar_first", scalar_first)
     normalise = one_spelling(normalize, normalise)
     named = {"input_format": input_format, "order": order, "input_orientation": input_orientation, "euler": euler,
-             "angle_unit": angle_unit, "time_scale": time_scale, "fps": fps, "epoch": epoch, "clip": clip, "joint": joint, "space": space,
+             "angle_unit": angle_unit, "time_scale": time_scale, "fps": fps, "epoch": epoch, "unwrap": unwrap, "clip": clip, "joint": joint, "space": space,
              "world_axes": world_axes, "body_axes": body_axes, "world_rotation": rotation_text("world_rotation", world_rotation),
              "body_rotation": rotation_text("body_rotation", body_rotation), "signs": signs, "session": session, "gap": gap}
     mending = {"normalise": normalise, "drop_duplicates": drop_duplicates, "drop_invalid": drop_invalid, "sort": sort}

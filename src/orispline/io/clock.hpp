@@ -8,12 +8,20 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
+/// After how much a counter comes round and begins again.
+struct ClockRound {
+  Decimal length{};
+  bool is_in_seconds = false;  ///< else in units of the column of times
+};
+
 /// What times that are no numbers of seconds are counted by.
 struct Clock {
   /// The instant that counts as 0 s, for times of ISO 8601: [s] since 1970-01-01T00:00:00Z.
   Decimal zero{};
   /// Of columns and times that count frames; greater than 0.
   std::optional<Fraction> frames_per_second{};
+  /// Of columns whose counter comes round, which is counted on.
+  std::optional<ClockRound> round{};
 };
 
 /// A time [s] as people type it: `2.5`, `1/24`, `12f` for a frame, `2024-02-29T12:30:00Z`.

@@ -85,16 +85,23 @@ bool ColumnSearch::is_mapped(std::string_view plain_name) const {
   });
 }
 
+std::optional<Unit> ColumnSearch::stated_unit(std::string_view canonical, std::span<const Unit> known) const {
+  for (const Unit& unit : known)
+    if (!unit.suffix.empty() && mapped_.contains(std::string(canonical).append(unit.suffix))) return unit;
+  return std::nullopt;
+}
+
 Expected<ColumnGroup> ColumnSearch::group(std::span<const std::string_view> names, std::span<const Unit> accepted,
                                           std::span<const Unit> known) const {
   ColumnGroup group;
   for (const std::string_view canonical : names) {
-    const auto index =
-        column(canonical, [&](std::string_view name) { return is_with_unit(name, canonical, accepted); });
+    const std::optional<Unit> stated = stated_unit(canonical, known);
+    const auto index = column(stated ? std::string(canonical).append(stated->suffix) : std::string(canonical),
+                              [&](std::string_view name) { return is_with_unit(name, canonical, accepted); });
     if (!index) return tl::unexpected(index.error());
     (*index ? group.present : group.missing).push_back(canonical);
     if (!*index) continue;
-    const Unit unit = unit_of(plain_name(**index), known);
+    const Unit unit = stated ? *stated : unit_of(plain_name(**index), known);
     group.columns.push_back({**index, unit.numerator, unit.denominator});
   }
   return group;

@@ -88,7 +88,11 @@ class ColumnSearch {
   /// Of a name that a caller states.
   [[nodiscard]] tl::unexpected<Error> not_there(std::string_view canonical, std::string_view name) const;
 
-  /// The columns of the canonical names with one of the accepted units; a mapped name may end in any of the known ones.
+  /// The unit that a mapping states behind the canonical name: `wx_deg_s` for a column `wx`.
+  [[nodiscard]] std::optional<Unit> stated_unit(std::string_view canonical, std::span<const Unit> known) const;
+
+  /// The columns of the canonical names with one of the accepted units; a mapped name may end in any of the known ones,
+  /// or be of a name that does.
   [[nodiscard]] Expected<ColumnGroup> group(std::span<const std::string_view> names, std::span<const Unit> accepted,
                                             std::span<const Unit> known) const;
 

@@ -59,7 +59,7 @@ using Source = std::variant<KeyRowsSource, TracksSource>;
 Expected<Source> source_in(const FormatInfo& format, TextTable table, const ReadOptions& options) {
   auto layout = format.reading.layout(table, options);
   if (!layout) {
-    if (auto kind = other_kind(table.cells().front()))
+    if (auto kind = other_kind(joined(table.cells(), " ")))
       return failure(ErrorCode::bad_data, std::move(*kind), {.file = table.path()});
     return tl::unexpected(std::move(layout.error()));
   }

@@ -80,8 +80,9 @@ Expected<Representation> representation_in(const ColumnSearch& search, const Ori
 Expected<void> settle_units(ColumnGroup& group, const ColumnSearch& search, std::optional<AngleUnit> unit) {
   for (std::size_t i = 0; i < group.columns.size(); ++i) {
     NumberColumn& column = group.columns[i];
-    if (!unit_of<Unit>(search.plain_name(column.index), angles).suffix.empty()) continue;
     const std::string_view name = group.present[i];
+    if (search.stated_unit(name, angles) || !unit_of<Unit>(search.plain_name(column.index), angles).suffix.empty())
+      continue;
     if (!unit)
       return mended_by("angle_unit", formatted("{} has no unit, wanted a name such as {}_deg or {}_rad, or the unit",
                                                in_quotes(search.name(column.index)), name, name));
@@ -183,11 +184,22 @@ std::vector<std::string_view> canonical_names(std::span<const std::string> param
   return names;
 }
 
+/// Whether a name is one of a quantity with one of its units behind it.
+bool states_unit(std::string_view name) {
+  const auto is_of = [name](const auto& names, std::span<const Unit> units) {
+    return std::ranges::any_of(names, [&](std::string_view base) { return is_with_unit(name, base, units); });
+  };
+  for (const RateOrder& order : orders)
+    if (is_of(order.in_body, order.body_units) || is_of(order.in_world, order.world_units)) return true;
+  return is_of(position_names, lengths) || is_of(names_by_component(Representation::rotation_vector), angles) ||
+         is_of(names_by_component(Representation::euler), angles) || is_of(names_by_axis(EulerOrder{}), angles);
+}
+
 /// An error when a mapping is for a name that no column can have.
 Expected<void> check_mappings(const HeaderReading& reading) {
   const auto wanted = canonical_names(reading.parameters);
   for (const auto& [canonical, name] : reading.names)
-    if (std::ranges::find(wanted, canonical) == wanted.end())
+    if (std::ranges::find(wanted, canonical) == wanted.end() && !states_unit(canonical))
       return bad_option("columns", formatted("found {}={}, wanted a name that is read before the sign: {}", canonical,
                                              name, joined(wanted, ", ")));
   return {};
@@ -345,7 +357,10 @@ Expected<std::optional<TimeColumns>> two_time_columns(const ColumnSearch& search
     return bad_option("columns", formatted("found t={}, wanted a second column whose name ends in a unit, such as "
                                            "t=sec+nanosec",
                                            stated->second));
-  return TimeColumns{found[0], units[0].seconds, {found[1], Fraction(units[1].seconds, units[0].seconds)}};
+  const bool is_exact = units[1].seconds.divided_by(units[0].seconds).is_exact;  // no decimal of a week is a second
+  const std::size_t main = is_exact ? 0 : 1, rest = 1 - main;
+  return TimeColumns{
+      found[main], units[main].seconds, {found[rest], Fraction(units[rest].seconds, units[main].seconds)}};
 }
 
 bool is_header(std::span<const std::string_view> row) {

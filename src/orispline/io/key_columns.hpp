@@ -91,6 +91,7 @@ struct KeyColumns {
   InnerColumns inner{};
   std::vector<ParameterColumn> parameters{};
   std::vector<std::string> ignored{};  ///< names of the others
+  std::string commented_header{};      ///< the comment that named them; empty where a row did
 };
 
 /// What the names in a header may mean beside the canonical ones.

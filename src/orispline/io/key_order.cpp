@@ -21,6 +21,8 @@ constexpr std::size_t most_ahead = 8;  // rows that are looked at before one is 
 
 /// Rows of one time that differ by no more are the same [rad], [m].
 constexpr double same_turn = 1e-6, same_place = 1e-6;
+/// Rows of one time that turn by more are a jump, and no row that was written twice [rad].
+constexpr double jump = 5.0 / degrees;
 
 /// Rows that stand after a row of later time.
 std::size_t late_rows(const std::vector<Decimal>& times) {
@@ -98,13 +100,18 @@ bool KeyRows::is_zero_stamp() const {
 
 /// What is wrong with the row whose time does not rise.
 Error KeyRows::out_of_order() const {
-  const auto& [time, text, line, after] = *unrising_;
+  const auto& [time, text, line, after, turn] = *unrising_;
   const Where where{file_.path, line, std::nullopt, taken_ + file_.data.times.size()};
   const auto error = [&where](std::string_view remedy, std::string message) {
     return mended_by(remedy, std::move(message), where).value();
   };
+  const std::string leap =
+      saw_leap_second_ ? "; the leap second 23:59:60 is not counted, so that its times come twice" : "";
   if (time == latest_) {
-    const std::string same = duplicate_time(text, latest_line_);
+    const std::string same = duplicate_time(text, latest_line_) + leap;
+    if (turn > jump)
+      return error("session", formatted("{}: the orientation jumps there by {:.3g}°, and a second recording begins",
+                                        same, turn * degrees));
     if (!repeat_in_runs(time, after)) return error("drop_duplicates", same);
     return error("columns", same +
                                 ": the stamps repeat in runs, since they are coarser than the rows; if another column "
@@ -119,12 +126,21 @@ Error KeyRows::out_of_order() const {
     return error("drop_invalid",
                  formatted("time {} comes after {}, wanted increasing times: 0 is an invalid time stamp there", text,
                            latest_.to_string()));
-  return falling_time(text, latest_, begins, where).value();
+  Error error_of_order = falling_time(text, latest_, begins, where).value();
+  error_of_order.message += leap;
+  return error_of_order;
+}
+
+/// From the latest key [rad]; 0 where one of both is no rotation.
+double KeyRows::turn_to(const Pose& pose) const {
+  if (!latest_pose_ || pose.orientation.coeffs().isZero(0.0) || latest_pose_->orientation.coeffs().isZero(0.0))
+    return 0.0;
+  return angular_distance(pose.orientation.normalized(), latest_pose_->orientation.normalized());
 }
 
 void KeyRows::note_duplicate(const Pose& dropped) {
   if (!latest_pose_ || dropped.orientation.coeffs().isZero(0.0)) return;
-  const double turn = angular_distance(dropped.orientation.normalized(), latest_pose_->orientation.normalized());
+  const double turn = turn_to(dropped);
   const double distance = columns_.position ? (dropped.position - latest_pose_->position).norm() : 0.0;
   if (turn > same_turn || distance > same_place) ++differing_duplicates_;
   RepairReport& repairs = file_.repairs;
@@ -149,15 +165,26 @@ void KeyRows::warn_of_duplicates() {
                    {"largest_m", repairs.largest_duplicate_distance}}});
 }
 
-std::size_t KeyRows::sessions() const { return session_starts(times_).size(); }
+/// The first rows of the recordings among which one may be chosen: those that go back, and those that jump.
+std::vector<std::size_t> KeyRows::recordings() const {
+  std::vector<std::size_t> starts = session_starts(times_);
+  const auto& q = file_.data.orientations;
+  for (std::size_t i = 1; i < times_.size(); ++i)
+    if (times_[i] == times_[i - 1] && !q[i].coeffs().isZero(0.0) && !q[i - 1].coeffs().isZero(0.0) &&
+        angular_distance(q[i].normalized(), q[i - 1].normalized()) > jump)
+      starts.push_back(i);
+  std::ranges::sort(starts);
+  starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
+  return starts;
+}
 
 /// The rows that are read, in the order of the file. Errors: a recording that there is not; recordings that sorting
 /// would mix, a time of 0 that it would bring to the front.
 Expected<std::vector<std::uint32_t>> KeyRows::chosen_rows() {
-  std::vector<std::size_t> starts = session_starts(times_);
+  std::vector<std::size_t> starts = options_.session ? recordings() : session_starts(times_);
   const std::size_t session = options_.session.value_or(1);
   if (session > starts.size() || session == all_sessions) return no_such_session(session, starts.size());
-  if (!options_.session && would_interleave(times_, starts))
+  if (!options_.session && !may_be_sorted(times_.size(), starts.size()))
     return mixed_sessions(starts.size(), {.file = file_.path, .line = file_.lines[starts[1]]});
   starts.push_back(times_.size());
   const std::size_t first = options_.session ? starts[session - 1] : 0;
@@ -201,6 +228,7 @@ Expected<void> KeyRows::arrange() {
     if (!appended) return tl::unexpected(appended.error());
     if (unrising_) {
       unrising_->after = times_from(times_, std::span(*rows).subspan(i + 1));
+      unrising_->turn = turn_to(pose_at(row));
       return tl::unexpected(out_of_order());
     }
     if (*appended) {

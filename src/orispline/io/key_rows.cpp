@@ -85,6 +85,11 @@ KeyRows::KeyRows(std::string path, const FormatInfo& format, KeyColumns columns,
   file_.path = std::move(path);
   file_.format = &format;
   file_.ignored_columns = columns_.ignored;
+  if (!columns_.commented_header.empty())
+    file_.warnings.push_back({.code = "commented_header",
+                              .message = formatted("the columns are named by a comment, {}, since no row names them",
+                                                   in_quotes(columns_.commented_header)),
+                              .where = {.file = file_.path}});
   // A set of rows has no clock; and of a pose turned back the position needs the orientation.
   may_be_parts_ = !options_.count_rows && !options_.inverse_poses;
   if (!options_.count_rows) return;
@@ -119,7 +124,7 @@ Expected<void> KeyRows::add(const TextTable& table) {
     ++file_.repairs.invalid_dropped;
     return {};
   }
-  if (auto settled = settle_clock(table); !settled) return refused(std::move(settled.error()));
+  if (auto settled = settle_clock(key, table); !settled) return refused(std::move(settled.error()));
   if (!key.is_posed) {
     if (auto added = add_unposed(key, table); !added) return refused(std::move(added.error()));
     return {};
@@ -150,7 +155,8 @@ Expected<void> KeyRows::append(const KeyRow& key, const Place& place) {
     const auto appended = append_time(key.time, place.time, place.line);
     if (!appended) return tl::unexpected(appended.error());
     if (!*appended) {
-      if (!unrising_) note_duplicate(pose);
+      if (unrising_) unrising_->turn = turn_to(pose);
+      else note_duplicate(pose);
       return {};
     }
     latest_pose_ = pose;
@@ -253,7 +259,7 @@ Expected<void> KeyRows::append_between(const KeyRow& key, const Place& place) {
 
 /// Keeps a row with an orientation or a position only, until it is known whether that is so of all rows.
 Expected<void> KeyRows::add_part(KeyRow key, Error missing, const TextTable& table) {
-  if (auto settled = settle_clock(table); !settled) return refused(std::move(settled.error()));
+  if (auto settled = settle_clock(key, table); !settled) return refused(std::move(settled.error()));
   const Place place = place_of(table);
   parts_.push_back({std::move(key),
                     std::move(missing),
@@ -322,8 +328,8 @@ Expected<Eigen::Quaterniond> KeyRows::normalised(Eigen::Quaterniond q, std::size
   return q;
 }
 
-/// Times of ISO 8601 are seconds, and a file has them in all rows or in none.
-Expected<void> KeyRows::settle_clock(const TextTable& table) {
+/// Times of ISO 8601 are seconds, and a file has them in all rows or in none. A clock that comes round is counted on.
+Expected<void> KeyRows::settle_clock(KeyRow& key, const TextTable& table) {
   if (columns_.counts_rows) return {};
   const std::string_view cell = table.cells()[columns_.time];
   const bool is_iso = looks_like_iso_time(cell);
@@ -339,6 +345,16 @@ Expected<void> KeyRows::settle_clock(const TextTable& table) {
     columns_.states_time_unit = true;
   }
   has_iso_times_ = is_iso;
+  saw_leap_second_ = saw_leap_second_ || (is_iso && cell.find(":60") != std::string_view::npos);
+  const auto& round = options_.clock.round;
+  if (!round) return {};
+  if (is_iso) return bad_option("unwrap", formatted("found {}, wanted a counter that comes round", in_quotes(cell)));
+  settle_time_unit(key.time);
+  if (!round_clock_)
+    round_clock_.emplace(round->is_in_seconds ? columns_.time_unit.inverse().of(round->length) : round->length);
+  auto counted = round_clock_->counted_on(key.time);
+  if (!counted) return failure(ErrorCode::bad_data, std::move(counted.error().message), table.here(columns_.time));
+  key.time = *counted;
   return {};
 }
 
@@ -380,6 +396,8 @@ Expected<void> KeyRows::complete() {
     return failure(ErrorCode::bad_data, "empty: no keys" + reason, {.file = file_.path});
   }
   turns_.finish();
+  if (round_clock_)
+    if (auto checked = round_clock_->check_came_round(); !checked) return checked;
   if (needs_all())
     if (auto arranged = arrange(); !arranged) return arranged;
   if (auto ordered = put_in_order(file_.unposed, options_, file_.path); !ordered) return ordered;

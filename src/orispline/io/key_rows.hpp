@@ -10,6 +10,7 @@
 
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/key_file.hpp>
+#include <orispline/io/round_clock.hpp>
 #include <orispline/io/row_reader.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
@@ -35,11 +36,11 @@ class KeyRows {
   /// Keys that are gathered.
   [[nodiscard]] std::size_t size() const noexcept { return file_.lines.size(); }
   /// Whether all rows must be there before any of them is a key.
-  [[nodiscard]] bool needs_all() const noexcept { return options_.sort || options_.session; }
+  [[nodiscard]] bool needs_all() const noexcept { return options_.sort || options_.session || options_.clock.round; }
   /// Whether the rows, of which there are no more, have orientations and positions at different times.
   [[nodiscard]] bool are_two_tracks() const noexcept { return !file_.positions_apart.is_empty(); }
   /// Recordings in the rows of one that needs all.
-  [[nodiscard]] std::size_t sessions() const;
+  [[nodiscard]] std::size_t sessions() const { return recordings().size(); }
   [[nodiscard]] const KeyColumns& columns() const noexcept { return columns_; }
 
  private:
@@ -63,6 +64,7 @@ class KeyRows {
     std::string text;
     std::size_t line = 0;
     std::vector<Decimal> after{};
+    double turn = 0.0;  // [rad] from the row before
   };
   struct Pose {
     Eigen::Quaterniond orientation;
@@ -86,7 +88,7 @@ class KeyRows {
   [[nodiscard]] Expected<void> add_unposed(const KeyRow& key, const TextTable& table);
   [[nodiscard]] Expected<Eigen::Quaterniond> normalised(Eigen::Quaterniond q, std::size_t line,
                                                         std::optional<std::size_t> column);
-  [[nodiscard]] Expected<void> settle_clock(const TextTable& table);
+  [[nodiscard]] Expected<void> settle_clock(KeyRow& key, const TextTable& table);
   void settle_time_unit(const Decimal& first);
   void warn_of_long_steps();
 
@@ -95,8 +97,10 @@ class KeyRows {
   [[nodiscard]] Expected<bool> append_time(const Decimal& time, std::string_view text, std::size_t line);
   [[nodiscard]] Error out_of_order() const;
   [[nodiscard]] bool is_zero_stamp() const;
+  [[nodiscard]] double turn_to(const Pose& pose) const;
   void note_duplicate(const Pose& dropped);
   void warn_of_duplicates();
+  [[nodiscard]] std::vector<std::size_t> recordings() const;
   [[nodiscard]] Expected<std::vector<std::uint32_t>> chosen_rows();
   [[nodiscard]] Expected<void> arrange();
   void choose_unposed(std::size_t first, std::size_t end);
@@ -105,6 +109,8 @@ class KeyRows {
   ReadOptions options_;
   NewFrames frames_;
   KeyFile file_;
+  std::optional<RoundClock> round_clock_{};
+  bool saw_leap_second_ = false;
   std::optional<bool> has_iso_times_{};  // unknown before the first row
   bool unit_is_assumed_ = false;         // seconds, since nothing tells
   bool looked_at_steps_ = false;

@@ -15,7 +15,10 @@ std::string duplicate_time(std::string_view time, std::size_t earlier_line) {
 tl::unexpected<Error> falling_time(std::string_view time, const Decimal& before, bool begins, Where where) {
   const std::string later = formatted("time {} comes after {}", time, before.to_string());
   if (!begins) return mended_by("sort", later + ", wanted increasing times", std::move(where));
-  return mended_by("session", later + ", and the rows go on from there: a second recording begins, wanted one",
+  return mended_by("session",
+                   later +
+                       ", and the rows go on from there: a second recording begins, wanted one, or "
+                       "`unwrap` if the clock came round",
                    std::move(where));
 }
 
@@ -29,7 +32,7 @@ tl::unexpected<Error> no_such_session(std::size_t session, std::size_t count) {
 tl::unexpected<Error> mixed_sessions(std::size_t count, Where second) {
   return mended_by("session",
                    formatted("found {} recordings one behind the other, the second from here on, which sorting would "
-                             "mix; wanted one of them",
+                             "mix; wanted one of them, or `unwrap` if the clock came round",
                              count),
                    std::move(second));
 }

@@ -20,6 +20,13 @@ constexpr std::array other_kinds{
               "they have, such as 't qx qy qz qw'"},
     OtherKind{"CCSDS_OEM_VERS", "an orbit ephemeris (OEM) of CCSDS, which holds no orientations and is not read",
               "the attitude is in another file"},
+    OtherKind{
+        "Trajectories", "an export of Vicon, whose rows stand below several headers and which is not read as it is",
+        "keep the line that begins with Frame and the rows of numbers below it, without that of units, and read these "
+        "with `fps` and `columns` t=Frame,rx_rad=RX,ry_rad=RY,rz_rad=RZ, or rx_deg if the angles are in degrees"},
+    OtherKind{"Type Orientations",
+              "a file of orientations (.ori) of MEGAlib, which holds directions of axes and is not read",
+              "make a rotation of the directions of its x and z axes, and write rows below a header, t,qw,qx,qy,qz"},
     OtherKind{"HIERARCHY", "a BVH file, which is not read as rows",
               "it is read with `input_format` bvh, or without that option under a name that ends in .bvh"},
     OtherKind{"glTF", "a glTF file, which is not read as rows",
@@ -36,9 +43,9 @@ constexpr std::array other_kinds{
 
 }  // namespace
 
-std::optional<std::string> other_kind(std::string_view first_cell) {
+std::optional<std::string> other_kind(std::string_view first_row) {
   const auto found =
-      std::ranges::find_if(other_kinds, [&](const OtherKind& kind) { return first_cell.starts_with(kind.beginning); });
+      std::ranges::find_if(other_kinds, [&](const OtherKind& kind) { return first_row.starts_with(kind.beginning); });
   if (found == other_kinds.end()) return std::nullopt;
   return formatted("found {}; {}", found->name, found->cure);
 }

@@ -9,8 +9,8 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
-/// What to say of a file that begins with this cell and is of a kind which people have keys in, but which is not read:
+/// What to say of a file that begins with this row and is of a kind which people have keys in, but which is not read:
 /// what it is, and how its keys become a table. Absent for all else.
-[[nodiscard]] std::optional<std::string> other_kind(std::string_view first_cell);
+[[nodiscard]] std::optional<std::string> other_kind(std::string_view first_row);
 
 }}}  // namespace orispline::io

@@ -8,6 +8,7 @@
 #include <orispline/base/quoted.hpp>
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/rates_order.hpp>
+#include <orispline/io/round_clock.hpp>
 #include <orispline/io/text_row.hpp>
 #include <orispline/io/text_table.hpp>
 #include <orispline/io/time_cells.hpp>
@@ -73,12 +74,17 @@ Expected<RateRows> read_rates(KeyInput input, const ReadOptions& options) {
   if (!time) return tl::unexpected(std::move(time.error()));
   const NewFrames frames(options.frames);
   RateRows rows;
+  std::optional<RoundClock> clock;
   for (more = table.next(); more && *more; more = table.next()) {
     const auto rate = rate_of(table, *columns);
     if (!rate) return tl::unexpected(rate.error());
     if (!rate->allFinite()) continue;
-    const auto t = time_of(table, *time, options.clock, rows.warnings);
-    if (!t) return tl::unexpected(t.error());
+    auto t = time_of(table, *time, options.clock, rows.warnings);
+    if (const auto& round = options.clock.round; round && !clock)
+      clock.emplace(round->is_in_seconds ? round->length : time->unit.time_of(round->length));
+    if (!t) return tl::unexpected(std::move(t.error()));
+    if (clock) t = clock->counted_on(*t);
+    if (!t) return failure(t.error().code, std::move(t.error().message), table.here(time->index));
     rows.exact_times.push_back(*t);
     rows.rates.push_back(frames.body_rate(*rate));
     rows.lines.push_back(static_cast<std::uint32_t>(table.line()));

@@ -47,7 +47,7 @@ Expected<void> choose_session(RateRows& rows, const ReadOptions& options, const 
   std::vector<std::size_t> starts = session_starts(rows.exact_times);
   if (starts.size() == 1) return {};
   if (!options.session) {
-    if (!options.sort || !would_interleave(rows.exact_times, starts)) return {};
+    if (!options.sort || may_be_sorted(rows.exact_times.size(), starts.size())) return {};
     return mixed_sessions(starts.size(), {.file = path, .line = rows.lines[starts[1]]});
   }
   const std::size_t session = *options.session;

@@ -9,6 +9,7 @@
 #include <orispline/io/clock.hpp>
 #include <orispline/io/file_option_words.hpp>
 #include <orispline/io/rotation_value.hpp>
+#include <orispline/io/round_clock.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
@@ -37,6 +38,12 @@ Expected<void> take_epoch(Reading& reading, std::string_view text) {
   if (!instant) return not_wanted("epoch", text, "a time of ISO 8601 such as 2024-02-29T12:30:00Z");
   reading.options.clock.zero = *instant;
   return {};
+}
+
+Expected<void> take_unwrap(Reading& reading, std::string_view text) {
+  reading.options.clock.round = clock_round_of(text);
+  if (reading.options.clock.round) return {};
+  return not_wanted("unwrap", text, "week, day, or a counter such as 24bit*1us, int16 or uint32");
 }
 
 template <AxesOf Whose>
@@ -159,6 +166,13 @@ const std::array reading_list{
                   .sentence = "Date that counts as 0 s, if the times are dates of ISO 8601 [1970-01-01T00:00:00Z]",
                   .argument = [] { return std::string("TIME"); },
                   .take = take_epoch},
+    ReadingOption{.name = "unwrap",
+                  .sentence = "Count on where the clock comes round: after a week, a day, or all numbers of a counter "
+                              "such as 24bit*1us, or int16 in units of the column",
+                  .argument = [] { return std::string("ROUND"); },
+                  .take = take_unwrap,
+                  .member = "unwrap",
+                  .use = "counts on where the clock comes round"},
     ReadingOption{.name = "clip",
                   .sentence = "Clip of a file of skeletons, by its name [all of them]",
                   .argument = [] { return std::string("NAME"); },

@@ -12,11 +12,18 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 namespace {
 
-/// Suffix of time columns: value · 10^exponent is in seconds.
+/// Suffix of time columns: value · factor · 10^exponent is in seconds.
 struct TimeSuffix {
   std::string_view suffix;
   int exponent = 0;
+  double factor = 1.0;
+
+  [[nodiscard]] TimeUnit unit() const {
+    return {Decimal::from_double(factor) * Decimal::power_of_ten(exponent), !suffix.empty()};
+  }
 };
+
+constexpr double week = 604800.0;
 
 constexpr std::array<std::string_view, 4> time_names{time_name, "time", "timestamp", "stamp"};
 constexpr std::array suffixes{TimeSuffix{""},           TimeSuffix{"_s"},           TimeSuffix{"_sec"},
@@ -28,6 +35,9 @@ constexpr std::array suffixes{TimeSuffix{""},           TimeSuffix{"_s"},       
 constexpr std::array bare_units{TimeSuffix{"sec"},       TimeSuffix{"secs"},       TimeSuffix{"seconds"},
                                 TimeSuffix{"msec", -3},  TimeSuffix{"usec", -6},   TimeSuffix{"nsec", -9},
                                 TimeSuffix{"nsecs", -9}, TimeSuffix{"nanosec", -9}};
+/// Parts of the time that satellites give, which names that a caller states may end in.
+constexpr std::array parts_of_time{TimeSuffix{"week", 0, week}, TimeSuffix{"weeks", 0, week}, TimeSuffix{"tow"},
+                                   TimeSuffix{"itow", -3}};
 
 constexpr std::array<std::string_view, 2> frame_names{"frame", "frames"};
 
@@ -44,9 +54,14 @@ constexpr std::array sizes{SizeOfTime{17, -9, "nanoseconds"}, SizeOfTime{14, -6,
 
 TimeUnit time_unit_at_end_of(std::string_view name) {
   for (const TimeSuffix& bare : bare_units)
-    if (name == bare.suffix) return {Decimal::power_of_ten(bare.exponent), true};
-  const TimeSuffix unit = unit_of<TimeSuffix>(name, suffixes);
-  return {Decimal::power_of_ten(unit.exponent), !unit.suffix.empty()};
+    if (name == bare.suffix) return bare.unit();
+  const TimeSuffix stated = unit_of<TimeSuffix>(name, suffixes);
+  if (!stated.suffix.empty()) return stated.unit();
+  for (const TimeSuffix& part : parts_of_time)
+    if (name.ends_with(part.suffix) &&
+        (name.size() == part.suffix.size() || name[name.size() - part.suffix.size() - 1] == '_'))
+      return part.unit();
+  return stated.unit();
 }
 
 std::optional<TimeUnit> time_unit_of(std::string_view name) {

@@ -10,10 +10,6 @@ namespace {
 /// Shuffled rows begin anew again and again.
 constexpr std::size_t many_sessions = 8, rows_of_shuffled = 16;
 
-struct Span {
-  Decimal first, last;
-};
-
 }  // namespace
 
 TimeOrder::Row TimeOrder::add(const Decimal& time) {
@@ -40,17 +36,8 @@ std::vector<std::size_t> session_starts(std::span<const Decimal> times) {
   return starts;
 }
 
-bool would_interleave(std::span<const Decimal> times, std::span<const std::size_t> starts) {
-  if (starts.size() > many_sessions && times.size() < rows_of_shuffled * starts.size()) return false;
-  std::vector<Span> spans;
-  for (std::size_t k = 0; k < starts.size(); ++k) {
-    const auto rows = times.subspan(starts[k], (k + 1 < starts.size() ? starts[k + 1] : times.size()) - starts[k]);
-    const auto [first, last] = std::ranges::minmax_element(rows);
-    spans.push_back({*first, *last});
-  }
-  std::ranges::sort(spans, {}, &Span::first);
-  return std::ranges::adjacent_find(spans, [](const Span& one, const Span& next) { return next.first < one.last; }) !=
-         spans.end();
+bool may_be_sorted(std::size_t rows, std::size_t sessions) noexcept {
+  return sessions == 1 || (sessions > many_sessions && rows < rows_of_shuffled * sessions);
 }
 
 bool is_far_from_zero(const Decimal& first, const Decimal& last, std::size_t count) {

@@ -35,10 +35,9 @@ class ORISPLINE_EXPORT TimeOrder {
 /// The first row of each recording.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<std::size_t> session_starts(std::span<const Decimal> times);
 
-/// Whether recordings overlap in time, so that sorting would mix their rows. Rows in such disorder that hardly three
-/// rise in succession are none.
-[[nodiscard]] ORISPLINE_EXPORT bool would_interleave(std::span<const Decimal> times,
-                                                     std::span<const std::size_t> starts);
+/// Whether so many rows that begin anew so often may be sorted: they are one recording, or in such disorder that hardly
+/// three rise in succession. Else sorting mixes recordings, or puts what a clock counts after it came round first.
+[[nodiscard]] ORISPLINE_EXPORT bool may_be_sorted(std::size_t rows, std::size_t sessions) noexcept;
 
 /// Whether a single time of 0 behind so many others, which go from the first to the last, is none of theirs: 0 was
 /// there before, or is many of their steps away.

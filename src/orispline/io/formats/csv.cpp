@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tables with named columns, or with a stated order of them.
+#include <algorithm>
+#include <optional>
+
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/file_format.hpp>
 #include <orispline/io/format_choice.hpp>
@@ -21,9 +24,9 @@ RateReading rate_reading(const ReadOptions& options) {
   return {.orders = options.rate_orders, .world = options.world_rates};
 }
 
-Expected<TableLayout> layout_of_header(const TextTable& table, const ReadOptions& options) {
-  if (options.order)
-    return misplaced(table, "order", "found a header, which states the order of the columns, wanted CSV without one");
+using Cells = std::span<const std::string_view>;
+
+Expected<TableLayout> layout_of_names(const TextTable& table, Cells header, const ReadOptions& options) {
   const HeaderReading reading{.names = options.columns,
                               .parameters = options.parameters,
                               .rates = rate_reading(options),
@@ -31,11 +34,53 @@ Expected<TableLayout> layout_of_header(const TextTable& table, const ReadOptions
                               .orientation = options.orientation,
                               .count_rows = options.count_rows,
                               .positions = !options.no_positions};
-  return located(table, columns_of_header(table.cells(), reading)).map([&](KeyColumns columns) {
-    std::vector<std::string> names(table.cells().begin(), table.cells().end());
+  return located(table, columns_of_header(header, reading)).map([&](KeyColumns columns) {
+    std::vector<std::string> names(header.begin(), header.end());
     names.resize(columns.width);
     return TableLayout{std::move(columns), std::move(names), TableLayout::FirstRow::header};
   });
+}
+
+Expected<TableLayout> layout_of_header(const TextTable& table, const ReadOptions& options) {
+  if (options.order)
+    return misplaced(table, "order", "found a header, which states the order of the columns, wanted CSV without one");
+  return layout_of_names(table, table.cells(), options);
+}
+
+/// The cells of a comment before the first row, `# t,qw,…` or `#HEADER: "t", …`, if it has as many as the row.
+std::vector<std::string_view> cells_of_comment(const TextTable& table) {
+  constexpr std::string_view blanks = " \t", label = "HEADER:";
+  std::string_view text = table.comment();
+  const auto skip = [&text](std::string_view any) {
+    text.remove_prefix(std::min(text.find_first_not_of(any), text.size()));
+  };
+  skip("# \t");
+  if (text.starts_with(label)) text.remove_prefix(label.size());
+  const Delimiter delimiter = delimiter_of(text);
+  const std::string_view between = delimiter == Delimiter::comma       ? ","
+                                   : delimiter == Delimiter::semicolon ? ";"
+                                   : delimiter == Delimiter::tab       ? "\t"
+                                                                       : blanks;
+  std::vector<std::string_view> cells;
+  for (skip(blanks); !text.empty(); skip(blanks)) {
+    const std::string_view whole = text.substr(0, text.find_first_of(between));
+    text.remove_prefix(std::min(whole.size() + 1, text.size()));
+    const std::size_t begin = std::min(whole.find_first_not_of(" \t\""), whole.size());
+    cells.push_back(whole.substr(begin, whole.find_last_not_of(" \t\"") + 1 - begin));
+  }
+  return cells.size() == width_of(table.cells()) ? cells : std::vector<std::string_view>();
+}
+
+/// By a comment that names the columns; nothing where it is other text.
+std::optional<Expected<TableLayout>> layout_of_comment(const TextTable& table, const ReadOptions& options) {
+  const std::vector<std::string_view> cells = cells_of_comment(table);
+  if (cells.empty() || !is_header(cells)) return std::nullopt;
+  auto found = layout_of_names(table, cells, options);
+  if (!found && (found.error().remedy.empty() || found.error().remedy == "columns")) return std::nullopt;
+  if (!found) return found;
+  found->first_row = TableLayout::FirstRow::key;
+  found->columns.commented_header = table.comment();
+  return found;
 }
 
 /// No header and no order: another format may be meant.
@@ -49,6 +94,8 @@ tl::unexpected<Error> no_header(const TextTable& table, const ReadOptions& optio
 }
 
 Expected<TableLayout> layout_of_order(const TextTable& table, const ReadOptions& options) {
+  if (!options.order)
+    if (auto found = layout_of_comment(table, options)) return std::move(*found);
   if (const auto option = header_option(options))
     return misplaced(table, *option, "found no header, wanted one that names the columns");
   if (!options.order) return no_header(table, options);
