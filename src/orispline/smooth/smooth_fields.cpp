@@ -44,6 +44,10 @@ template <auto Member>
 std::optional<double> correlated(const Smoothing& smoothing) {
   return smoothing.correlated_noise ? std::optional((*smoothing.correlated_noise).*Member) : std::nullopt;
 }
+template <auto Member>
+std::optional<double> hidden(const Smoothing& smoothing) {
+  return smoothing.hidden_noise ? std::optional((*smoothing.hidden_noise).*Member) : std::nullopt;
+}
 
 /// Of the positions; nothing without any.
 template <auto Member>
@@ -90,6 +94,13 @@ std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept {
                                     .sentence = "Standard deviation of the noise of the orientations, per axis",
                                     .quantity = &quantities::angle,
                                     .range = {least_noise, largest_noise}}),
+      field<&SmoothOptions::noise_time>(
+          {.name = "noise_time",
+           .sentence = "The time within which the correlation of the noise of the orientations falls to 1/e",
+           .quantity = &quantities::duration,
+           .range = positive,
+           .example = "50ms",
+           .absent = "the noise is taken for white, or found with a gyro"}),
       field<&SmoothOptions::smoothing_time>({.name = "smoothing_time",
                                              .sentence = "Smoothing time tau; a longer one smooths more",
                                              .quantity = &quantities::time,
@@ -237,10 +248,20 @@ constexpr std::array of_orientations{
         {.name = "correlated_noise",
          .sentence = "Standard deviation of the correlated part of the noise of the orientations, per axis",
          .quantity = &quantities::angle,
-         .absent = "without a gyro that counts, or where the noise is white"}),
+         .absent = "where the noise is white, or taken for it"}),
     field<&correlated<&Smoothing::CorrelatedNoise::time>>(
         {.name = "correlation_time",
          .sentence = "The time within which the correlation of this part falls to 1/e",
+         .quantity = &quantities::time,
+         .absent = "where there is none"}),
+    field<&hidden<&Smoothing::CorrelatedNoise::sigma>>(
+        {.name = "hidden_noise",
+         .sentence = "Standard deviation per axis up to which noise that correlates could be hidden in the motion",
+         .quantity = &quantities::angle,
+         .absent = "where the noise is stated, or a gyro tells it"}),
+    field<&hidden<&Smoothing::CorrelatedNoise::time>>(
+        {.name = "hidden_noise_time",
+         .sentence = "The time within which the correlation of such noise would fall to 1/e",
          .quantity = &quantities::time,
          .absent = "where there is none"}),
     field<&risk<&GyroFinding::Risk::with>>(
