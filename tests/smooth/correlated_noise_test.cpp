@@ -67,8 +67,10 @@ TEST(CorrelatedNoise, OfSeveralTracksIsFoundAndWhiteNoiseIsNot) {
       tracks.push_back(Keyframes::make(recorded_with(time, seed).noisy).value());
     const auto found = shared_noise_time(tracks, 1);
     ASSERT_EQ(found.has_value(), time > 0.0);
-    if (found) EXPECT_NEAR(std::log(*found / time), 0.0, std::log(2.0));
     EXPECT_FALSE(shared_noise_time(std::span(tracks).first(1), 1)) << "one track does not tell";
+    if (!found) continue;
+    EXPECT_LT(*found, 1.5 * time);
+    EXPECT_GT(*found, 0.4 * time);
   }
 }
 
