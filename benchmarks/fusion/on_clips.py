@@ -62,8 +62,15 @@ def noise(rng, count, kept):
 
 
 def error(rotations, truth):
-    """[°]"""
-    return np.degrees(np.sqrt(np.mean([(a.inv() * b).magnitude() ** 2 for a, b in zip(rotations, truth)])))
+    """[°], without frames in which a marker of the clip itself is a fault."""
+    squares = [((a.inv() * b).magnitude() ** 2)[sound(b)] for a, b in zip(rotations, truth)]
+    return np.degrees(np.sqrt(np.mean(np.concatenate(squares))))
+
+
+def sound(truth):
+    """Whether every frame is within 10° of both beside it, or of the one."""
+    steps = np.r_[np.inf, (truth[:-1].inv() * truth[1:]).magnitude(), np.inf]
+    return np.minimum(steps[:-1], steps[1:]) < np.radians(10.0)
 
 
 def filtered(rotations, cutoff, interval):

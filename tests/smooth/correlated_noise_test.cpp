@@ -45,7 +45,7 @@ TEST(CorrelatedNoise, IsAsLargeAsItIsSaidThatItCouldBe) {
   const Recording recording = recorded_with(0.1, 5);
   const Smoothing plain = smoothed(recording.noisy, {});
   ASSERT_TRUE(plain.hidden_noise);
-  EXPECT_DOUBLE_EQ(plain.hidden_noise->time, 0.1);
+  EXPECT_NEAR(plain.hidden_noise->time, 0.1, 1e-9);
   EXPECT_LT(plain.noise, 0.6 * sigma) << "it looks like motion";
   EXPECT_NEAR(plain.hidden_noise->sigma / sigma, 1.0, 0.2);
   EXPECT_FALSE(smoothed(recording.noisy, {.noise = sigma}).hidden_noise) << "it is stated";
@@ -70,7 +70,7 @@ TEST(CorrelatedNoise, OfSeveralTracksIsFoundAndWhiteNoiseIsNot) {
     EXPECT_FALSE(shared_noise_time(std::span(tracks).first(1), 1)) << "one track does not tell";
     if (!found) continue;
     EXPECT_LT(*found, 1.5 * time);
-    EXPECT_GT(*found, 0.4 * time);
+    EXPECT_GT(*found, 0.3 * time) << "rather too short than too long";
   }
 }
 
