@@ -42,16 +42,15 @@ double restricted_likelihood(const StretchProblems& stretches, const StretchFits
   for (std::size_t i = 0; i < stretches.size(); ++i) {
     const auto segments = static_cast<double>(stretches[i].size() - 1);
     cost += fits.fits[i].cost;
-    sum += log_determinant(stretches[i], objective, fits.fits[i].nodes) -
+    sum += fits.fits[i].cost + log_determinant(stretches[i], objective, fits.fits[i].nodes) -
            3.0 * order_of(objective.penalty) * segments * natural_logarithm(objective.lambda);
     if (objective.bias == SmoothingObjective::Bias::drifting)
       sum += 6.0 * segments * natural_logarithm(objective.drift);
   }
-  if (!objective.finds_noise) return sum + cost;
-  const double freedom =
-      3.0 * (static_cast<double>(observations(stretches)) -
-             static_cast<double>(order_of(objective.penalty)) * static_cast<double>(stretches.size()));
-  return sum + std::max(3.0, freedom) * natural_logarithm(cost);
+  if (!objective.finds_noise) return sum;
+  const double of_lines = 3.0 * order_of(objective.penalty) * static_cast<double>(stretches.size());
+  const double freedom = std::max(3.0, 3.0 * static_cast<double>(observations(stretches)) - of_lines);
+  return sum - cost + freedom * natural_logarithm(cost);
 }
 
 /// Where the parabola through three equally spaced values has its minimum, in steps from the middle one.
