@@ -155,6 +155,8 @@ class Smoothing(Reported):
     gyro_clock_rate_sigma: float | None
     correlated_noise: float | None
     correlation_time: float | None
+    hidden_noise: float | None
+    hidden_noise_time: float | None
     error_with_gyro: float | None
     error_without_gyro: float | None
     rms_distance: float

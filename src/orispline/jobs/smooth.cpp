@@ -38,9 +38,18 @@ std::string source_line(const SmoothOutcome& outcome) {
   return line + "\n";
 }
 
-std::string noise_line(const Smoothing& smoothing) {
-  return formatted("noise           {:.4g}° per axis in the residuals; {:.4g}° between neighbours\n",
-                   smoothing.noise * degrees, smoothing.local_noise * degrees);
+std::string noise_lines(const Smoothing& smoothing) {
+  if (smoothing.correlated_noise && !smoothing.gyro)
+    return formatted("noise           {:.4g}° per axis, correlated over {:.3g} s; {:.4g}° between neighbours\n",
+                     smoothing.noise * degrees, smoothing.correlated_noise->time, smoothing.local_noise * degrees);
+  std::string text = formatted("noise           {:.4g}° per axis in the residuals; {:.4g}° between neighbours\n",
+                               smoothing.noise * degrees, smoothing.local_noise * degrees);
+  if (smoothing.hidden_noise)
+    text += formatted(
+        "  correlated    it would stay in the motion; up to {:.2g}° could be hidden there, if correlated over {:.2g} "
+        "s\n",
+        smoothing.hidden_noise->sigma * degrees, smoothing.hidden_noise->time);
+  return text;
 }
 
 std::string weights_line(const Smoothing& smoothing) {
@@ -238,7 +247,7 @@ Json document_of(const SmoothOutcome& outcome) {
 
 std::string summary_of(const SmoothOutcome& outcome) {
   const Smoothing& smoothing = outcome.smoothing;
-  return source_line(outcome) + choice_line(smoothing) + noise_line(smoothing) + weights_line(smoothing) +
+  return source_line(outcome) + choice_line(smoothing) + noise_lines(smoothing) + weights_line(smoothing) +
          distance_line(smoothing) + freedom_line(smoothing) + sigma_line(smoothing) + gyro_lines(outcome) +
          outlier_lines(outcome) + position_lines(outcome) + stretch_lines(outcome);
 }

@@ -55,9 +55,12 @@ struct GyroRates {
 
 /// How a recording is to be smoothed. What is absent is estimated from it.
 struct SmoothOptions {
-  std::optional<Penalty> penalty{};        ///< absent: the acceleration, or the jerk with a gyro that does not count
-                                           ///< turns, whose accelerations it carries on to an end without rates
-  std::optional<double> noise{};           ///< σ of the orientations per axis [rad], 1e-7 to 0.5
+  std::optional<Penalty> penalty{};    ///< absent: the acceleration, or the jerk with a gyro that does not count
+                                       ///< turns, whose accelerations it carries on to an end without rates
+  std::optional<double> noise{};       ///< σ of the orientations per axis [rad], 1e-7 to 0.5
+  std::optional<double> noise_time{};  ///< within which the correlation of the noise of the orientations falls to 1/e
+                                       ///< [s]; absent: white, or found with a gyro. Neither with one nor with
+                                       ///< `smoothing_time`
   std::optional<double> smoothing_time{};  ///< τ [s]; not together with `noise`. A thousandth of the median interval to
                                            ///< ten durations, for the jerk 5000 intervals
   Loss loss = Loss::robust;
@@ -194,12 +197,14 @@ struct ORISPLINE_EXPORT Smoothing {
   double lambda = 0.0;                      ///< weight of the penalty against |r|²/σ²
   double noise = 0.0;        ///< σ of the orientations per axis [rad], estimated from the residuals, or as stated
   double local_noise = 0.0;  ///< estimated from neighbouring samples [rad]
-  /// Beside a gyro the noise of the orientations may be correlated in part: σ per axis of a first-order Markov process
-  /// [rad], and the time within which it falls to 1/e [s].
+  /// The noise of the orientations may be correlated in part: σ per axis of a first-order Markov process [rad], and the
+  /// time within which its correlation falls to 1/e [s].
   struct CorrelatedNoise {
     double sigma, time;
   };
-  std::optional<CorrelatedNoise> correlated_noise{};
+  std::optional<CorrelatedNoise> correlated_noise{};  ///< as stated, or found with a gyro or over the joints of a clip
+  /// What could be hidden in the motion, where noise is taken for white and nothing but the motion could tell.
+  std::optional<CorrelatedNoise> hidden_noise{};
   /// σ of every sample of the recording per axis [rad], by which they are weighed: as stated, or where it was found to
   /// change; else empty. `noise` is then that of a usual sample.
   std::vector<double> noises{};

@@ -88,7 +88,7 @@ constexpr double farthest_alike = 10.0;    // a step this many times as long as 
 constexpr double smallest_share = 1e-4;    // of the step that Gauss and Newton propose
 
 /// Whether there is a gyro, what its bias is, and whether the noise of the orientations has a part that correlates.
-enum class Unknowns { of_motion, shared_bias, drifting_bias, drifting_bias_and_noise };
+enum class Unknowns { of_motion, motion_and_noise, shared_bias, drifting_bias, drifting_bias_and_noise };
 
 /// The iteration for a penalty of order P, with or without a gyro.
 template <int P, Unknowns Kind>
@@ -152,9 +152,10 @@ class Minimisation {
  private:
   using Element = SmoothingElement<P>;
   using Rates = typename Element::Rates;
-  static constexpr bool has_gyro = Kind != Unknowns::of_motion, shares = Kind == Unknowns::shared_bias,
-                        correlates = Kind == Unknowns::drifting_bias_and_noise,
-                        drifts = Kind == Unknowns::drifting_bias || correlates;
+  static constexpr bool shares = Kind == Unknowns::shared_bias,
+                        drifts = Kind == Unknowns::drifting_bias || Kind == Unknowns::drifting_bias_and_noise,
+                        correlates = Kind == Unknowns::motion_and_noise || Kind == Unknowns::drifting_bias_and_noise,
+                        has_gyro = shares || drifts;
   static constexpr int of_element = Element::unknowns, of_motion = of_element + (drifts ? 3 : 0);
   static constexpr int unknowns = of_motion + (correlates ? 3 : 0),
                        data_rows = 3 + (has_gyro ? 3 : 0) + (correlates ? 3 : 0), sides = shares ? 4 : 1;
@@ -281,8 +282,8 @@ class Minimisation {
     if constexpr (correlates) {
       low.template block<3, 3>(0, of_motion) = low.template topLeftCorner<3, 3>();
       if (i == 0) {
-        low.template block<3, 3>(6, of_motion).diagonal().setConstant(1.0 / objective_.correlated_noise);
-        low.template block<3, 1>(6, side) = -state_.noises[0] / objective_.correlated_noise;
+        low.template block<3, 3>(data_rows - 3, of_motion).diagonal().setConstant(1.0 / objective_.correlated_noise);
+        low.template block<3, 1>(data_rows - 3, side) = -state_.noises[0] / objective_.correlated_noise;
       }
     }
     if constexpr (has_gyro) {
@@ -449,6 +450,8 @@ template <class Use>
 auto with_minimisation(const SmoothingProblem& problem, const SmoothingObjective& objective, const SmoothedNodes* start,
                        Use use) {
   const auto of_order = [&]<int P>(std::integral_constant<int, P>) {
+    if (problem.gyro.empty() && objective.correlated_noise > 0.0)
+      return use(Minimisation<P, Unknowns::motion_and_noise>(problem, objective, start));
     if (problem.gyro.empty()) return use(Minimisation<P, Unknowns::of_motion>(problem, objective, start));
     if (objective.correlated_noise > 0.0)
       return use(Minimisation<P, Unknowns::drifting_bias_and_noise>(problem, objective, start));

@@ -51,9 +51,10 @@ struct SmoothingObjective {
   double threshold = 2.5;         ///< of the loss, in units of σ
   Bias bias = Bias::none;         ///< of the gyro
   double drift = 0.0;             ///< of a bias that drifts, above 0: σ per axis of its change in 1 s [rad/s]
-  double correlated_noise = 0.0;  ///< of orientations beside a gyro whose bias drifts: σ per axis of a first-order
-                                  ///< Markov part, beyond the white noise of the weights [rad]
-  double correlation_time = 0.0;  ///< within which that part falls to 1/e [s]
+  double correlated_noise = 0.0;  ///< of orientations, without a gyro or with one whose bias drifts: σ per axis of a
+                                  ///< first-order Markov part, beyond the white noise of the weights [rad]
+  double correlation_time = 0.0;  ///< within which the correlation of that part falls to 1/e [s]
+  bool finds_noise = false;       ///< for the restricted likelihood: all noises are known but for one common factor
   OpenEndedWork* work = nullptr;  ///< every step adds its times; the iteration ends early when it is stopped
 
   [[nodiscard]] bool stopped() const noexcept { return work && work->stopped(); }
