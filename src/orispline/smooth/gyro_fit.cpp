@@ -377,7 +377,7 @@ Expected<GyroFit> fit_with_gyro(const GyroPlan& given, const SmoothingSearch& wi
                               ? uncalibrated(poses, seen.alignment, gyro_noise * std::sqrt(interval))
                               : gyro_model(poses, plan.gyro, seen.counts, model_plan(plan, poses, seen.alignment));
   const GyroRates rates = calibrated(plan.gyro, model.calibration);
-  poses.noise = std::hypot(model.noises.white, model.noises.correlated);
+  poses.noise = model.noises.pose();
   const double offset_sigma = model.sigmas[calibration_columns::offset];
   auto fit = fitted(plan, poses,
                     {.rates = rates,

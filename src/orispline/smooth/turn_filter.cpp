@@ -28,6 +28,52 @@ struct States {
 template <int Sides>
 using Seen = Eigen::Matrix<double, 3, Sides>;
 
+/// Where the turn is open: the first orientation, of this variance beside what correlates, says what it is.
+template <States Of, class Covariance>
+void start(Covariance& covariance, const PathTurn& turn, double white, const GyroNoises& noises) {
+  const double correlated = noises.correlated * noises.correlated;
+  covariance.setZero();
+  covariance.template topLeftCorner<3, 3>().diagonal().setConstant(white + (Of.correlated ? correlated : 0.0));
+  if constexpr (Of.correlated) {
+    covariance.template bottomRightCorner<3, 3>().diagonal().setConstant(correlated);
+    covariance.template topRightCorner<3, 3>() = -correlated * turn.to_world;
+    covariance.template bottomLeftCorner<3, 3>() = -correlated * turn.to_world.transpose();
+  }
+}
+
+/// From the orientation before; returns what of the states an orientation sees.
+template <States Of, class State, class Covariance>
+Eigen::Matrix<double, 3, Of.size()> advance(State& state, Covariance& covariance, const PathTurn& turn,
+                                            const GyroNoises& noises) {
+  constexpr int n = Of.size();
+  const double h = turn.interval;
+  Eigen::Matrix<double, 3, n> sees = Eigen::Matrix<double, 3, n>::Zero();
+  sees.template leftCols<3>().setIdentity();
+  if constexpr (Of.drift) {
+    const double drift = noises.drift * noises.drift;
+    state.template topRows<3>() += turn.walked * state.template middleRows<3>(3);
+    covariance.template topRows<3>() += turn.walked * covariance.template middleRows<3>(3);
+    covariance.template leftCols<3>() += covariance.template middleCols<3>(3) * turn.walked.transpose();
+    covariance.template topLeftCorner<3, 3>().diagonal().array() += drift * h * h * h / 3.0;
+    covariance.template block<3, 3>(3, 3).diagonal().array() += drift * h;
+  }
+  if constexpr (Of.correlated) {
+    const double decay = exponential(-h / noises.correlation_time);
+    state.template bottomRows<3>() *= decay;
+    covariance.template bottomRows<3>() *= decay;
+    covariance.template rightCols<3>() *= decay;
+    covariance.template bottomRightCorner<3, 3>().diagonal().array() +=
+        noises.correlated * noises.correlated * (1.0 - decay * decay);
+    sees.template rightCols<3>() = turn.to_world;
+  }
+  if constexpr (Of.clock) {
+    covariance(n - 1, n - 1) += noises.clock * noises.clock * h;
+    sees.template rightCols<1>() = turn.slopes.col(columns::offset);
+  }
+  covariance.template topLeftCorner<3, 3>().diagonal().array() += noises.rate * noises.rate * h;
+  return sees;
+}
+
 /// A Kalman filter over turns, each seen with so many right-hand sides; calls `take(innovations, log_determinant)` with
 /// every innovation in units of its σ.
 template <States Of, int Sides, class See, class Take>
@@ -36,53 +82,23 @@ void filter(std::span<const PathTurn> turns, const GyroNoises& noises, See see, 
   using Covariance = Eigen::Matrix<double, n, n>;
   Eigen::Matrix<double, n, Sides> state = Eigen::Matrix<double, n, Sides>::Zero();
   Covariance covariance = Covariance::Zero();
-  const double correlated = noises.correlated * noises.correlated, drift = noises.drift * noises.drift,
-               clock = noises.clock * noises.clock;
   for (const PathTurn& turn : turns) {
     Seen<Sides> seen = see(turn);
-    const double white = noises.white * noises.white / turn.share, h = turn.interval;
-    if (turn.starts) {  // the turn is open: the first orientation says what it is
-      covariance.setZero();
-      covariance.template topLeftCorner<3, 3>().diagonal().setConstant(white + (Of.correlated ? correlated : 0.0));
-      if constexpr (Of.correlated) {
-        covariance.template bottomRightCorner<3, 3>().diagonal().setConstant(correlated);
-        covariance.template topRightCorner<3, 3>() = -correlated * turn.to_world;
-        covariance.template bottomLeftCorner<3, 3>() = -correlated * turn.to_world.transpose();
-      }
+    const double white = noises.white * noises.white / turn.share;
+    if (turn.starts) {
+      start<Of>(covariance, turn, white, noises);
       state.setZero();
       state.template topRows<3>() = seen;
       continue;
     }
-    const double fresh = noises.rate * noises.rate * h;
     if constexpr (n == 3) {  // the same of all axes
-      const double predicted = covariance(0, 0) + fresh, spread = predicted + white;
+      const double predicted = covariance(0, 0) + noises.rate * noises.rate * turn.interval, spread = predicted + white;
       seen -= state;
       state += predicted / spread * seen;
       covariance(0, 0) = predicted * white / spread;
       take(Seen<Sides>(seen / std::sqrt(spread)), 3.0 * natural_logarithm(spread));
     } else {
-      Eigen::Matrix<double, 3, n> sees = Eigen::Matrix<double, 3, n>::Zero();
-      sees.template leftCols<3>().setIdentity();
-      if constexpr (Of.drift) {
-        state.template topRows<3>() += turn.walked * state.template middleRows<3>(3);
-        covariance.template topRows<3>() += turn.walked * covariance.template middleRows<3>(3);
-        covariance.template leftCols<3>() += covariance.template middleCols<3>(3) * turn.walked.transpose();
-        covariance.template topLeftCorner<3, 3>().diagonal().array() += drift * h * h * h / 3.0;
-        covariance.template block<3, 3>(3, 3).diagonal().array() += drift * h;
-      }
-      if constexpr (Of.correlated) {
-        const double decay = exponential(-h / noises.correlation_time);
-        state.template bottomRows<3>() *= decay;
-        covariance.template bottomRows<3>() *= decay;
-        covariance.template rightCols<3>() *= decay;
-        covariance.template bottomRightCorner<3, 3>().diagonal().array() += correlated * (1.0 - decay * decay);
-        sees.template rightCols<3>() = turn.to_world;
-      }
-      if constexpr (Of.clock) {
-        covariance(n - 1, n - 1) += clock * h;
-        sees.template rightCols<1>() = turn.slopes.col(columns::offset);
-      }
-      covariance.template topLeftCorner<3, 3>().diagonal().array() += fresh;
+      const Eigen::Matrix<double, 3, n> sees = advance<Of>(state, covariance, turn, noises);
       const Eigen::Matrix<double, n, 3> cross = covariance * sees.transpose();
       Eigen::Matrix3d spread = sees * cross;
       spread.diagonal().array() += white;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -16,6 +17,8 @@ struct GyroNoises {
   double white = 0.0;       ///< of the orientations, per axis [rad]
   double correlated = 0.0;  ///< a first-order Markov part of the orientations' noise, per axis [rad]; 0: none
   double correlation_time = 0.0;  ///< within which that part falls to 1/e [s]
+
+  [[nodiscard]] double pose() const { return std::sqrt(white * white + correlated * correlated); }
 };
 
 /// What a Kalman filter leaves of turns: squares and products of its innovations in units of their σ, those of the
