@@ -109,6 +109,29 @@ TEST_P(TurnFilter, HasTheLikelihoodOfTheGaussian) {
   EXPECT_LT((innovations.products - products).norm(), 1e-9 * products.norm());
 }
 
+TEST_P(TurnFilter, LeavesWhatTheBestEstimateOfTheGaussianLeaves) {
+  if (GetParam().clock > 0.0) GTEST_SKIP() << "the clock keeps";
+  CalibrationMatrix wanted = CalibrationMatrix::Zero();
+  for (std::size_t first = 0, last = 0; first < turns.size(); first = last) {
+    for (last = first + 1; last < turns.size() && !turns[last].starts;) ++last;
+    const auto piece = std::span(turns).subspan(first, last - first);
+    const auto count = static_cast<Eigen::Index>(piece.size());
+    Eigen::MatrixXd slopes(3 * count, columns::count);
+    for (Eigen::Index k = 0; k < count; ++k) slopes.middleRows<3>(3 * k) = piece[static_cast<std::size_t>(k)].slopes;
+    const Eigen::MatrixXd all = effects(piece, GetParam()), constant = Eigen::Matrix3d::Identity().replicate(count, 1);
+    const Eigen::LLT<Eigen::MatrixXd> factor(all * all.transpose());
+    const Eigen::MatrixXd level =
+        (constant.transpose() * factor.solve(constant)).inverse() * constant.transpose() * factor.solve(slopes);
+    const Eigen::MatrixXd sources = all.transpose() * factor.solve(slopes - constant * level);
+    Eigen::MatrixXd estimate = constant * level;
+    for (Eigen::Index k = 0; k < count; ++k)  // noise of the rates and of the bias
+      estimate += all.middleCols(16 * k, 9) * sources.middleRows(16 * k, 9);
+    wanted += (slopes - estimate).transpose() * (slopes - estimate);
+  }
+  const CalibrationMatrix found = left_by_smoother(turns, GetParam());
+  EXPECT_LT((found - wanted).norm(), 1e-8 * wanted.norm());
+}
+
 /// Generalised least squares, what is expected being rows of their own.
 TEST_P(TurnFilter, HasTheEvidenceOfTheGaussian) {
   CalibrationUnknowns present;

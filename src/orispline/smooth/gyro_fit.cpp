@@ -214,7 +214,7 @@ void tell(const GyroModel& model, const Eigen::Matrix3d& mount, GyroFinding& fin
     finding.clock_rate = {.value = model.values[columns::clock_rate], .sigma = model.sigmas[columns::clock_rate]};
 }
 
-/// Sum of the variances of the orientations by the posterior of the fit.
+/// Sum of the variances of the orientations by the posterior of the fit, which takes the calibration for known.
 double posterior_variance(const GyroFit& fit) {
   const NodeSigmas sigmas = node_sigmas(fit.problems.front(), fit.objective, fit.fits.fits.front().nodes);
   double sum = 0.0;
@@ -278,8 +278,9 @@ GyroFinding::Doubt doubt_of(const GyroModel& model, bool reaches, bool is_clean,
 void judge(GyroFit& fit, const GyroModel& model, const SmoothingSearch& without, double noise,
            double local_rate_noise) {
   const auto count = static_cast<double>(fit.places.size());
-  const double posterior = posterior_variance(fit), with = std::sqrt(posterior / count),
-               without_by_gyro = std::sqrt((posterior + squares_apart(fit, without)) / count),
+  const double posterior = posterior_variance(fit), variance = posterior + model.variance,
+               with = std::sqrt(variance / count),
+               without_by_gyro = std::sqrt((variance + squares_apart(fit, without)) / count),
                alone = error_alone(without, noise);
   const bool reaches = 2 * model.seen > fit.places.size();
   const bool is_clean = model.noises.rate < most_rate_noise * local_rate_noise;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <numeric>
 
 #include <orispline/math/median.hpp>
 #include <orispline/math/number.hpp>
@@ -182,6 +183,14 @@ FoundCalibration best_calibration(const TurnInnovations& innovations, const Cali
   return best;
 }
 
+/// Of the orientations by the unknowns but for the correction by itself, which the fit of the motion finds too.
+double variance_by(const FoundCalibration& found, const TurnInnovations& innovations, const CalibrationMatrix& left) {
+  const Eigen::Matrix3d of_correction =
+      innovations.products.block<3, 3>(1 + columns::correction, 1 + columns::correction).inverse();
+  return (found.covariance * left).trace() -
+         (of_correction * left.block<3, 3>(columns::correction, columns::correction)).trace();
+}
+
 /// -2 log of the likelihood of the turns if the gyro told nothing but that the rate is constant.
 double evidence_without(const SeenPoses& poses, GyroRates gyro, const CountedRates& counts, const GyroModel& model) {
   std::ranges::fill(gyro.rates, Eigen::Vector3d::Zero());
@@ -209,6 +218,7 @@ GyroModel gyro_model(const SeenPoses& poses, const GyroRates& gyro, const Counte
     const TurnInnovations innovations = filtered(turns, model.noises);
     found = round == 0 ? solved(innovations, model.values, search.widest())
                        : best_calibration(innovations, model.values, plan);
+    if (round + 1 == rounds) model.variance = variance_by(found, innovations, left_by_smoother(turns, model.noises));
     model.values = found.values;
     model.sigmas = found.sigmas;
     model.calibration.correction = found.values.segment<3>(columns::correction);

@@ -14,6 +14,9 @@ struct GyroModel {
   bool has_scale = false, has_mount = false, has_clock_rate = false;  ///< the recording tells them
   CalibrationUnknowns values = CalibrationUnknowns::Zero(), sigmas = CalibrationUnknowns::Zero();
   std::size_t seen = 0;  ///< orientations that the path of the gyro reaches
+  /// Sum over these of the variances [rad²] that they have since the calibration is not known for sure, but for the
+  /// correction by itself.
+  double variance = 0.0;
   bool explains = true;  ///< the rates tell the turns better than none would, by a shape that a sensor may have
 };
 

@@ -113,6 +113,71 @@ void filter(std::span<const PathTurn> turns, const GyroNoises& noises, See see, 
   }
 }
 
+/// What an orientation leaves of the filter to those before it.
+template <int N>
+struct Step {
+  Eigen::Matrix<double, N, columns::count> state;
+  Eigen::Matrix<double, 3, N> covariance, sees;  // of the turn with all states; of these by the orientation
+  Eigen::Matrix<double, N, 3> gain;
+  Eigen::Matrix<double, 3, columns::count> innovation;  // over its covariance
+};
+
+template <States Of>
+std::vector<Step<Of.size()>> steps_of(std::span<const PathTurn> turns, const GyroNoises& noises) {
+  constexpr int n = Of.size();
+  std::vector<Step<n>> steps;
+  steps.reserve(turns.size());
+  Eigen::Matrix<double, n, n> covariance;
+  Eigen::Matrix<double, n, columns::count> state;
+  for (const PathTurn& turn : turns) {
+    Step<n>& step = steps.emplace_back();
+    const double white = noises.white * noises.white / turn.share;
+    if (turn.starts) {
+      start<Of>(covariance, turn, white, noises);
+      state.setZero();
+      state.template topRows<3>() = turn.slopes;
+    } else {
+      step.sees = advance<Of>(state, covariance, turn, noises);
+      const Eigen::Matrix<double, n, 3> cross = covariance * step.sees.transpose();
+      Eigen::Matrix3d spread = step.sees * cross;
+      spread.diagonal().array() += white;
+      const Eigen::LLT<Eigen::Matrix3d> factor(spread);
+      step.innovation = factor.solve(turn.slopes - step.sees * state);
+      step.gain = factor.solve(cross.transpose()).transpose();
+      state += cross * step.innovation;
+      covariance -= step.gain * cross.transpose();
+    }
+    step.state = state;
+    step.covariance = covariance.template topRows<3>();
+  }
+  return steps;
+}
+
+/// Source: Bryson and Frazier 1963, by what the orientations behind tell of the states.
+template <States Of>
+CalibrationMatrix left_by(std::span<const PathTurn> turns, const GyroNoises& noises) {
+  constexpr int n = Of.size();
+  const std::vector<Step<n>> steps = steps_of<Of>(turns, noises);
+  CalibrationMatrix sum = CalibrationMatrix::Zero();
+  Eigen::Matrix<double, n, columns::count> behind = Eigen::Matrix<double, n, columns::count>::Zero();
+  for (std::size_t k = turns.size(); k-- > 0;) {
+    const PathTurn& turn = turns[k];
+    const Step<n>& step = steps[k];
+    const Eigen::Matrix<double, 3, columns::count> left =
+        turn.slopes - step.state.template topRows<3>() - step.covariance * behind;
+    sum.noalias() += left.transpose() * left;
+    if (turn.starts) {
+      behind.setZero();
+      continue;
+    }
+    behind += step.sees.transpose() * (step.innovation - step.gain.transpose() * behind);
+    if constexpr (Of.drift) behind.template middleRows<3>(3) += turn.walked.transpose() * behind.template topRows<3>();
+    if constexpr (Of.correlated)
+      behind.template bottomRows<3>() *= exponential(-turn.interval / noises.correlation_time);
+  }
+  return sum;
+}
+
 template <int Sides, class See, class Take>
 void filter_with(std::span<const PathTurn> turns, const GyroNoises& noises, See see, Take take) {
   const bool drifts = noises.drift > 0.0, correlates = noises.correlated > 0.0;
@@ -148,6 +213,13 @@ double likelihood(std::span<const PathTurn> turns, const GyroNoises& noises, con
       turns, noises, [&](const PathTurn& turn) { return Seen<1>(turn.turn - turn.slopes * change); },
       [&](const Seen<1>& innovation, double log_determinant) { sum += innovation.squaredNorm() + log_determinant; });
   return sum;
+}
+
+CalibrationMatrix left_by_smoother(std::span<const PathTurn> turns, const GyroNoises& noises) {
+  const bool drifts = noises.drift > 0.0, correlates = noises.correlated > 0.0;
+  if (drifts && correlates) return left_by<States{.drift = true, .correlated = true}>(turns, noises);
+  if (drifts) return left_by<States{.drift = true}>(turns, noises);
+  return correlates ? left_by<States{.correlated = true}>(turns, noises) : left_by<States{}>(turns, noises);
 }
 
 double CalibrationPrior::width(int column) const {
@@ -190,6 +262,7 @@ FoundCalibration solved(const TurnInnovations& innovations, const CalibrationUnk
     found.values[column] = values[i];
     found.sigmas[column] = unit[i] * std::sqrt(inverse(i, i));
   }
+  found.covariance(active, active) = unit.asDiagonal() * inverse * unit.asDiagonal();
   return found;
 }
 

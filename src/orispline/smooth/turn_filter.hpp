@@ -37,6 +37,13 @@ struct TurnInnovations {
 [[nodiscard]] double likelihood(std::span<const PathTurn> turns, const GyroNoises& noises,
                                 const CalibrationUnknowns& change);
 
+using CalibrationMatrix = Eigen::Matrix<double, calibration_columns::count, calibration_columns::count>;
+
+/// Sum over the turns of the products of what of the slopes the best estimate of the turns, by those before and behind,
+/// does not follow: by so much the orientations are off that are told with unknowns that are off. The clock keeps.
+/// Linear time.
+[[nodiscard]] CalibrationMatrix left_by_smoother(std::span<const PathTurn> turns, const GyroNoises& noises);
+
 /// The unknowns that there are, by the standard deviations that are expected of them; 0: that one is zero. Nothing is
 /// expected of the correction.
 struct CalibrationPrior {
@@ -50,6 +57,7 @@ struct FoundCalibration {
   double evidence = std::numeric_limits<double>::infinity();  ///< -2 log, the unknowns integrated out
   CalibrationUnknowns values = CalibrationUnknowns::Zero();
   CalibrationUnknowns sigmas = CalibrationUnknowns::Zero();
+  CalibrationMatrix covariance = CalibrationMatrix::Zero();
 };
 
 /// Where the slopes were taken at `present`.
