@@ -28,6 +28,11 @@ struct States {
 template <int Sides>
 using Seen = Eigen::Matrix<double, 3, Sides>;
 
+/// Of noise that correlates, after so long [s].
+double decay(const GyroNoises& noises, double time) {
+  return noises.correlated > 0.0 ? exponential(-time / noises.correlation_time) : 0.0;
+}
+
 /// Where the turn is open: the first orientation, of this variance beside what correlates, says what it is.
 template <States Of, class Covariance>
 void start(Covariance& covariance, const PathTurn& turn, double white, const GyroNoises& noises) {
@@ -58,12 +63,12 @@ Eigen::Matrix<double, 3, Of.size()> advance(State& state, Covariance& covariance
     covariance.template block<3, 3>(3, 3).diagonal().array() += drift * h;
   }
   if constexpr (Of.correlated) {
-    const double decay = exponential(-h / noises.correlation_time);
-    state.template bottomRows<3>() *= decay;
-    covariance.template bottomRows<3>() *= decay;
-    covariance.template rightCols<3>() *= decay;
+    const double kept = decay(noises, h);
+    state.template bottomRows<3>() *= kept;
+    covariance.template bottomRows<3>() *= kept;
+    covariance.template rightCols<3>() *= kept;
     covariance.template bottomRightCorner<3, 3>().diagonal().array() +=
-        noises.correlated * noises.correlated * (1.0 - decay * decay);
+        noises.correlated * noises.correlated * (1.0 - kept * kept);
     sees.template rightCols<3>() = turn.to_world;
   }
   if constexpr (Of.clock) {
@@ -114,30 +119,30 @@ void filter(std::span<const PathTurn> turns, const GyroNoises& noises, See see, 
 }
 
 /// What an orientation leaves of the filter to those before it.
-template <int N>
 struct Step {
-  Eigen::Matrix<double, N, columns::count> state;
-  Eigen::Matrix<double, 3, N> covariance, sees;  // of the turn with all states; of these by the orientation
-  Eigen::Matrix<double, N, 3> gain;
+  static constexpr States of{.drift = true, .correlated = true};
+  static constexpr int n = of.size();
+  Eigen::Matrix<double, n, columns::count> state;
+  Eigen::Matrix<double, 3, n> covariance, sees;  // of the turn with all states; of these by the orientation
+  Eigen::Matrix<double, n, 3> gain;
   Eigen::Matrix<double, 3, columns::count> innovation;  // over its covariance
 };
 
-template <States Of>
-std::vector<Step<Of.size()>> steps_of(std::span<const PathTurn> turns, const GyroNoises& noises) {
-  constexpr int n = Of.size();
-  std::vector<Step<n>> steps;
+std::vector<Step> steps_of(std::span<const PathTurn> turns, const GyroNoises& noises) {
+  constexpr int n = Step::n;
+  std::vector<Step> steps;
   steps.reserve(turns.size());
   Eigen::Matrix<double, n, n> covariance;
   Eigen::Matrix<double, n, columns::count> state;
   for (const PathTurn& turn : turns) {
-    Step<n>& step = steps.emplace_back();
+    Step& step = steps.emplace_back();
     const double white = noises.white * noises.white / turn.share;
     if (turn.starts) {
-      start<Of>(covariance, turn, white, noises);
+      start<Step::of>(covariance, turn, white, noises);
       state.setZero();
       state.template topRows<3>() = turn.slopes;
     } else {
-      step.sees = advance<Of>(state, covariance, turn, noises);
+      step.sees = advance<Step::of>(state, covariance, turn, noises);
       const Eigen::Matrix<double, n, 3> cross = covariance * step.sees.transpose();
       Eigen::Matrix3d spread = step.sees * cross;
       spread.diagonal().array() += white;
@@ -151,31 +156,6 @@ std::vector<Step<Of.size()>> steps_of(std::span<const PathTurn> turns, const Gyr
     step.covariance = covariance.template topRows<3>();
   }
   return steps;
-}
-
-/// Source: Bryson and Frazier 1963, by what the orientations behind tell of the states.
-template <States Of>
-CalibrationMatrix left_by(std::span<const PathTurn> turns, const GyroNoises& noises) {
-  constexpr int n = Of.size();
-  const std::vector<Step<n>> steps = steps_of<Of>(turns, noises);
-  CalibrationMatrix sum = CalibrationMatrix::Zero();
-  Eigen::Matrix<double, n, columns::count> behind = Eigen::Matrix<double, n, columns::count>::Zero();
-  for (std::size_t k = turns.size(); k-- > 0;) {
-    const PathTurn& turn = turns[k];
-    const Step<n>& step = steps[k];
-    const Eigen::Matrix<double, 3, columns::count> left =
-        turn.slopes - step.state.template topRows<3>() - step.covariance * behind;
-    sum.noalias() += left.transpose() * left;
-    if (turn.starts) {
-      behind.setZero();
-      continue;
-    }
-    behind += step.sees.transpose() * (step.innovation - step.gain.transpose() * behind);
-    if constexpr (Of.drift) behind.template middleRows<3>(3) += turn.walked.transpose() * behind.template topRows<3>();
-    if constexpr (Of.correlated)
-      behind.template bottomRows<3>() *= exponential(-turn.interval / noises.correlation_time);
-  }
-  return sum;
 }
 
 template <int Sides, class See, class Take>
@@ -215,11 +195,26 @@ double likelihood(std::span<const PathTurn> turns, const GyroNoises& noises, con
   return sum;
 }
 
+// Source: Bryson and Frazier 1963, by what the orientations behind tell of the states.
 CalibrationMatrix left_by_smoother(std::span<const PathTurn> turns, const GyroNoises& noises) {
-  const bool drifts = noises.drift > 0.0, correlates = noises.correlated > 0.0;
-  if (drifts && correlates) return left_by<States{.drift = true, .correlated = true}>(turns, noises);
-  if (drifts) return left_by<States{.drift = true}>(turns, noises);
-  return correlates ? left_by<States{.correlated = true}>(turns, noises) : left_by<States{}>(turns, noises);
+  const std::vector<Step> steps = steps_of(turns, noises);
+  CalibrationMatrix sum = CalibrationMatrix::Zero();
+  Eigen::Matrix<double, Step::n, columns::count> behind = Eigen::Matrix<double, Step::n, columns::count>::Zero();
+  for (std::size_t k = turns.size(); k-- > 0;) {
+    const PathTurn& turn = turns[k];
+    const Step& step = steps[k];
+    const Eigen::Matrix<double, 3, columns::count> left =
+        turn.slopes - step.state.topRows<3>() - step.covariance * behind;
+    sum.noalias() += left.transpose() * left;
+    if (turn.starts) {
+      behind.setZero();
+      continue;
+    }
+    behind += step.sees.transpose() * (step.innovation - step.gain.transpose() * behind);
+    behind.middleRows<3>(3) += turn.walked.transpose() * behind.topRows<3>();
+    behind.bottomRows<3>() *= decay(noises, turn.interval);
+  }
+  return sum;
 }
 
 double CalibrationPrior::width(int column) const {
