@@ -23,7 +23,7 @@ namespace {
 constexpr int most_rounds = 3;           // of looking for faults beside an alignment, and of aligning without them
 constexpr double sure_offset = 3.0;      // in its standard deviations: a smaller one is none
 constexpr double most_rate_noise = 3.0;  // over that between neighbours, of a gyro that is understood
-constexpr double sure_gain = 0.6;        // of the error without the gyro
+constexpr double sure_gain = 0.6, least_gain = 0.9;   // of the error without the gyro
 constexpr double harmless_error = 4.0 * least_noise;  // [rad]: of numbers in single precision
 constexpr std::size_t fewest_rates = 3;
 constexpr double least_drift = 1e-3;  // of a bias that is constant: over the recording, in units of the gyro's noise
@@ -284,8 +284,8 @@ void judge(GyroFit& fit, const GyroModel& model, const SmoothingSearch& without,
                alone = error_alone(without, noise);
   const bool reaches = 2 * model.seen > fit.places.size();
   const bool is_clean = model.noises.rate < most_rate_noise * local_rate_noise;
-  const bool counts =
-      model.explains ? (is_clean && with < sure_gain * without_by_gyro) || with < alone : with < sure_gain * alone;
+  const bool counts = model.explains ? (is_clean && with < sure_gain * without_by_gyro) || with < least_gain * alone
+                                     : with < sure_gain * alone;
   fit.finding.used = with <= harmless_error || (reaches && model.noises.clock == 0.0 && counts);
   if (!fit.finding.used) fit.finding.doubt = doubt_of(model, reaches, is_clean, with < alone);
   fit.finding.risk = {.with = with, .without = fit.finding.used ? without_by_gyro : alone};
