@@ -187,8 +187,9 @@ FoundCalibration best_calibration(const TurnInnovations& innovations, const Cali
 double variance_by(const FoundCalibration& found, const TurnInnovations& innovations, const CalibrationMatrix& left) {
   const Eigen::Matrix3d of_correction =
       innovations.products.block<3, 3>(1 + columns::correction, 1 + columns::correction).inverse();
-  return (found.covariance * left).trace() -
-         (of_correction * left.block<3, 3>(columns::correction, columns::correction)).trace();
+  // Of symmetric matrices, the trace of their product.
+  return found.covariance.cwiseProduct(left).sum() -
+         of_correction.cwiseProduct(left.block<3, 3>(columns::correction, columns::correction)).sum();
 }
 
 /// -2 log of the likelihood of the turns if the gyro told nothing but that the rate is constant.

@@ -79,6 +79,8 @@ Eigen::Matrix<double, 3, Of.size()> advance(State& state, Covariance& covariance
   return sees;
 }
 
+// Products are lazy, since those of large matrices have other bits on other machines.
+
 /// A Kalman filter over turns, each seen with so many right-hand sides; calls `take(innovations, log_determinant)` with
 /// every innovation in units of its σ.
 template <States Of, int Sides, class See, class Take>
@@ -104,14 +106,14 @@ void filter(std::span<const PathTurn> turns, const GyroNoises& noises, See see, 
       take(Seen<Sides>(seen / std::sqrt(spread)), 3.0 * natural_logarithm(spread));
     } else {
       const Eigen::Matrix<double, 3, n> sees = advance<Of>(state, covariance, turn, noises);
-      const Eigen::Matrix<double, n, 3> cross = covariance * sees.transpose();
-      Eigen::Matrix3d spread = sees * cross;
+      const Eigen::Matrix<double, n, 3> cross = covariance.lazyProduct(sees.transpose());
+      Eigen::Matrix3d spread = sees.lazyProduct(cross);
       spread.diagonal().array() += white;
       const Eigen::LLT<Eigen::Matrix3d> factor(spread);
-      seen -= sees * state;
+      seen -= sees.lazyProduct(state);
       const Eigen::Matrix<double, n, 3> gain = factor.solve(cross.transpose()).transpose();
-      state.noalias() += gain * seen;
-      covariance.noalias() -= gain * cross.transpose();
+      state += gain.lazyProduct(seen);
+      covariance -= gain.lazyProduct(cross.transpose());
       covariance = (0.5 * (covariance + covariance.transpose())).eval();
       take(Seen<Sides>(factor.matrixL().solve(seen)), 2.0 * natural_logarithm(factor.matrixLLT().diagonal().prod()));
     }
@@ -143,14 +145,14 @@ std::vector<Step> steps_of(std::span<const PathTurn> turns, const GyroNoises& no
       state.template topRows<3>() = turn.slopes;
     } else {
       step.sees = advance<Step::of>(state, covariance, turn, noises);
-      const Eigen::Matrix<double, n, 3> cross = covariance * step.sees.transpose();
-      Eigen::Matrix3d spread = step.sees * cross;
+      const Eigen::Matrix<double, n, 3> cross = covariance.lazyProduct(step.sees.transpose());
+      Eigen::Matrix3d spread = step.sees.lazyProduct(cross);
       spread.diagonal().array() += white;
       const Eigen::LLT<Eigen::Matrix3d> factor(spread);
-      step.innovation = factor.solve(turn.slopes - step.sees * state);
+      step.innovation = factor.solve(turn.slopes - step.sees.lazyProduct(state));
       step.gain = factor.solve(cross.transpose()).transpose();
-      state += cross * step.innovation;
-      covariance -= step.gain * cross.transpose();
+      state += cross.lazyProduct(step.innovation);
+      covariance -= step.gain.lazyProduct(cross.transpose());
     }
     step.state = state;
     step.covariance = covariance.template topRows<3>();
@@ -181,7 +183,7 @@ TurnInnovations filtered(std::span<const PathTurn> turns, const GyroNoises& nois
         return seen;
       },
       [&](const Seen<sides>& innovation, double log_determinant) {
-        result.products.noalias() += innovation.transpose() * innovation;
+        result.products += innovation.transpose().lazyProduct(innovation);
         result.log_determinant += log_determinant;
       });
   return result;
@@ -204,13 +206,14 @@ CalibrationMatrix left_by_smoother(std::span<const PathTurn> turns, const GyroNo
     const PathTurn& turn = turns[k];
     const Step& step = steps[k];
     const Eigen::Matrix<double, 3, columns::count> left =
-        turn.slopes - step.state.topRows<3>() - step.covariance * behind;
-    sum.noalias() += left.transpose() * left;
+        turn.slopes - step.state.topRows<3>() - step.covariance.lazyProduct(behind);
+    sum += left.transpose().lazyProduct(left);
     if (turn.starts) {
       behind.setZero();
       continue;
     }
-    behind += step.sees.transpose() * (step.innovation - step.gain.transpose() * behind);
+    const Eigen::Matrix<double, 3, columns::count> told = step.innovation - step.gain.transpose().lazyProduct(behind);
+    behind += step.sees.transpose().lazyProduct(told);
     behind.middleRows<3>(3) += turn.walked.transpose() * behind.topRows<3>();
     behind.bottomRows<3>() *= decay(noises, turn.interval);
   }
@@ -249,7 +252,9 @@ FoundCalibration solved(const TurnInnovations& innovations, const CalibrationUnk
   const Eigen::VectorXd unit = matrix.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::LDLT<Eigen::MatrixXd> factor(unit.asDiagonal() * matrix * unit.asDiagonal());
   const Eigen::VectorXd values = unit.cwiseProduct(factor.solve(unit.cwiseProduct(side)));
-  const Eigen::MatrixXd inverse = factor.solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
+  Eigen::MatrixXd inverse(matrix.rows(), matrix.cols());
+  for (Eigen::Index i = 0; i < values.size(); ++i)  // one by one, as products are lazy
+    inverse.col(i) = factor.solve(Eigen::VectorXd::Unit(values.size(), i));
   found.evidence -= side.dot(values);
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     const Eigen::Index column = active[static_cast<std::size_t>(i)];
