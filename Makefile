@@ -2,7 +2,7 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build wasm test test-more python check clang sanitizers asan ubsan tsan coverage fuzz nightly mutants random release release-parts sweep bench bench-quick bench-python bench-web measures site page studio web deb format tidy clean
+.PHONY: run build wasm test test-more python check clang sanitizers asan ubsan tsan coverage fuzz nightly mutants random release release-parts sweep bench bench-quick bench-python bench-fusion bench-web measures site page studio web deb format tidy clean
 .NOTPARALLEL:
 
 # How long the parts of `make test` take, in build/times.tsv: $(call timed,PART) COMMAND.
@@ -67,6 +67,19 @@ bench-python: build
 	$(call python_package,)
 	build/python/venv/bin/python benchmarks/python/run.py --document docs/benchmarks.md
 	build/python/venv/bin/python benchmarks/python/many_tracks.py --document docs/scale.md
+
+# The clips to which noise that correlates is added; those that the project may not hold, where they lie beside it.
+NOISY_CLIPS = examples/data/walking.bvh $(wildcard ../shared/cases/clips/20_mocap_true.bvh) \
+  $(foreach part,300:500 1100:500 1900:500,$(addsuffix :$(part),$(wildcard ../shared/data/mocap/cmu_01_01_fairmotion.bvh)))
+
+# A gyro beside the least error that is possible, and VQF, and clips beside the best low-pass; fills the tables of docs/gyro.md
+# and docs/smooth.md. An hour of one core.
+bench-fusion: build
+	tools/setup.sh build python
+	python3 -m venv build/fusion/venv
+	build/fusion/venv/bin/python -m pip install --quiet numpy scipy vqf
+	build/fusion/venv/bin/python benchmarks/fusion/run.py build/release/orispline --jobs $(JOBS) --document docs/gyro.md
+	build/fusion/venv/bin/python benchmarks/fusion/on_clips.py build/release/orispline $(NOISY_CLIPS) --document docs/smooth.md
 
 # Each part that passes leaves the stamp that a release of this commit asks for; a part that has it is not run again.
 check:

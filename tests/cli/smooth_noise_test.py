@@ -8,6 +8,7 @@ import csv
 import json
 import os
 import pathlib
+import re
 import sys
 import unittest
 
@@ -101,6 +102,33 @@ class SmoothNoise(CommandTest):
                     told, found = self.smoothed(rows, names, "--loss", "tukey", *options)
                     self.assertEqual([sample["line"] for sample in told["rejected"]], [bad + 2])
                     self.assertLessEqual(rms_degrees(found, truth[:len(found)]), 0.03)
+
+
+
+class NoiseTime(CommandTest):
+    WALK = str(ROOT / "examples/data/walking.bvh")
+
+    def test_noise_that_could_be_hidden_is_told_of_and_stated_noise_in_its_place(self):
+        arguments = ["smooth", self.WALK, "--joint", "RightLeg", "-o", "out.csv"]
+        self.assertRegex(self.run_command(arguments).stderr, r"\n  correlated    it would stay in the motion; up to 0\.\d+° could be hidden there, if correlated over 0\.083 s\n")
+        stated = self.run_command([*arguments, "--noise-time", "50ms", "--noise", "0.5deg"]).stderr
+        self.assertRegex(stated, r"\nnoise           0\.5° per axis, correlated over 0\.05 s; 0\.25\d*° between neighbours\n(?!  correlated)")
+        told = json.loads(self.output_of([*arguments, "--noise-time", "50ms", "--json"]))
+        self.assertEqual((told["correlation_time_s"], told["hidden_noise_rad"], told["correlated_noise_rad"]), (0.05, None, told["noise_rad"]))
+
+    def test_the_joints_of_a_clip_share_it(self):
+        summary = self.run_command(["smooth", self.WALK, "--noise-time", "20ms", "-o", "out.bvh"]).stderr
+        noise = re.search(r"\nnoise           (\S+°) per axis of all joints, correlated over 0\.02 s, as stated\n", summary)[1]
+        self.assertEqual(set(re.findall(r" s +(\S+°) +\d+ +\S+°\n", summary)), {noise})
+        self.assertNotIn("of all joints", self.run_command(["smooth", self.WALK, "-o", "out.bvh"]).stderr, "it is white")
+
+    def test_what_contradicts_it_is_refused(self):
+        for words, message in (("--noise-time 0", "--noise-time: found '0', wanted a number greater than 0, in ms, s or min, such as 1ms"),
+                               ("--noise-time 50ms --smoothing-time 0.1", "--noise-time: wanted no --smoothing-time as well, which is chosen by the noise"),
+                               ("--noise-time 50ms --gyro", "--noise-time: wanted no --gyro, with which noise that correlates is found")):
+            with self.subTest(words):
+                self.assert_fails(["smooth", self.WALK, "--joint", "RightLeg", *words.split(), "-o", "none.csv"], BAD_USAGE, message)
+                self.assertFalse((self.folder / "none.csv").exists())
 
 
 if __name__ == "__main__":

@@ -48,7 +48,10 @@ class SmoothRecordings(CommandTest):
                 options = options_of(way, name, noise)
                 found = rms_degrees(self.smoothed(with_noise(clean, noise, 0), options), clean.orientations)
                 wanted = float(row["error_deg"])
-                self.assertLess(abs(found - wanted), 1e-3 * wanted)
+                if way == "gyro":  # the reference knows neither scale nor mount, and nothing of a bias that drifts
+                    self.assertLess(found, 1.01 * wanted)
+                else:
+                    self.assertLess(abs(found - wanted), 1e-3 * wanted)
 
     def test_the_clocks_of_real_gyros_are_late(self):
         for name, late, share in (("BROAD", 0.0042, 0.75), ("PX4", 0.0019, 0.8)):

@@ -39,7 +39,7 @@ TEST(Defaults, OfOptionsAreThoseThatPagesState) {
   EXPECT_EQ(MeanOptions{}.kind, MeanKind::mean);
   const SmoothOptions smooth;
   EXPECT_EQ(smooth.loss, Loss::robust);
-  EXPECT_EQ(smooth.gyro_bias, GyroBias::constant);
+  EXPECT_FALSE(smooth.gyro_bias || smooth.noise_time);
   EXPECT_TRUE(smooth.adapt);
   EXPECT_FALSE(smooth.gyro || smooth.sigma);
   EXPECT_EQ(RetimeOptions{}.slowing, Slowing::uniform);

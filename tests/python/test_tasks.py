@@ -54,15 +54,15 @@ def test_smoothing_is_that_of_the_command(words, tmp_path):
 
 def test_smoothing_of_positions_and_with_a_gyro_is_that_of_the_command(tmp_path):
     truth, out = EXAMPLES / "flight_truth.csv", tmp_path / "keys.csv"
-    told = json_of("smooth", truth, "--gyro", "--quiet", "-o", out)
+    told = json_of("smooth", truth, "--gyro", "--penalty=acceleration", "--quiet", "-o", out)
     with pytest.warns(ori.ShapeWarning) as caught:
-        smoothing = ori.smooth(keys_in(truth, "angular_velocities"), gyro=True)
+        smoothing = ori.smooth(keys_in(truth, "angular_velocities"), gyro=True, penalty="acceleration")
     expect_members(smoothing, told)
     expect_keys(smoothing.keys, out)
     assert smoothing.gyro_correction.tolist() == told["gyro_correction_rad_s"]
     assert caught[0].message.code == "least_smoothing"
     flagged = re.sub("`(.*?)`", lambda name: "--" + name[1].replace("_", "-"), str(caught[0].message))
-    assert f"warning: {flagged}\n" in run("smooth", truth, "--gyro", "-o", out)[1]
+    assert f"warning: {flagged}\n" in run("smooth", truth, "--gyro", "--penalty=acceleration", "-o", out)[1]
     assert caught[0].filename == __file__
 
 

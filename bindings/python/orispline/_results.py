@@ -147,6 +147,16 @@ class Smoothing(Reported):
     gyro_offset: float | None
     gyro_offset_sigma: float | None
     gyro_drift: float | None
+    gyro_scale: NDArray[np.float64] | None
+    gyro_scale_sigma: NDArray[np.float64] | None
+    gyro_mount: NDArray[np.float64] | None
+    gyro_mount_sigma: NDArray[np.float64] | None
+    gyro_clock_rate: float | None
+    gyro_clock_rate_sigma: float | None
+    correlated_noise: float | None
+    correlation_time: float | None
+    hidden_noise: float | None
+    hidden_noise_time: float | None
     error_with_gyro: float | None
     error_without_gyro: float | None
     rms_distance: float

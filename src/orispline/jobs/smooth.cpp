@@ -38,9 +38,18 @@ std::string source_line(const SmoothOutcome& outcome) {
   return line + "\n";
 }
 
-std::string noise_line(const Smoothing& smoothing) {
-  return formatted("noise           {:.4g}° per axis in the residuals; {:.4g}° between neighbours\n",
-                   smoothing.noise * degrees, smoothing.local_noise * degrees);
+std::string noise_lines(const Smoothing& smoothing) {
+  if (smoothing.correlated_noise && !smoothing.gyro)
+    return formatted("noise           {:.4g}° per axis, correlated over {:.3g} s; {:.4g}° between neighbours\n",
+                     smoothing.noise * degrees, smoothing.correlated_noise->time, smoothing.local_noise * degrees);
+  std::string text = formatted("noise           {:.4g}° per axis in the residuals; {:.4g}° between neighbours\n",
+                               smoothing.noise * degrees, smoothing.local_noise * degrees);
+  if (smoothing.hidden_noise)
+    text += formatted(
+        "  correlated    it would stay in the motion; up to {:.2g}° could be hidden there, if correlated over {:.2g} "
+        "s\n",
+        smoothing.hidden_noise->sigma * degrees, smoothing.hidden_noise->time);
+  return text;
 }
 
 std::string weights_line(const Smoothing& smoothing) {
@@ -102,6 +111,27 @@ std::size_t samples_beyond_gyro(const SmoothOutcome& outcome) {
   return count < fewest_to_tell ? 0 : static_cast<std::size_t>(count);
 }
 
+/// Scale, mount and pace of the clock, where the gyro counts and the recording tells them.
+std::string calibration_lines(const GyroFinding& gyro) {
+  if (!gyro.used) return "";
+  std::string text;
+  if (gyro.scale) {
+    const Eigen::Vector3d &scale = gyro.scale->value, &sigma = gyro.scale->sigma;
+    text += formatted("  scale         {:.5g} ± {:.1g}, {:.5g} ± {:.1g}, {:.5g} ± {:.1g}: corrected\n", 1.0 + scale.x(),
+                      sigma.x(), 1.0 + scale.y(), sigma.y(), 1.0 + scale.z(), sigma.z());
+  }
+  if (gyro.mount) {
+    const Eigen::Vector3d axis = gyro.mount->value.normalized();
+    text += formatted("  mount         {:.3g}° ± {:.1g}° about ({:.2g}, {:.2g}, {:.2g}): corrected\n",
+                      gyro.mount->value.norm() * degrees, gyro.mount->sigma.maxCoeff() * degrees, axis.x(), axis.y(),
+                      axis.z());
+  }
+  if (gyro.clock_rate)
+    text += formatted("  pace          {:.4g} ppm {} ± {:.1g}: corrected\n", std::abs(gyro.clock_rate->value) * 1e6,
+                      gyro.clock_rate->value > 0.0 ? "fast" : "slow", gyro.clock_rate->sigma * 1e6);
+  return text;
+}
+
 std::string gyro_lines(const SmoothOutcome& outcome) {
   const Smoothing& smoothing = outcome.smoothing;
   if (!smoothing.gyro) return "";
@@ -111,10 +141,16 @@ std::string gyro_lines(const SmoothOutcome& outcome) {
   text +=
       gyro.used ? formatted(", correction {:.4g}, {:.4g}, {:.4g} °/s\n", bias.x(), bias.y(), bias.z()) : ", left out\n";
   text += formatted("  clock         {}\n", clock_text(gyro, outcome.request.options.gyro_offset.has_value()));
+  text += calibration_lines(gyro);
+  if (smoothing.correlated_noise)
+    text += formatted("  orientations  noise correlated over {:.3g} s, {:.4g}° per axis beside the white noise\n",
+                      smoothing.correlated_noise->time, smoothing.correlated_noise->sigma * degrees);
   if (gyro.drift) text += formatted("  bias          drifts by {:.3g} °/s in 1 s\n", *gyro.drift * degrees);
-  if (gyro.risk)
+  if (gyro.risk && gyro.used)
     text += formatted("  error         {:.4g}° expected with the gyro, {:.4g}° without\n", gyro.risk->with * degrees,
                       gyro.risk->without * degrees);
+  if (gyro.risk && !gyro.used)
+    text += formatted("  error         {:.4g}° expected without the gyro\n", gyro.risk->without * degrees);
   if (const std::size_t beyond = samples_beyond_gyro(outcome); gyro.used && beyond > 0)
     text +=
         formatted("  beyond it     {}, {}\n", counted(beyond, "sample"),
@@ -211,7 +247,7 @@ Json document_of(const SmoothOutcome& outcome) {
 
 std::string summary_of(const SmoothOutcome& outcome) {
   const Smoothing& smoothing = outcome.smoothing;
-  return source_line(outcome) + choice_line(smoothing) + noise_line(smoothing) + weights_line(smoothing) +
+  return source_line(outcome) + choice_line(smoothing) + noise_lines(smoothing) + weights_line(smoothing) +
          distance_line(smoothing) + freedom_line(smoothing) + sigma_line(smoothing) + gyro_lines(outcome) +
          outlier_lines(outcome) + position_lines(outcome) + stretch_lines(outcome);
 }

@@ -38,6 +38,17 @@ std::string largest_change_line(const SmoothClipsOutcome& outcome) {
                    place_of(outcome.request.skeleton, clip->clip, worst->joint));
 }
 
+/// Where it correlates.
+std::string shared_noise_line(const SmoothClipsOutcome& outcome) {
+  for (const ClipSmoothing& clip : outcome.clips)
+    for (const ClipSmoothing::OfJoint& joint : clip.joints)
+      if (const auto& noise = joint.smoothing.correlated_noise)
+        return formatted("noise           {:.4g}° per axis of all joints, correlated over {:.3g} s, {}\n",
+                         noise->sigma * degrees, noise->time,
+                         outcome.request.options.noise_time ? "as stated" : "which they share");
+  return "";
+}
+
 std::string joints_table(const Skeleton& skeleton, const std::vector<ClipSmoothing::OfJoint>& joints) {
   if (joints.empty()) return "";
   std::string table =
@@ -89,6 +100,7 @@ std::string summary_of(const SmoothClipsOutcome& outcome) {
   std::string text = formatted("{} of {}{} smoothed; {} left as they are: they rest or have too few keys\n",
                                counted(joints, "rotation"), counted(outcome.clips.size(), "clip"),
                                name.empty() ? "" : " from " + printable(name), left);
+  text += shared_noise_line(outcome);
   if (outcome.clips.size() == 1) text += joints_table(outcome.request.skeleton, outcome.clips.front().joints);
   return text + largest_change_line(outcome);
 }

@@ -15,9 +15,14 @@ void for_each_covariance(const ChainElimination<M, Data, Sides, Link>& chain, Ta
   Block covariance = Block::Zero();  // of the node behind
   for (std::size_t i = chain.rows().size(); i-- > 0;) {
     const auto factor = chain.rows()[i].template leftCols<M>().template triangularView<Eigen::Upper>();
-    const Block inverse = factor.solve(Block::Identity());
-    const Block gain = factor.solve(Block(chain.rows()[i].template middleCols<M>(M)));
-    covariance = (inverse * inverse.transpose() + gain * covariance * gain.transpose()).eval();
+    // Column by column, and by lazy products: those of large matrices have other bits on other machines.
+    Block inverse = Block::Identity(), gain = chain.rows()[i].template middleCols<M>(M);
+    for (Eigen::Index k = 0; k < M; ++k) {
+      factor.solveInPlace(inverse.col(k));
+      factor.solveInPlace(gain.col(k));
+    }
+    const Block of_gain = gain.lazyProduct(covariance);
+    covariance = inverse.lazyProduct(inverse.transpose()) + of_gain.lazyProduct(gain.transpose());
     take(i, covariance, gain);
   }
 }

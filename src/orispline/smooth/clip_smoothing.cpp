@@ -6,6 +6,8 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
+#include <orispline/smooth/shared_noise_time.hpp>
+#include <orispline/smooth/smoothing_noise.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -50,6 +52,29 @@ struct Piece {
   Expected<Smoothing> found{};
 };
 
+/// The noise of one tracker [rad], by what its joints tell one by one: the lower quartile, since the motion of some is
+/// rougher than the penalty believes, and what it leaves counts as noise. Absent where none could be smoothed.
+std::optional<double> shared_noise(const std::vector<Piece>& pieces) {
+  std::vector<double> noises;
+  for (const Piece& piece : pieces)
+    if (piece.found) noises.push_back(piece.found->noise);
+  if (noises.empty()) return std::nullopt;
+  const auto quartile = noises.begin() + static_cast<std::ptrdiff_t>(noises.size() / 4);
+  std::ranges::nth_element(noises, quartile);
+  return std::clamp(*quartile, least_noise, largest_noise);
+}
+
+/// That of their noise, if it correlates.
+std::optional<double> shared_time(std::span<const Clip> clips, const std::vector<Piece>& pieces, unsigned threads) {
+  std::vector<Keyframes> tracks;
+  for (const Piece& piece : pieces) {
+    const RotationChannel& rotation = clips[piece.clip].rotations[piece.rotation];
+    if (auto keys = Keyframes::make({.times = rotation.times, .orientations = rotation.values}))
+      tracks.push_back(*std::move(keys));
+  }
+  return shared_noise_time(tracks, threads);
+}
+
 /// What was found of a joint, and where its rotation changed most.
 ClipSmoothing::OfJoint found_of(const RotationChannel& before, Smoothing smoothing) {
   ClipSmoothing::OfJoint found{.joint = before.joint, .smoothing = std::move(smoothing)};
@@ -85,11 +110,21 @@ Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton, std:
       if (is_smoothed(clips[i].rotations[k])) pieces.push_back({i, k});
       else ++smoothing.left;
   }
-  parallel_for(pieces.size(), threads, [&](std::size_t i) {
-    const Clip& clip = clips[pieces[i].clip];
-    const RotationChannel& rotation = clip.rotations[pieces[i].rotation];
-    pieces[i].found = smoothed(rotation, translation_beside(clip.translations, rotation), options);
-  });
+  const auto smooth_all = [&](const SmoothOptions& with) {
+    parallel_for(pieces.size(), threads, [&](std::size_t i) {
+      const Clip& clip = clips[pieces[i].clip];
+      const RotationChannel& rotation = clip.rotations[pieces[i].rotation];
+      pieces[i].found = smoothed(rotation, translation_beside(clip.translations, rotation), with);
+    });
+  };
+  SmoothOptions shared = options;
+  if (!options.noise_time && !options.noise && !options.smoothing_time)
+    shared.noise_time = shared_time(clips, pieces, threads);
+  smooth_all(shared);
+  if (shared.noise_time && !options.noise) {
+    shared.noise = shared_noise(pieces);
+    if (shared.noise) smooth_all(shared);
+  }
   for (Piece& piece : pieces) {
     ClipSmoothing& smoothing = smoothings[piece.clip];
     const std::size_t joint = smoothing.clip.rotations[piece.rotation].joint;

@@ -24,6 +24,8 @@ constexpr double jump = 5.0;           // of the turn between path and world acr
 constexpr double zero_fault = 4.0;     // zeros in all three axes
 constexpr double clipped_excess = 1.0;
 
+constexpr double untold_turn = 0.5;  // [rad]: what integrating may be off by where rates tell nothing of the turn
+
 constexpr double widest_step = 3.0;  // between orientations that tell a rate, in the median one
 
 constexpr std::size_t longest_pair = 2, joined_over = 2;  // rates
@@ -164,6 +166,37 @@ double integration_error(const GyroRates& gyro, std::size_t first, std::size_t l
 
 bool all_zero(const Eigen::Vector3d& rate) { return (rate.array() == 0.0).all(); }
 
+constexpr std::size_t fewest_stuck = 5;  // rates in a row that are the same to the last bit
+constexpr std::size_t usual_runs = 4;    // as long as so many usual runs: a sensor that repeats itself is none
+
+/// Successive rates that are all the same in three axes, for longer than this gyro repeats itself as a rule.
+std::vector<Run> stuck_runs(const GyroRates& gyro) {
+  std::vector<Run> runs;
+  for (std::size_t k = 0; k < gyro.rates.size(); ++k) {
+    if (k > 0 && gyro.rates[k] == gyro.rates[k - 1]) runs.back().last = k + 1;
+    else runs.push_back({k, k + 1});
+  }
+  std::vector<double> lengths;
+  for (const Run& run : runs)
+    lengths.insert(lengths.end(), run.last - run.first, static_cast<double>(run.last - run.first));
+  const auto longest =
+      std::max<std::size_t>(fewest_stuck, usual_runs * static_cast<std::size_t>(median(std::move(lengths))));
+  std::erase_if(runs, [longest](const Run& run) { return run.last - run.first < longest; });
+  return runs;
+}
+
+/// Rates that stay the same while the orientations turn otherwise; the first of them was measured.
+void leave_out_stuck(const Differences& differences, const GyroRates& gyro, double usual, CountedRates& counts) {
+  std::vector<double> off(gyro.rates.size(), 0.0);
+  for (std::size_t i = 0; i < differences.rows.size(); ++i) off[differences.rows[i]] = differences.values[i].norm();
+  for (const Run& run : stuck_runs(gyro)) {
+    const auto begin = off.begin() + static_cast<std::ptrdiff_t>(run.first),
+               end = off.begin() + static_cast<std::ptrdiff_t>(run.last);
+    if (*std::max_element(begin, end) > zero_fault * usual)
+      for (std::size_t k = run.first + 1; k < run.last; ++k) counts[k] = false;
+  }
+}
+
 /// Rates of one axis that stay at its largest absolute value while the orientations turn faster that way.
 void leave_out_clipped(const Differences& differences, const GyroRates& gyro, Eigen::Index axis, CountedRates& counts) {
   double largest = 0.0;
@@ -236,6 +269,7 @@ bool leave_out_faults(const SeenPoses& poses, const GyroRates& gyro, const GyroA
   if (differences.rows.size() < beside_run) return false;
   for (Eigen::Index axis = 0; axis < 3; ++axis) leave_out_clipped(differences, gyro, axis, counts);
   const double usual = std::max(least_noise, median_of_lengths(differences.values));
+  leave_out_stuck(differences, gyro, usual, counts);
   const PathTurns turns(poses, gyro, alignment, before);
   for (const Run& run : runs_of(far_ones(differences.values))) {
     double farthest = 0.0;
@@ -244,7 +278,9 @@ bool leave_out_faults(const SeenPoses& poses, const GyroRates& gyro, const GyroA
     const double half = 0.5 * median_interval(gyro.times);
     const std::size_t first = differences.rows[run.first], last = differences.rows[run.last - 1];
     const double rounding = integration_error(gyro, first, last + 1);
-    if (!single && turns.change_beyond(rounding, gyro.times[first] - half, gyro.times[last] + half) < jump) continue;
+    if (!single && rounding < untold_turn &&
+        turns.change_beyond(rounding, gyro.times[first] - half, gyro.times[last] + half) < jump)
+      continue;
     for (std::size_t i = run.first; i < run.last; ++i) counts[differences.rows[i]] = false;
   }
   for (std::size_t i = 0; i < differences.rows.size(); ++i)

@@ -37,6 +37,7 @@ class GyroPath {
   /// The same, but nothing where a rate beside it is missing or does not count.
   [[nodiscard]] std::optional<Eigen::Vector3d> measured_at(double t) const;
 
+  [[nodiscard]] const std::vector<double>& times() const noexcept { return times_; }
   /// Between rates that count [s].
   [[nodiscard]] double interval() const noexcept { return interval_; }
 

@@ -13,6 +13,7 @@
 #include <orispline/math/degrees.hpp>
 #include <orispline/math/median.hpp>
 #include <orispline/smooth/changing_noise.hpp>
+#include <orispline/smooth/correlated_fit.hpp>
 #include <orispline/smooth/gyro_fit.hpp>
 #include <orispline/smooth/smoothing_result.hpp>
 #include <orispline/smooth/smoothing_search.hpp>
@@ -150,7 +151,8 @@ Expected<void> near_to_samples(double noise) {
 
 constexpr double noisy_freedom =
     0.2;  // of the samples: a curve with more of it follows bends that could be taken for noise
-constexpr double doubtful_noise = 1.2;  // between neighbours, over a stated one
+constexpr double doubtful_noise = 1.2;     // between neighbours, over a stated one
+constexpr double hidden_intervals = 10.0;  // over which noise would correlate that is told of as hidden
 
 /// The weights of samples over that of one with the usual noise; empty where they are all alike.
 std::vector<double> shares_of(const std::vector<double>& noises, double usual) {
@@ -195,6 +197,9 @@ class Smoother {
     if (auto weighed = weigh_by_noise(); !weighed) return tl::unexpected(std::move(weighed.error()));
     take_search();
     if (auto near = near_to_samples(noise_to_judge()); !near) return tl::unexpected(std::move(near.error()));
+    if (options_.noise_time)
+      return fit_with_correlated_noise(*search_, {*options_.noise_time, options_.noise, scale_.interval})
+          .map([this](const CorrelatedFit& fit) { return finished(fit); });
     if (!gyro_) return finished();
     return fit_with_gyro(gyro_plan(), *search_, noise_to_judge_gyro()).map([this](GyroFit fit) {
       if (fit.finding.used) return finished(fit);
@@ -213,7 +218,7 @@ class Smoother {
             .smoothing_time = options_.smoothing_time,
             .noise = usual_noise_,
             .interval = scale_.interval,
-            .adapt = options_.adapt,
+            .adapt = options_.adapt && !options_.noise_time,
             .unit = "°",
             .unit_size = degrees};
   }
@@ -228,8 +233,8 @@ class Smoother {
 
   /// Where nobody says what the noise is and it changes, samples are weighed by it, if that predicts them better.
   [[nodiscard]] Expected<void> weigh_by_noise() {
-    const bool is_open =
-        result_.noises.empty() && !options_.noise && !options_.smoothing_time && options_.loss != Loss::l2;
+    const bool is_open = result_.noises.empty() && !options_.noise && !options_.noise_time &&
+                         !options_.smoothing_time && options_.loss != Loss::l2;
     if (!is_open || search_->finding().edge == LambdaChoice::Edge::shortest) return {};
     const SmoothingSearch::Freedom of = search_->freedom();
     if (of.trace > noisy_freedom * of.observations) return {};
@@ -294,6 +299,25 @@ class Smoother {
     result_.smoothing_times = search_->smoothing_times();
     if (options_.sigma) result_.sigmas = search_->sigmas(options_.noise.value_or(result_.noise));
     take_fits(search_->fits());
+    if (!options_.noise && result_.noises.empty()) {
+      const double time = hidden_intervals * scale_.interval;
+      result_.hidden_noise = {most_correlated_noise(recording_.times(), recording_.orientations(), time), time};
+    }
+    return std::move(result_);
+  }
+
+  /// By the orientations alone, whose noise correlates.
+  [[nodiscard]] Smoothing finished(const CorrelatedFit& fit) {
+    result_.criterion = SmoothingCriterion::reml;
+    result_.edge = fit.chosen.choice.edge;
+    result_.chosen_on = fit.chosen.times;
+    result_.penalty = fit.objective.penalty;
+    result_.lambda = fit.objective.lambda;
+    result_.smoothing_time = smoothing_time_of(fit.objective.lambda, fit.objective.penalty, fit.noise, scale_.interval);
+    result_.noise = fit.noise;
+    result_.correlated_noise = {.sigma = fit.noise, .time = fit.objective.correlation_time};
+    if (options_.sigma) result_.sigmas = sigmas_of(fit.problems, fit.objective, fit.fits);
+    take_fits(fit.fits);
     return std::move(result_);
   }
 
@@ -311,6 +335,8 @@ class Smoother {
     take_fits(fit.fits);
     result_.noise = fit.residual_noise;
     result_.gyro = fit.finding;
+    if (fit.objective.correlated_noise > 0.0)
+      result_.correlated_noise = {.sigma = fit.objective.correlated_noise, .time = fit.objective.correlation_time};
     if (fit.places.size() < result_.nodes.orientations.size()) {
       result_.places = fit.places;
       between_ = {fit.problems.front().times, fit.rates};
@@ -458,8 +484,10 @@ Expected<Smoothing> smoothed(const Request& request) {
   const Progress& progress = request.progress;
   const auto noises = stated_noise(recording);
   if (!noises) return tl::unexpected(noises.error());
-  if (!noises->empty() && request.options.noise)
-    return bad_option("noise", "found the noise of every sample in the recording as well, wanted one of them");
+  for (const auto& [name, is_stated] :
+       {std::pair{"noise", request.options.noise.has_value()}, {"noise_time", request.options.noise_time.has_value()}})
+    if (!noises->empty() && is_stated)
+      return bad_option(name, "found the noise of every sample in the recording as well, wanted one of them");
   return check_recording(keys, request.options)
       .and_then([&] { return stretches_of(keys, penalty_of(request.options), request.options.gap); })
       .and_then([&](std::vector<Stretch> stretches) { return smoothed(request, *noises, std::move(stretches)); })
@@ -490,9 +518,13 @@ Expected<void> check(const SmoothOptions& options) {
   if (auto checked = check_ranges(options); !checked) return checked;
   if (options.noise && options.smoothing_time)
     return bad_option("noise", "wanted no `smoothing_time` as well: each determines how smooth");
+  if (options.noise_time && options.smoothing_time)
+    return bad_option("noise_time", "wanted no `smoothing_time` as well, which is chosen by the noise");
+  if (options.noise_time && options.gyro)
+    return bad_option("noise_time", "wanted no `gyro`, with which noise that correlates is found");
   if (!options.gyro && options.gyro_noise) return bad_option("gyro_noise", "wanted `gyro` as well");
   if (!options.gyro && options.gyro_offset) return bad_option("gyro_offset", "wanted `gyro` as well");
-  if (!options.gyro && options.gyro_bias != GyroBias::constant) return bad_option("gyro_bias", "wanted `gyro` as well");
+  if (!options.gyro && options.gyro_bias) return bad_option("gyro_bias", "wanted `gyro` as well");
   if (options.gyro && options.gap) return bad_option("gap", "wanted no `gyro`, which bridges gaps");
   return {};
 }

@@ -55,9 +55,12 @@ struct GyroRates {
 
 /// How a recording is to be smoothed. What is absent is estimated from it.
 struct SmoothOptions {
-  std::optional<Penalty> penalty{};  ///< absent: the acceleration, or the jerk with a gyro that leaves out an end of
-                                     ///< the recording, to which its accelerations are carried on
-  std::optional<double> noise{};     ///< σ of the orientations per axis [rad], 1e-7 to 0.5
+  std::optional<Penalty> penalty{};    ///< absent: the acceleration, or the jerk with a gyro that does not count
+                                       ///< turns, whose accelerations it carries on to an end without rates
+  std::optional<double> noise{};       ///< σ of the orientations per axis [rad], 1e-7 to 0.5
+  std::optional<double> noise_time{};  ///< within which the correlation of the noise of the orientations falls to 1/e
+                                       ///< [s]; absent: white, or found with a gyro. Neither with one nor with
+                                       ///< `smoothing_time`
   std::optional<double> smoothing_time{};  ///< τ [s]; not together with `noise`. A thousandth of the median interval to
                                            ///< ten durations, for the jerk 5000 intervals
   Loss loss = Loss::robust;
@@ -65,7 +68,8 @@ struct SmoothOptions {
   bool gyro = false;                    ///< the angular velocities of the recording are those of a gyro
   std::optional<double> gyro_noise{};   ///< σ per axis [rad/s], 1e-9 to 1e3
   std::optional<double> gyro_offset{};  ///< by which the stamps of the gyro are late [s]
-  GyroBias gyro_bias = GyroBias::constant;
+  std::optional<GyroBias>
+      gyro_bias{};  ///< absent: constant, unless the recording is clearly better explained by a walk
   std::optional<double> position_noise{};  ///< σ of the positions per axis [m], 1e-12 to 1e12
   bool adapt = true;  ///< let τ of the orientations vary in time where that predicts the samples clearly better; of no
                       ///< effect with `smoothing_time` or `gyro`, with which one τ serves the whole recording
@@ -98,6 +102,7 @@ struct SmoothedNodes {
   std::vector<Eigen::Vector3d> positions{};
   Eigen::Vector3d gyro_correction = Eigen::Vector3d::Zero();  ///< b [rad/s]: the gyro, b added, has no bias
   std::vector<Eigen::Vector3d> gyro_corrections{};            ///< those of a bias that drifts; b is their mean
+  std::vector<Eigen::Vector3d> correlated_noises{};           ///< of orientations beside a gyro [rad], body frame
 };
 
 /// What the samples leave open of nodes: one standard deviation along each axis of the body.
@@ -137,14 +142,43 @@ struct GyroFinding {
   double offset = 0.0;                   ///< by which its stamps are late [s], as stated or found
   std::optional<double> offset_sigma{};  ///< [s]; absent where it is stated, or the motion does not tell it
   std::optional<double> drift{};         ///< of a bias that drifts: σ per axis of its change in 1 s [rad/s]
-  std::vector<std::size_t> rejected{};   ///< rates that do not count
-  /// Root mean square of the error of the orientations that is to be expected by what predicts them [rad]: with the
-  /// gyro, and without it. Absent where turns are counted, which nothing else can do.
+
+  /// A value and its standard deviation.
+  template <class Value>
+  struct Found {
+    Value value, sigma;
+  };
+  /// By which the rates of the axes are too large, as shares; absent where the recording does not tell.
+  std::optional<Found<Eigen::Vector3d>> scale{};
+  /// The turn of the sensor against the body [rad], a rotation vector; absent where the recording does not tell.
+  std::optional<Found<Eigen::Vector3d>> mount{};
+  /// By which the clock runs fast, as a share; absent where the clock is that of the orientations or does not tell.
+  std::optional<Found<double>> clock_rate{};
+
+  /// The clock jumped ahead by so much at a rate, so that the stamps from there on were set back.
+  struct ClockJump {
+    std::size_t rate;
+    double seconds;
+  };
+  std::vector<ClockJump> clock_jumps{};
+  bool came_in_batches = false;         ///< its stamps, which were spread evenly
+  std::array<bool, 3> unwound_axes{};   ///< whose counters came round
+  std::array<bool, 3> dead_axes{};      ///< whose rates are all the same: the others count
+  std::vector<std::size_t> rejected{};  ///< rates that do not count
+  /// Root mean square of the error of the orientations that is to be expected [rad]: with the gyro, and without it.
+  /// Absent where turns are counted, which nothing else can do.
   struct Risk {
     double with, without;
   };
   std::optional<Risk> risk{};
   bool used = false;  ///< else the orientations were smoothed without it, since they come out better so
+  enum class Doubt {
+    none,
+    reach,                ///< too few orientations stand between its rates
+    clock,                ///< its clock wanders or jumps
+    rates,                ///< its rates are far noisier than neighbouring ones tell
+    gain,                 ///< the orientations are hardly better known with it
+  } doubt = Doubt::none;  ///< why it was left out
 };
 
 /// A smoothed recording.
@@ -163,6 +197,14 @@ struct ORISPLINE_EXPORT Smoothing {
   double lambda = 0.0;                      ///< weight of the penalty against |r|²/σ²
   double noise = 0.0;        ///< σ of the orientations per axis [rad], estimated from the residuals, or as stated
   double local_noise = 0.0;  ///< estimated from neighbouring samples [rad]
+  /// The noise of the orientations may be correlated in part: σ per axis of a first-order Markov process [rad], and the
+  /// time within which its correlation falls to 1/e [s].
+  struct CorrelatedNoise {
+    double sigma, time;
+  };
+  std::optional<CorrelatedNoise> correlated_noise{};  ///< as stated, or found with a gyro or over the joints of a clip
+  /// What could be hidden in the motion, where noise is taken for white and nothing but the motion could tell.
+  std::optional<CorrelatedNoise> hidden_noise{};
   /// σ of every sample of the recording per axis [rad], by which they are weighed: as stated, or where it was found to
   /// change; else empty. `noise` is then that of a usual sample.
   std::vector<double> noises{};

@@ -31,6 +31,24 @@ std::optional<double> risk(const Smoothing& smoothing) {
   return smoothing.gyro && smoothing.gyro->risk ? std::optional((*smoothing.gyro->risk).*Member) : std::nullopt;
 }
 
+/// The value, or its σ, of what was found of a gyro that counts.
+template <auto Member, int Which>
+auto found_of_gyro(const Smoothing& smoothing) {
+  using Value = decltype((*(GyroFinding{}.*Member)).value);
+  const auto* const found =
+      smoothing.gyro && smoothing.gyro->used && (*smoothing.gyro).*Member ? &*((*smoothing.gyro).*Member) : nullptr;
+  if (!found) return std::optional<Value>();
+  return std::optional<Value>(Which == 0 ? found->value : found->sigma);
+}
+template <auto Member>
+std::optional<double> correlated(const Smoothing& smoothing) {
+  return smoothing.correlated_noise ? std::optional((*smoothing.correlated_noise).*Member) : std::nullopt;
+}
+template <auto Member>
+std::optional<double> hidden(const Smoothing& smoothing) {
+  return smoothing.hidden_noise ? std::optional((*smoothing.hidden_noise).*Member) : std::nullopt;
+}
+
 /// Of the positions; nothing without any.
 template <auto Member>
 std::optional<std::remove_cvref_t<decltype(PositionSmoothing{}.*Member)>> of_positions(const Smoothing& smoothing) {
@@ -66,62 +84,67 @@ struct FieldCodec<std::vector<Stretch>> {
   }
 };
 
-template <>
-std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept {
-  static constexpr std::array fields{
-      field<&SmoothOptions::penalty>({.name = "penalty",
-                                      .sentence = "Rate whose squared integral is kept small",
-                                      .absent = "acceleration, or jerk with a gyro that leaves out an end"}),
-      field<&SmoothOptions::noise>({.name = "noise",
-                                    .sentence = "Standard deviation of the noise of the orientations, per axis",
-                                    .quantity = &quantities::angle,
-                                    .range = {least_noise, largest_noise}}),
-      field<&SmoothOptions::smoothing_time>({.name = "smoothing_time",
-                                             .sentence = "Smoothing time tau; a longer one smooths more",
-                                             .quantity = &quantities::time,
-                                             .range = positive,
-                                             .absent = "chosen from the recording"}),
-      field<&SmoothOptions::loss>(
-          {.name = "loss",
-           .sentence = "How much samples far from the curve count: robust rejects outliers, l2 trusts every sample"}),
-      field<&SmoothOptions::gyro>(
-          {.name = "gyro", .sentence = "Use wx, wy, wz as the rates of a gyro, whose bias is estimated"}),
-      field<&SmoothOptions::gyro_noise>({.name = "gyro_noise",
-                                         .sentence = "Standard deviation of the noise of the gyro's rates, per axis",
-                                         .quantity = &quantities::rate,
-                                         .range = {1e-9, 1e3},
-                                         .example = "0.1deg/s",
-                                         .absent = "estimated"}),
-      field<&SmoothOptions::gyro_offset>({.name = "gyro_offset",
-                                          .sentence = "By how much the stamps of the gyro are late",
-                                          .quantity = &quantities::time,
-                                          .example = "0.02",
-                                          .absent = "auto: found from the recording"}),
-      field<&SmoothOptions::gyro_bias>({.name = "gyro_bias", .sentence = "The bias of the gyro"}),
-      field<&SmoothOptions::position_noise>({.name = "position_noise",
-                                             .sentence = "Standard deviation of the noise of the positions, per axis",
-                                             .quantity = &quantities::length,
-                                             .range = {1e-12, 1e12},
-                                             .example = "2cm",
-                                             .absent = "estimated"}),
-      field<&SmoothOptions::gap>({.name = "gap",
-                                  .sentence = "Smooth nothing across intervals longer than this",
-                                  .quantity = &quantities::time,
-                                  .range = positive,
-                                  .absent = "all are bridged"}),
-      field<&SmoothOptions::adapt>({.name = "adapt",
-                                    .sentence = "Let the smoothing time of the orientations vary in time, where that "
-                                                "predicts the samples clearly better",
-                                    .without = "Keep one smoothing time for the whole recording, even where one that "
-                                               "varies in time predicts the samples clearly better"}),
-      field<&SmoothOptions::sigma>(
-          {.name = "sigma",
-           .sentence = "Add one standard deviation of every orientation and rate, along the axes of the body"}),
-  };
-  return fields;
-}
-
 namespace {
+
+constexpr std::array of_options{
+    field<&SmoothOptions::penalty>({.name = "penalty",
+                                    .sentence = "Rate whose squared integral is kept small",
+                                    .absent = "acceleration, or jerk with a gyro that does not count turns"}),
+    field<&SmoothOptions::noise>({.name = "noise",
+                                  .sentence = "Standard deviation of the noise of the orientations, per axis",
+                                  .quantity = &quantities::angle,
+                                  .range = {least_noise, largest_noise}}),
+    field<&SmoothOptions::noise_time>(
+        {.name = "noise_time",
+         .sentence = "The time within which the correlation of the noise of the orientations falls to 1/e",
+         .quantity = &quantities::duration,
+         .range = positive,
+         .example = "50ms",
+         .absent = "the noise is taken for white, or found with a gyro"}),
+    field<&SmoothOptions::smoothing_time>({.name = "smoothing_time",
+                                           .sentence = "Smoothing time tau; a longer one smooths more",
+                                           .quantity = &quantities::time,
+                                           .range = positive,
+                                           .absent = "chosen from the recording"}),
+    field<&SmoothOptions::loss>(
+        {.name = "loss",
+         .sentence = "How much samples far from the curve count: robust rejects outliers, l2 trusts every sample"}),
+    field<&SmoothOptions::gyro>(
+        {.name = "gyro", .sentence = "Use wx, wy, wz as the rates of a gyro, whose bias is estimated"}),
+    field<&SmoothOptions::gyro_noise>({.name = "gyro_noise",
+                                       .sentence = "Standard deviation of the noise of the gyro's rates, per axis",
+                                       .quantity = &quantities::rate,
+                                       .range = {1e-9, 1e3},
+                                       .example = "0.1deg/s",
+                                       .absent = "estimated"}),
+    field<&SmoothOptions::gyro_offset>({.name = "gyro_offset",
+                                        .sentence = "By how much the stamps of the gyro are late",
+                                        .quantity = &quantities::time,
+                                        .example = "0.02",
+                                        .absent = "auto: found from the recording"}),
+    field<&SmoothOptions::gyro_bias>({.name = "gyro_bias",
+                                      .sentence = "The bias of the gyro",
+                                      .absent = "auto: constant, unless a walk explains the recording better"}),
+    field<&SmoothOptions::position_noise>({.name = "position_noise",
+                                           .sentence = "Standard deviation of the noise of the positions, per axis",
+                                           .quantity = &quantities::length,
+                                           .range = {1e-12, 1e12},
+                                           .example = "2cm",
+                                           .absent = "estimated"}),
+    field<&SmoothOptions::gap>({.name = "gap",
+                                .sentence = "Smooth nothing across intervals longer than this",
+                                .quantity = &quantities::time,
+                                .range = positive,
+                                .absent = "all are bridged"}),
+    field<&SmoothOptions::adapt>({.name = "adapt",
+                                  .sentence = "Let the smoothing time of the orientations vary in time, where that "
+                                              "predicts the samples clearly better",
+                                  .without = "Keep one smoothing time for the whole recording, even where one that "
+                                             "varies in time predicts the samples clearly better"}),
+    field<&SmoothOptions::sigma>(
+        {.name = "sigma",
+         .sentence = "Add one standard deviation of every orientation and rate, along the axes of the body"}),
+};
 
 constexpr std::array of_orientations{
     field<&Smoothing::smoothing_time>(
@@ -194,6 +217,49 @@ constexpr std::array of_orientations{
          .sentence = "Standard deviation per axis of the change of a drifting bias in one second",
          .quantity = &quantities::rate,
          .absent = "without a gyro, or its bias is constant"}),
+    field<&found_of_gyro<&GyroFinding::scale, 0>>(
+        {.name = "gyro_scale",
+         .sentence = "By which share of the true rate each axis of the gyro shows too much",
+         .absent = "without a gyro that counts, or where the recording does not tell"}),
+    field<&found_of_gyro<&GyroFinding::scale, 1>>({.name = "gyro_scale_sigma",
+                                                   .sentence = "Standard deviations of these shares",
+                                                   .absent = "where there are none"}),
+    field<&found_of_gyro<&GyroFinding::mount, 0>>(
+        {.name = "gyro_mount",
+         .sentence = "Rotation vector of the turn that brings the rates of the gyro into the frame of the body",
+         .quantity = &quantities::angle,
+         .absent = "without a gyro that counts, or where the recording does not tell"}),
+    field<&found_of_gyro<&GyroFinding::mount, 1>>({.name = "gyro_mount_sigma",
+                                                   .sentence = "Standard deviations of its components",
+                                                   .quantity = &quantities::angle,
+                                                   .absent = "where there are none"}),
+    field<&found_of_gyro<&GyroFinding::clock_rate, 0>>(
+        {.name = "gyro_clock_rate",
+         .sentence = "By which share of the time the clock of the gyro runs fast",
+         .absent = "without a gyro with a clock of its own that counts, or where the recording does not tell"}),
+    field<&found_of_gyro<&GyroFinding::clock_rate, 1>>({.name = "gyro_clock_rate_sigma",
+                                                        .sentence = "Standard deviation of this share",
+                                                        .absent = "where there is none"}),
+    field<&correlated<&Smoothing::CorrelatedNoise::sigma>>(
+        {.name = "correlated_noise",
+         .sentence = "Standard deviation of the correlated part of the noise of the orientations, per axis",
+         .quantity = &quantities::angle,
+         .absent = "where the noise is white, or taken for it"}),
+    field<&correlated<&Smoothing::CorrelatedNoise::time>>(
+        {.name = "correlation_time",
+         .sentence = "The time within which the correlation of this part falls to 1/e",
+         .quantity = &quantities::time,
+         .absent = "where there is none"}),
+    field<&hidden<&Smoothing::CorrelatedNoise::sigma>>(
+        {.name = "hidden_noise",
+         .sentence = "Standard deviation per axis up to which noise that correlates could be hidden in the motion",
+         .quantity = &quantities::angle,
+         .absent = "where the noise is stated, or a gyro tells it"}),
+    field<&hidden<&Smoothing::CorrelatedNoise::time>>(
+        {.name = "hidden_noise_time",
+         .sentence = "The time within which the correlation of such noise would fall to 1/e",
+         .quantity = &quantities::time,
+         .absent = "where there is none"}),
     field<&risk<&GyroFinding::Risk::with>>(
         {.name = "error_with_gyro",
          .sentence = "Root mean square of the error of the orientations that is to be expected with the gyro",
@@ -288,6 +354,11 @@ constexpr auto smoothing_results = [] {
 }();
 
 }  // namespace
+
+template <>
+std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept {
+  return of_options;
+}
 
 template <>
 std::span<const FieldInfo> fields_of<Smoothing>() noexcept {

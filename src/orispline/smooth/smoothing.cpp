@@ -87,11 +87,11 @@ constexpr double farthest_foreseen = 0.1;  // [rad], beyond which a step tells n
 constexpr double farthest_alike = 10.0;    // a step this many times as long as one known is no guide to the next
 constexpr double smallest_share = 1e-4;    // of the step that Gauss and Newton propose
 
-/// Whether there is a gyro, and what its bias is.
-enum class GyroModel { none, shared, drifting };
+/// Whether there is a gyro, what its bias is, and whether the noise of the orientations has a part that correlates.
+enum class Unknowns { of_motion, motion_and_noise, shared_bias, drifting_bias, drifting_bias_and_noise };
 
 /// The iteration for a penalty of order P, with or without a gyro.
-template <int P, GyroModel Model>
+template <int P, Unknowns Kind>
 class Minimisation {
  public:
   Minimisation(const SmoothingProblem& problem, const SmoothingObjective& objective, const SmoothedNodes* start)
@@ -152,10 +152,13 @@ class Minimisation {
  private:
   using Element = SmoothingElement<P>;
   using Rates = typename Element::Rates;
-  static constexpr bool has_gyro = Model != GyroModel::none, shares = Model == GyroModel::shared,
-                        drifts = Model == GyroModel::drifting;
-  static constexpr int of_element = Element::unknowns;
-  static constexpr int unknowns = of_element + (drifts ? 3 : 0), data_rows = has_gyro ? 6 : 3, sides = shares ? 4 : 1;
+  static constexpr bool shares = Kind == Unknowns::shared_bias,
+                        drifts = Kind == Unknowns::drifting_bias || Kind == Unknowns::drifting_bias_and_noise,
+                        correlates = Kind == Unknowns::motion_and_noise || Kind == Unknowns::drifting_bias_and_noise,
+                        has_gyro = shares || drifts;
+  static constexpr int of_element = Element::unknowns, of_motion = of_element + (drifts ? 3 : 0);
+  static constexpr int unknowns = of_motion + (correlates ? 3 : 0),
+                       data_rows = 3 + (has_gyro ? 3 : 0) + (correlates ? 3 : 0), sides = shares ? 4 : 1;
   using Chain = ChainElimination<unknowns, data_rows, sides>;
   using Low = typename Chain::Low;
   using BiasRows = orispline::BiasRows<Chain::Remainder::RowsAtCompileTime, sides>;
@@ -172,14 +175,16 @@ class Minimisation {
     std::vector<Rates> rates;
     Eigen::Vector3d bias = Eigen::Vector3d::Zero();
     std::vector<Eigen::Vector3d> biases{};  // of the nodes, where it drifts
+    std::vector<Eigen::Vector3d> noises{};  // that keep [rad]
 
     [[nodiscard]] State after(const Step& step, double length) const {
-      State moved{orientations, rates, bias + length * step.bias, biases};
+      State moved{orientations, rates, bias + length * step.bias, biases, noises};
       for (std::size_t i = 0; i < rates.size(); ++i) {
         const Eigen::Vector3d turn = length * step.nodes[i].template head<3>();
         moved.orientations[i] = (orientations[i] * exp<double>(turn)).normalized();
         moved.rates[i] += length * step.nodes[i].template segment<of_element - 3>(3);
-        if constexpr (drifts) moved.biases[i] += length * step.nodes[i].template tail<3>();
+        if constexpr (drifts) moved.biases[i] += length * step.nodes[i].template segment<3>(of_element);
+        if constexpr (correlates) moved.noises[i] += length * step.nodes[i].template tail<3>();
       }
       return moved;
     }
@@ -194,7 +199,14 @@ class Minimisation {
   [[nodiscard]] double duration(std::size_t i) const { return problem_.times[i + 1] - problem_.times[i]; }
 
   [[nodiscard]] Eigen::Vector3d gyro_residual(const State& state, std::size_t i) const {
-    return state.rates[i].template head<3>() - problem_.gyro[i] - (drifts ? state.biases[i] : state.bias);
+    const Eigen::Vector3d off = state.rates[i].template head<3>() - problem_.gyro[i];
+    return live_axes_.cwiseProduct(off) - (drifts ? state.biases[i] : state.bias);
+  }
+
+  /// What is left of a residual without the noise that correlates.
+  [[nodiscard]] Eigen::Vector3d white_part(const State& state, std::size_t i, const Eigen::Vector3d& residual) const {
+    if constexpr (correlates) return residual - state.noises[i];
+    return residual;
   }
 
   /// The change of a bias that drifts, in its σ.
@@ -203,8 +215,21 @@ class Minimisation {
   }
   [[nodiscard]] double walk_sigma(std::size_t i) const { return objective_.drift * std::sqrt(duration(i)); }
 
+  /// Of the noise that correlates, how much of it does until the next node, and the change in its σ.
+  [[nodiscard]] double correlation(std::size_t i) const {
+    return elementary::exponential(-duration(i) / objective_.correlation_time);
+  }
+  [[nodiscard]] double fresh_sigma(std::size_t i) const {
+    const double share = correlation(i);
+    return objective_.correlated_noise * std::sqrt(1.0 - share * share);
+  }
+  [[nodiscard]] Eigen::Vector3d fresh_residual(const State& state, std::size_t i) const {
+    return (state.noises[i + 1] - correlation(i) * state.noises[i]) / fresh_sigma(i);
+  }
+
   [[nodiscard]] static State taken_from(const SmoothedNodes& nodes) {
-    State state{nodes.orientations, {}, nodes.gyro_correction, nodes.gyro_corrections};
+    State state{nodes.orientations, {}, nodes.gyro_correction, nodes.gyro_corrections, nodes.correlated_noises};
+    if (correlates && state.noises.empty()) state.noises.assign(nodes.orientations.size(), Eigen::Vector3d::Zero());
     if (drifts && state.biases.empty()) state.biases.assign(nodes.orientations.size(), nodes.gyro_correction);
     for (std::size_t i = 0; i < nodes.orientations.size(); ++i) {
       Rates& rates = state.rates.emplace_back();
@@ -220,13 +245,16 @@ class Minimisation {
       const double w = problem_.weights[i];
       const Eigen::Vector3d r = w > 0.0 ? shortest_increment(state.orientations[i], problem_.orientations[i])
                                         : Eigen::Vector3d(Eigen::Vector3d::Zero());
-      const LossValue loss = loss_at(objective_.loss, w * r.squaredNorm(), objective_.threshold);
+      const LossValue loss = loss_at(objective_.loss, w * white_part(state, i, r).squaredNorm(), objective_.threshold);
       e.residuals.push_back(r);
       e.loss_weights.push_back(loss.weight);
       e.curvatures.push_back(loss.curvature);
       e.data += loss.value;
       if constexpr (has_gyro) e.gyro += problem_.gyro_weights[i] * gyro_residual(state, i).squaredNorm();
+      if constexpr (correlates)
+        if (i == 0) e.gyro += (state.noises[0] / objective_.correlated_noise).squaredNorm();
       if (i + 1 == problem_.size()) break;
+      if constexpr (correlates) e.gyro += fresh_residual(state, i).squaredNorm();
       if constexpr (drifts) e.gyro += walk_residual(state, i).squaredNorm();
       e.steps.push_back(shortest_increment(state.orientations[i], state.orientations[i + 1]));
       e.interval_penalties.push_back(
@@ -242,7 +270,7 @@ class Minimisation {
     Low low = Low::Zero();
     constexpr int side = 2 * unknowns;
     const double root = std::sqrt(problem_.weights[i] * now.loss_weights[i]);
-    const Eigen::Vector3d& residual = now.residuals[i];
+    const Eigen::Vector3d residual = white_part(state_, i, now.residuals[i]);
     low.template topLeftCorner<3, 3>().diagonal().setConstant(root);
     low.template block<3, 1>(0, side) = root * residual;
     if (now.curvatures[i] < 1.0) {  // along the residual by its root, which the right-hand side makes up for
@@ -251,9 +279,16 @@ class Minimisation {
           root * (share - 1.0) / residual.squaredNorm() * residual * residual.transpose();
       low.template block<3, 1>(0, side) /= share;
     }
+    if constexpr (correlates) {
+      low.template block<3, 3>(0, of_motion) = low.template topLeftCorner<3, 3>();
+      if (i == 0) {
+        low.template block<3, 3>(data_rows - 3, of_motion).diagonal().setConstant(1.0 / objective_.correlated_noise);
+        low.template block<3, 1>(data_rows - 3, side) = -state_.noises[0] / objective_.correlated_noise;
+      }
+    }
     if constexpr (has_gyro) {
       const double gyro_root = std::sqrt(problem_.gyro_weights[i]);
-      low.template block<3, 3>(3, 3).diagonal().setConstant(gyro_root);
+      low.template block<3, 3>(3, 3).diagonal() = gyro_root * live_axes_;
       low.template block<3, 1>(3, side) = -gyro_root * gyro_residual(state_, i);
       if constexpr (drifts) low.template block<3, 3>(3, of_element).diagonal().setConstant(-gyro_root);
       else if (objective_.bias == SmoothingObjective::Bias::constant)
@@ -268,6 +303,7 @@ class Minimisation {
           penalty_root * e.jacobian.template rightCols<of_element>();
       low.template block<of_element, 1>(data_rows, side) = -penalty_root * e.residual;
       if constexpr (drifts) add_walk(low, i);
+      if constexpr (correlates) add_correlated_noise(low, i);
     }
     return low;
   }
@@ -279,6 +315,14 @@ class Minimisation {
     low.template block<3, 3>(row, of_element).diagonal().setConstant(-root);
     low.template block<3, 3>(row, unknowns + of_element).diagonal().setConstant(root);
     low.template block<3, 1>(row, 2 * unknowns) = -walk_residual(state_, i);
+  }
+
+  void add_correlated_noise(Low& low, std::size_t i) const {
+    constexpr int row = data_rows + of_motion;
+    const double root = 1.0 / fresh_sigma(i);
+    low.template block<3, 3>(row, of_motion).diagonal().setConstant(-root * correlation(i));
+    low.template block<3, 3>(row, unknowns + of_motion).diagonal().setConstant(root);
+    low.template block<3, 1>(row, 2 * unknowns) = -fresh_residual(state_, i);
   }
 
   /// Moves by the step, or by a part of it, which is returned.
@@ -380,6 +424,7 @@ class Minimisation {
         fit.nodes.gyro_correction += bias / static_cast<double>(state_.biases.size());
       fit.nodes.gyro_corrections = std::move(state_.biases);
     }
+    fit.nodes.correlated_noises = std::move(state_.noises);
     fit.residuals = std::move(now.residuals);
     fit.loss_weights = std::move(now.loss_weights);
     fit.interval_penalties = std::move(now.interval_penalties);
@@ -392,6 +437,8 @@ class Minimisation {
 
   const SmoothingProblem& problem_;
   const SmoothingObjective& objective_;
+  const Eigen::Vector3d live_axes_{problem_.dead_gyro_axes[0] ? 0.0 : 1.0, problem_.dead_gyro_axes[1] ? 0.0 : 1.0,
+                                   problem_.dead_gyro_axes[2] ? 0.0 : 1.0};  // 1, or 0 where the gyro is dead
   State state_;
   Chain chain_;                  // kept for its memory
   std::optional<State> lowest_;  // that was left uphill
@@ -403,10 +450,14 @@ template <class Use>
 auto with_minimisation(const SmoothingProblem& problem, const SmoothingObjective& objective, const SmoothedNodes* start,
                        Use use) {
   const auto of_order = [&]<int P>(std::integral_constant<int, P>) {
-    if (problem.gyro.empty()) return use(Minimisation<P, GyroModel::none>(problem, objective, start));
+    if (problem.gyro.empty() && objective.correlated_noise > 0.0)
+      return use(Minimisation<P, Unknowns::motion_and_noise>(problem, objective, start));
+    if (problem.gyro.empty()) return use(Minimisation<P, Unknowns::of_motion>(problem, objective, start));
+    if (objective.correlated_noise > 0.0)
+      return use(Minimisation<P, Unknowns::drifting_bias_and_noise>(problem, objective, start));
     if (objective.bias == SmoothingObjective::Bias::drifting)
-      return use(Minimisation<P, GyroModel::drifting>(problem, objective, start));
-    return use(Minimisation<P, GyroModel::shared>(problem, objective, start));
+      return use(Minimisation<P, Unknowns::drifting_bias>(problem, objective, start));
+    return use(Minimisation<P, Unknowns::shared_bias>(problem, objective, start));
   };
   return objective.penalty == Penalty::jerk ? of_order(std::integral_constant<int, 3>())
                                             : of_order(std::integral_constant<int, 2>());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -31,6 +32,7 @@ struct SmoothingProblem {
   std::vector<double> shares{};                    ///< of the weights over that of a usual sample; empty: all 1
   std::vector<Eigen::Vector3d> gyro{};             ///< [rad/s], body frame; empty without a gyro
   std::vector<double> gyro_weights{};              ///< 1/σ² [s²/rad²] per axis; 0 where there is no rate
+  std::array<bool, 3> dead_gyro_axes{};            ///< about which the gyro says nothing
   std::vector<double> relative_lambdas{};          ///< λ of each interval over that of the objective; empty: all 1
 
   [[nodiscard]] std::size_t size() const noexcept { return times.size(); }
@@ -49,6 +51,10 @@ struct SmoothingObjective {
   double threshold = 2.5;         ///< of the loss, in units of σ
   Bias bias = Bias::none;         ///< of the gyro
   double drift = 0.0;             ///< of a bias that drifts, above 0: σ per axis of its change in 1 s [rad/s]
+  double correlated_noise = 0.0;  ///< of orientations, without a gyro or with one whose bias drifts: σ per axis of a
+                                  ///< first-order Markov part, beyond the white noise of the weights [rad]
+  double correlation_time = 0.0;  ///< within which the correlation of that part falls to 1/e [s]
+  bool finds_noise = false;       ///< for the restricted likelihood: all noises are known but for one common factor
   OpenEndedWork* work = nullptr;  ///< every step adds its times; the iteration ends early when it is stopped
 
   [[nodiscard]] bool stopped() const noexcept { return work && work->stopped(); }
@@ -86,7 +92,8 @@ struct SmoothingFit {
 
 /// Minimises Σ ρ(w |r|²) + λ ∫|ω^(p-1)|² dt + Σ w_g |ω - g - b|² over orientations, rates and bias at the times of the
 /// recording, r = log(q⁻¹ Q). Linear in the number of times. A bias that drifts is one of each time, and adds
-/// Σ |Δb|²/(drift² Δt).
+/// Σ |Δb|²/(drift² Δt). Correlated noise x of the orientations, in the body's frame, is one of each time too: r is then
+/// log(q⁻¹ Q) - x, and |x₀|²/σ² + Σ |Δx|²/(σ² (1 - a²)) is added, Δx = x' - a x, a = exp(-Δt/correlation_time).
 ///
 /// Gauss–Newton with the identity for the Hessian of |r|²/2, which majorises it, iterated weights for the loss, and
 /// step halving; each step by block QR from node to node, which squares no condition number. The penalty is that of

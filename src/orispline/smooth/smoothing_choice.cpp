@@ -38,15 +38,19 @@ double power(double base, int exponent) {
 /// -2 log of the restricted likelihood, but for a constant.
 double restricted_likelihood(const StretchProblems& stretches, const StretchFits& fits,
                              const SmoothingObjective& objective) {
-  double sum = 0.0;
+  double sum = 0.0, cost = 0.0;
   for (std::size_t i = 0; i < stretches.size(); ++i) {
     const auto segments = static_cast<double>(stretches[i].size() - 1);
+    cost += fits.fits[i].cost;
     sum += fits.fits[i].cost + log_determinant(stretches[i], objective, fits.fits[i].nodes) -
            3.0 * order_of(objective.penalty) * segments * natural_logarithm(objective.lambda);
     if (objective.bias == SmoothingObjective::Bias::drifting)
       sum += 6.0 * segments * natural_logarithm(objective.drift);
   }
-  return sum;
+  if (!objective.finds_noise) return sum;
+  const double of_lines = 3.0 * order_of(objective.penalty) * static_cast<double>(stretches.size());
+  const double freedom = std::max(3.0, 3.0 * static_cast<double>(observations(stretches)) - of_lines);
+  return sum - cost + freedom * natural_logarithm(cost);
 }
 
 /// Where the parabola through three equally spaced values has its minimum, in steps from the middle one.
@@ -157,6 +161,7 @@ SmoothingProblem part_of(const SmoothingProblem& stretch, std::size_t first, std
           .weights = part_of(stretch.weights, first, size),
           .gyro = part_of(stretch.gyro, first, size),
           .gyro_weights = part_of(stretch.gyro_weights, first, size),
+          .dead_gyro_axes = stretch.dead_gyro_axes,
           .relative_lambdas = part_of(stretch.relative_lambdas, first, size - 1)};
 }
 
@@ -167,7 +172,8 @@ SmoothingFit part_of(const SmoothingFit& fit, std::size_t first, std::size_t siz
                     .angular_accelerations = part_of(nodes.angular_accelerations, first, size),
                     .positions = part_of(nodes.positions, first, size),
                     .gyro_correction = nodes.gyro_correction,
-                    .gyro_corrections = part_of(nodes.gyro_corrections, first, size)},
+                    .gyro_corrections = part_of(nodes.gyro_corrections, first, size),
+                    .correlated_noises = part_of(nodes.correlated_noises, first, size)},
           .steps = fit.steps};
 }
 
@@ -232,6 +238,17 @@ StretchFits fit_stretches(const StretchProblems& stretches, const SmoothingObjec
     result.fits.push_back(fit_smoothing(stretches[i], objective, own, before ? &before->nodes : nullptr));
   }
   return result;
+}
+
+NodeSigmas sigmas_of(const StretchProblems& stretches, const SmoothingObjective& objective, const StretchFits& fits) {
+  NodeSigmas all;
+  for (std::size_t k = 0; k < stretches.size(); ++k) {
+    const NodeSigmas part = node_sigmas(stretches[k], objective, fits.fits[k].nodes);
+    all.orientations.insert(all.orientations.end(), part.orientations.begin(), part.orientations.end());
+    all.angular_velocities.insert(all.angular_velocities.end(), part.angular_velocities.begin(),
+                                  part.angular_velocities.end());
+  }
+  return all;
 }
 
 bool converged(const StretchFits& fits, double noise) {

@@ -28,6 +28,10 @@ struct StretchFits {
 [[nodiscard]] StretchFits fit_stretches(const StretchProblems& stretches, const SmoothingObjective& objective,
                                         const SmoothingIteration& iteration = {}, const StretchFits& start = {});
 
+/// Standard deviations at the nodes of all stretches, where the noises are those of the weights and the objective.
+[[nodiscard]] NodeSigmas sigmas_of(const StretchProblems& stretches, const SmoothingObjective& objective,
+                                   const StretchFits& fits);
+
 /// Whether the last steps moved no node by more than the noise.
 [[nodiscard]] bool converged(const StretchFits& fits, double noise);
 

@@ -84,6 +84,8 @@ Warning jumps_followed_at(std::size_t first, std::size_t count) {
           .numbers = {{"samples", static_cast<double>(count)}}};
 }
 
+constexpr double far_mount = 20.0;  // [°]: what no sensor that was put on with care is off by
+
 /// Over all axes.
 double root_mean_square(const std::vector<Eigen::Vector3d>& vectors) {
   double sum = 0.0;
@@ -91,15 +93,70 @@ double root_mean_square(const std::vector<Eigen::Vector3d>& vectors) {
   return std::sqrt(sum / (3.0 * static_cast<double>(vectors.size())));
 }
 
+/// `x and z`
+std::string axes_text(const std::array<bool, 3>& axes) {
+  std::string text;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (axes[axis]) text += formatted("{}{}", text.empty() ? "" : " and ", "xyz"[axis]);
+  return text;
+}
+
+void warn_of_repairs(const GyroFinding& gyro, std::vector<Warning>& warnings) {
+  if (!gyro.clock_jumps.empty()) {
+    const auto& [rate, seconds] = gyro.clock_jumps.front();
+    warnings.push_back(
+        {.code = "gyro_clock_jumps",
+         .message = formatted("the clock of the gyro jumps ahead {}, first by {:.4g} s at rate {} of the "
+                              "gyro; no rate is missing there, and the stamps behind it were set back",
+                              counted(gyro.clock_jumps.size(), "time"), seconds, rate),
+         .numbers = {{"jump_s", seconds}}});
+  }
+  if (gyro.came_in_batches)
+    warnings.push_back({.code = "gyro_in_batches",
+                        .message = "the stamps of the gyro come in batches; the rates of each batch were spread evenly "
+                                   "over the time since the one before"});
+  if (const double angle = gyro.mount ? gyro.mount->value.norm() * degrees : 0.0; angle > far_mount)
+    warnings.push_back(
+        {.code = "gyro_turned",
+         .message = formatted("the gyro is mounted by {:.3g}° off the axes of the body; its rates were turned", angle),
+         .numbers = {{"mount_rad", angle / degrees}}});
+  if (const std::string axes = axes_text(gyro.unwound_axes); !axes.empty())
+    warnings.push_back({.code = "gyro_unwound",
+                        .message = formatted("the rates of the gyro about {} come round like a counter that is too "
+                                             "short; whole rounds were added",
+                                             axes)});
+  if (const std::string axes = axes_text(gyro.dead_axes); !axes.empty())
+    warnings.push_back({.code = "gyro_axis_dead",
+                        .message = formatted("the rates of the gyro about {} are all the same, though the body turns "
+                                             "that way; only its other axes count",
+                                             axes)});
+}
+
+/// Why a gyro was left out, and the cure.
+const char* reason_of(GyroFinding::Doubt doubt) {
+  switch (doubt) {
+    case GyroFinding::Doubt::reach:
+      return "fewer than half of the orientations stand between its rates; look at its stamps, which may come in "
+             "batches or from another clock";
+    case GyroFinding::Doubt::clock:
+      return "its clock jumps or wanders against that of the orientations; cut the recording where it jumps, or repair "
+             "the stamps";
+    case GyroFinding::Doubt::rates:
+      return "no scale, mount, bias or clock that was tried brings its rates to the orientations, as where an axis is "
+             "dead, rates are stuck or counters come round, or where they are those of another body; set `noise` if "
+             "the orientations are less exact than they seem";
+    default:
+      return "the orientations are hardly better known with it; set `noise` if they are less exact than they seem";
+  }
+}
+
 Warning gyro_left_out(const GyroFinding& gyro) {
   const double with = gyro.risk->with, without = gyro.risk->without;
-  return {.code = "gyro_left_out",
-          .message =
-              formatted("the gyro was left out: with it the orientations would be expected to be {:.3g}° off, without "
-                        "it {:.3g}°; its clock may run otherwise, its bias may change (`gyro_bias` drifting), or "
-                        "more of its rates are wrong than can be told",
-                        with * degrees, without * degrees),
-          .numbers = {{"with_rad", with}, {"without_rad", without}}};
+  return {
+      .code = "gyro_left_out",
+      .message = formatted("the gyro was left out, and the orientations are expected to be {:.3g}° off without it: {}",
+                           without * degrees, reason_of(gyro.doubt)),
+      .numbers = {{"with_rad", with}, {"without_rad", without}}};
 }
 
 bool contradicts(double found, double stated) {
@@ -205,6 +262,7 @@ std::vector<Warning> warnings_of(const Smoothing& smoothing, const SmoothOptions
                                    "set `smoothing_time` to have less"});
   if (const SampleRun run = longest_rejected_run(smoothing); run.second >= motion_run)
     warnings.push_back(rejected_run(run));
+  if (smoothing.gyro && smoothing.gyro->used) warn_of_repairs(*smoothing.gyro, warnings);
   if (smoothing.gyro && !smoothing.gyro->used) warnings.push_back(gyro_left_out(*smoothing.gyro));
   if (smoothing.gyro && smoothing.gyro->used && options.noise && contradicts(smoothing.noise, *options.noise))
     warnings.push_back(noise_contradicted(smoothing.noise, *options.noise));

@@ -209,12 +209,9 @@ double SmoothingSearch::residual_noise() const {
 
 NodeSigmas SmoothingSearch::sigmas(double noise) const {
   const double ratio = noise / plan_.noise;
-  NodeSigmas all;
-  for (std::size_t k = 0; k < problems_.size(); ++k) {
-    const NodeSigmas part = node_sigmas(problems_[k], objective_, fits_.fits[k].nodes);
-    for (const Eigen::Vector3d& sigma : part.orientations) all.orientations.emplace_back(ratio * sigma);
-    for (const Eigen::Vector3d& sigma : part.angular_velocities) all.angular_velocities.emplace_back(ratio * sigma);
-  }
+  NodeSigmas all = sigmas_of(problems_, objective_, fits_);
+  for (Eigen::Vector3d& sigma : all.orientations) sigma *= ratio;
+  for (Eigen::Vector3d& sigma : all.angular_velocities) sigma *= ratio;
   return all;
 }
 

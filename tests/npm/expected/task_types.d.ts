@@ -21,6 +21,8 @@ export interface Tasks {
             penalty?: 'acceleration' | 'jerk' | undefined;
             /** Standard deviation of the noise of the orientations, per axis. */
             noise?: Text | undefined;
+            /** The time within which the correlation of the noise of the orientations falls to 1/e. */
+            noise_time?: Text | undefined;
             /** Smoothing time tau; a longer one smooths more. */
             smoothing_time?: Text | undefined;
             /** How much samples far from the curve count: robust rejects outliers, l2 trusts every sample. */
@@ -85,6 +87,8 @@ export interface Tasks {
             penalty?: 'acceleration' | 'jerk' | undefined;
             /** Standard deviation of the noise of the orientations, per axis. */
             noise?: Text | undefined;
+            /** The time within which the correlation of the noise of the orientations falls to 1/e. */
+            noise_time?: Text | undefined;
             /** Smoothing time tau; a longer one smooths more. */
             smoothing_time?: Text | undefined;
             /** How much samples far from the curve count: robust rejects outliers, l2 trusts every sample. */

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Noise that correlates, without a gyro: stated, and found over several tracks. The noise is made here, and what is
+// found is compared with it.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <orispline/smooth/correlated_fit.hpp>
+#include <orispline/smooth/shared_noise_time.hpp>
+
+#include "smooth/noisy_motion.hpp"
+
+namespace orispline { namespace {
+
+constexpr double interval = 0.01, sigma = 1.0 * degree;
+
+/// A calm motion with first-order Markov noise of 1°; `time` 0: white.
+Recording recorded_with(double time, std::uint64_t seed, std::size_t count = 600) {
+  Recording recording = recorded(count, 0.0, seed);
+  Dice dice(seed + 1000);
+  const double kept = time > 0.0 ? std::exp(-interval / time) : 0.0;
+  Eigen::Vector3d noise = normal_vector(dice);
+  for (Eigen::Quaterniond& q : recording.noisy.orientations) {
+    q = q * exp<double>(sigma * noise);
+    noise = kept * noise + std::sqrt(1.0 - kept * kept) * normal_vector(dice);
+  }
+  return recording;
+}
+
+TEST(CorrelatedNoise, IsTakenAwayWhereItsTimeIsStated) {
+  for (const double time : {0.02, 0.05, 0.1}) {
+    SCOPED_TRACE(time);
+    const Recording recording = recorded_with(time, 3);
+    const Smoothing plain = smoothed(recording.noisy, {}), stated = smoothed(recording.noisy, {.noise_time = time});
+    EXPECT_NEAR(stated.noise / sigma, 1.0, 0.2);
+    ASSERT_TRUE(stated.correlated_noise);
+    EXPECT_EQ(stated.correlated_noise->time, time);
+    EXPECT_EQ(stated.correlated_noise->sigma, stated.noise);
+    EXPECT_LT(rms(stated, recording.clean), 0.9 * rms(plain, recording.clean));
+    EXPECT_FALSE(stated.hidden_noise);
+  }
+}
+
+TEST(CorrelatedNoise, IsAsLargeAsItIsSaidThatItCouldBe) {
+  const Recording recording = recorded_with(0.1, 5);
+  const Smoothing plain = smoothed(recording.noisy, {});
+  ASSERT_TRUE(plain.hidden_noise);
+  EXPECT_NEAR(plain.hidden_noise->time, 0.1, 1e-9);
+  EXPECT_LT(plain.noise, 0.6 * sigma) << "it looks like motion";
+  EXPECT_NEAR(plain.hidden_noise->sigma / sigma, 1.0, 0.2);
+  EXPECT_FALSE(smoothed(recording.noisy, {.noise = sigma}).hidden_noise) << "it is stated";
+}
+
+TEST(CorrelatedNoise, IsKnownToTheStandardDeviations) {
+  const Recording recording = recorded_with(0.05, 7);
+  const Smoothing smoothing = smoothed(recording.noisy, {.noise = sigma, .noise_time = 0.05, .sigma = true});
+  const double said = *smoothing.rms_sigma() * std::sqrt(3.0), off = rms(smoothing, recording.clean);
+  EXPECT_GT(said, 0.6 * off);
+  EXPECT_LT(said, 1.6 * off);
+}
+
+TEST(CorrelatedNoise, OfSeveralTracksIsFoundAndWhiteNoiseIsNot) {
+  for (const double time : {0.0, 0.05}) {
+    SCOPED_TRACE(time);
+    std::vector<Keyframes> tracks;
+    for (std::uint64_t seed = 1; seed <= 6; ++seed)
+      tracks.push_back(Keyframes::make(recorded_with(time, seed).noisy).value());
+    const auto found = shared_noise_time(tracks, 1);
+    ASSERT_EQ(found.has_value(), time > 0.0);
+    EXPECT_FALSE(shared_noise_time(std::span(tracks).first(1), 1)) << "one track does not tell";
+    if (!found) continue;
+    EXPECT_LT(*found, 1.5 * time);
+    EXPECT_GT(*found, 0.3 * time) << "rather too short than too long";
+  }
+}
+
+TEST(CorrelatedNoise, IsStatedWithoutWhatContradictsIt) {
+  EXPECT_FALSE(check(SmoothOptions{.noise_time = 0.05, .smoothing_time = 0.1}));
+  EXPECT_FALSE(check(SmoothOptions{.noise_time = 0.05, .gyro = true}));
+  EXPECT_FALSE(check(SmoothOptions{.noise_time = 0.0}));
+  EXPECT_TRUE(check(SmoothOptions{.noise = 0.01, .noise_time = 0.05}));
+}
+
+}}  // namespace orispline

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the model says of gyros of which everything is known.
+#include <orispline/smooth/gyro_model.hpp>
+
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "smooth/gyro_case.hpp"
+
+namespace orispline::gyro_motion { namespace {
+
+namespace columns = calibration_columns;
+
+constexpr double pose_noise = 0.5 * degree, rate_noise = 0.3 * degree;  // of an orientation [rad], of a rate [rad/s]
+constexpr double interval = 0.01;                                       // of the rates [s]
+
+GyroModel model_of(const GyroCase& made, const GyroAlignment& near = {}) {
+  return gyro_model(made.poses(pose_noise), made.gyro, made.counts(),
+                    {.near = {.correction = near.correction, .offset = near.offset},
+                     .rate_noise = rate_noise * std::sqrt(interval),
+                     .pose_noise = pose_noise,
+                     .finds_offset = true,
+                     .finds_clock_rate = true});
+}
+
+void expect_within(const GyroModel& model, const CalibrationUnknowns& truth, int first, int count) {
+  for (int k = first; k < first + count; ++k)
+    EXPECT_LE(std::abs(model.values[k] - truth[k]), 4.0 * model.sigmas[k]) << "column " << k;
+}
+
+TEST(GyroModel, FindsScaleMountAndClock) {
+  for (std::uint64_t seed = 0; seed < 2; ++seed) {
+    GyroCase made(seed);
+    CalibrationUnknowns truth = CalibrationUnknowns::Zero();
+    truth.segment<3>(columns::correction) << 0.01, -0.02, 0.005;
+    truth.segment<3>(columns::scale) << 0.02, -0.01, 0.005;
+    truth.segment<3>(columns::mount) << 0.02, 0.0, -0.03;
+    truth[columns::offset] = 0.012;
+    truth[columns::clock_rate] = 4e-4;
+    made.set_off({.shape = shape_of(truth),
+                  .correction = truth.head<3>(),
+                  .offset = truth[columns::offset],
+                  .clock_rate = truth[columns::clock_rate],
+                  .clock_origin = std::midpoint(made.data.times.front(), made.data.times.back())});
+    made.add_noise(pose_noise, rate_noise);
+    const GyroModel model = model_of(made);
+    EXPECT_TRUE(model.has_scale && model.has_mount && model.has_clock_rate) << seed;
+    expect_within(model, truth, 0, columns::count);
+    EXPECT_EQ(model.noises.drift, 0.0) << seed;
+    EXPECT_EQ(model.noises.correlated, 0.0) << seed;
+  }
+}
+
+/// A clock that began long before, as of a sensor that counts since it was switched on.
+TEST(GyroModel, FindsThePaceOfAClockThatIsFarOff) {
+  GyroCase made(7);
+  const double far = 86400.0;
+  made.set_off({.offset = far,
+                .clock_rate = 4e-4,
+                .clock_origin = far + std::midpoint(made.data.times.front(), made.data.times.back())});
+  made.add_noise(pose_noise, rate_noise);
+  const GyroModel model = model_of(made, {.offset = far});
+  EXPECT_TRUE(model.has_clock_rate);
+  EXPECT_LE(std::abs(model.calibration.clock_rate - 4e-4), 4.0 * model.sigmas[columns::clock_rate]);
+  EXPECT_NEAR(model.calibration.offset, far, 2e-3);
+}
+
+TEST(GyroModel, TellsNothingOfWhatIsNotThere) {
+  for (std::uint64_t seed = 10; seed < 12; ++seed) {
+    GyroCase made(seed);
+    made.add_noise(pose_noise, rate_noise);
+    const GyroModel model = model_of(made);
+    EXPECT_FALSE(model.has_scale || model.has_mount || model.has_clock_rate) << seed;
+    EXPECT_EQ(model.noises.drift, 0.0) << seed;
+    EXPECT_EQ(model.noises.clock, 0.0) << seed;
+    EXPECT_EQ(model.noises.correlated, 0.0) << seed;
+    EXPECT_NEAR(model.noises.white, pose_noise, 0.1 * pose_noise) << seed;
+    expect_within(model, CalibrationUnknowns::Zero(), 0, columns::count);
+  }
+}
+
+TEST(GyroModel, FindsADriftOfTheBias) {
+  GyroCase made(20);
+  const double drift = 0.5 * degree;
+  Eigen::Vector3d bias = Eigen::Vector3d::Zero();
+  for (Eigen::Vector3d& rate : made.gyro.rates) rate += bias += drift * std::sqrt(interval) * normal_vector(made.dice);
+  made.add_noise(pose_noise, rate_noise);
+  const GyroModel model = model_of(made);
+  EXPECT_NEAR(std::log(model.noises.drift / drift), 0.0, std::log(2.0));
+  EXPECT_EQ(model.noises.correlated, 0.0);
+}
+
+TEST(GyroModel, FindsNoiseThatCorrelates) {
+  GyroCase made(21, 40.0);
+  const double time = 0.4, sigma = 1.5 * degree, keeps = std::exp(-0.02 / time);
+  Eigen::Vector3d noise = sigma * normal_vector(made.dice);
+  for (Eigen::Quaterniond& q : made.data.orientations) {
+    q = q * exp<double>(noise);
+    noise = keeps * noise + sigma * std::sqrt(1.0 - keeps * keeps) * normal_vector(made.dice);
+  }
+  made.add_noise(pose_noise, rate_noise);
+  const GyroModel model = model_of(made);
+  EXPECT_NEAR(std::log(model.noises.correlated / sigma), 0.0, std::log(1.4));
+  EXPECT_NEAR(std::log(model.noises.correlation_time / time), 0.0, std::log(2.0));
+  EXPECT_NEAR(model.noises.white, pose_noise, 0.2 * pose_noise);
+}
+
+}}  // namespace orispline::gyro_motion
