@@ -40,8 +40,8 @@ struct Changed {
   MotionTolerance allowed;
   RateSizes sizes = rate_sizes(curve);
 
-  /// No unit of time is special to rounding either: it is judged at clocks that tick once a step. The orientation is the
-  /// sum of the rates, and where these turn it far within a step it is known no better than they are.
+  /// No unit of time is special to rounding either: it is judged at clocks that tick once a step. The orientation is
+  /// the sum of the rates, and where these turn it far within a step it is known no better than they are.
   void require_same(const Motion& found, const Motion& wanted) const {
     MotionTolerance here = allowed;
     here.orientation *= sizes.velocity;
