@@ -40,9 +40,12 @@ struct Changed {
   MotionTolerance allowed;
   RateSizes sizes = rate_sizes(curve);
 
-  /// No unit of time is special to rounding either: it is judged at clocks that tick once a step.
+  /// No unit of time is special to rounding either: it is judged at clocks that tick once a step. The orientation is
+  /// the sum of the rates, and where these turn it far within a step it is known no better than they are.
   void require_same(const Motion& found, const Motion& wanted) const {
-    require(near(at_clock(mean_step(changed), found), at_clock(mean_step(curve), wanted), allowed, sizes));
+    MotionTolerance here = allowed;
+    here.orientation *= sizes.velocity;
+    require(near(at_clock(mean_step(changed), found), at_clock(mean_step(curve), wanted), here, sizes));
   }
 };
 

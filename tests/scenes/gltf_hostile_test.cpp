@@ -220,6 +220,12 @@ TEST(GltfHostile, BuffersThatAreNoFilesOrAreElsewhere) {
   };
   const std::string read = fmt::format("{} bytes", file.binary.size());
   EXPECT_EQ(said("below/keys.bin"), read);
+  fs::copy_file(name("inside/below/keys.bin"), name("inside/huge.bin"));
+  fs::resize_file(name("inside/huge.bin"), std::uintmax_t{1} << 31);  // no more than the buffer is read
+  EXPECT_EQ(said("huge.bin"), fmt::format("{} bytes", std::uintmax_t{1} << 31));
+  std::ofstream(name("inside/short.bin"), std::ios::binary) << "abc";
+  EXPECT_EQ(said("short.bin"),
+            fmt::format("buffer 0: found 3 bytes, wanted the {} of its byteLength", file.binary.size()));
   EXPECT_EQ(said("down.bin"), read);
   for (const char* away : {"away.bin", "way/keys.bin"})
     EXPECT_EQ(said(away), fmt::format("buffer 0: found uri '{}', a link to another folder, wanted a file beside the "

@@ -103,10 +103,11 @@ void add_curve(nb::module_& module) {
       .def_prop_ro("has_positions", [](const PythonCurve& curve) { return curve.pose().position.has_value(); })
       .def_prop_ro("domain",
                    [](const PythonCurve& curve) { return std::pair(curve.domain().start, curve.domain().end); })
-      .def_prop_ro("warnings",
-                   [](const PythonCurve& curve) {
-                     return warnings_of(orispline::warnings_of(curve.method(), *curve.keys().track));
-                   })
+      .def_prop_ro(
+          "warnings",
+          [](const PythonCurve& curve) {
+            return warnings_of(orispline::warnings_of(curve.method(), *curve.keys().track, &curve.pose().orientation));
+          })
       .def("continuity",
            [](const PythonCurve& curve) {
              return continuity_at_keys(curve.pose().orientation,

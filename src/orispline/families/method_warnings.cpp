@@ -122,13 +122,15 @@ bool moves_between(const AnyCurve& curve, std::size_t segment) {
 }
 
 /// Equal keys between which the curve does not stand still.
-std::optional<Warning> moving_rests(const Method& method, const FamilyInfo& family, const Keyframes& keys) {
+template <class CurveOf>
+std::optional<Warning> moving_rests(const Method& method, const FamilyInfo& family, const Keyframes& keys,
+                                    const CurveOf& curve_of) {
   const bool says_how_it_moves = (family.rate_orders > 0 && any_given(keys.angular_velocities())) ||
                                  (family.takes_inner_quaternions() && keys.have_inner_quaternions());
   if (!family.interpolates || family.key_use.stride > 1 || says_how_it_moves) return std::nullopt;
   std::vector<std::size_t> rests = keys.rests();
   if (rests.empty()) return std::nullopt;
-  const auto curve = make_curve(method, keys);
+  const AnyCurve* const curve = curve_of();
   if (!curve) return std::nullopt;
   std::erase_if(rests, [&](std::size_t i) { return !moves_between(*curve, i); });
   if (rests.empty()) return std::nullopt;
@@ -147,9 +149,10 @@ constexpr double smallest_jump = 1e-6;
 std::string others(std::size_t places) { return places > 1 ? formatted(", and at {} more", places - 1) : ""; }
 
 /// A curve of a family of one's own whose segments do not meet.
-std::optional<Warning> jumps_at_keys(const Method& method, const Keyframes& keys) {
+template <class CurveOf>
+std::optional<Warning> jumps_at_keys(const Method& method, const CurveOf& curve_of) {
   if (!method.own) return std::nullopt;
-  const auto curve = make_curve(method, keys);
+  const AnyCurve* const curve = curve_of();
   if (!curve) return std::nullopt;
   const auto t = curve->knots().times();
   const std::size_t segments = curve->knots().segments();
@@ -203,17 +206,24 @@ std::vector<Warning> warnings_of(const KeyframeReport& keys) {
       .numbers = {{"steps", static_cast<double>(keys.near_half_turns)}}}};
 }
 
-std::vector<Warning> warnings_of(const Method& method, const Track& track) {
+std::vector<Warning> warnings_of(const Method& method, const Track& track, const AnyCurve* made) {
   std::vector<Warning> warnings;
   for (Warning& warning : warnings_of(track.keys.report())) warnings.push_back(track.located(std::move(warning)));
   const auto family = family_of_method(method);
   if (!family) return warnings;
   const Method shaped = completed(method, **family, track);
+  std::optional<AnyCurve> made_now;
+  const auto curve = [&]() -> const AnyCurve* {
+    if (made) return made;
+    if (!made_now)
+      if (auto now = make_curve(shaped, track.keys)) made_now = *std::move(now);
+    return made_now ? &*made_now : nullptr;
+  };
   for (const auto& warning :
        {contradicting_rates(**family, track.keys), contradicting_accelerations(**family, track.keys),
-        closing_step(shaped, track.keys), overwound(shaped, track.keys), moving_rests(shaped, **family, track.keys),
-        jumps_at_keys(shaped, track.keys), corners_at_keys(shaped, track.keys),
-        overturned_span(shaped, **family, track)})
+        closing_step(shaped, track.keys), overwound(shaped, track.keys),
+        moving_rests(shaped, **family, track.keys, curve), jumps_at_keys(shaped, curve),
+        corners_at_keys(shaped, track.keys), overturned_span(shaped, **family, track)})
     if (warning) warnings.push_back(track.located(*warning));
   return warnings;
 }

@@ -14,7 +14,9 @@ Place place_at(const std::string& path) {
   if (!fs::status_known(status)) return {PlaceKind::unknown, reason};
   if (!fs::exists(status)) return {PlaceKind::nothing};
   if (fs::is_directory(status)) return {PlaceKind::folder};
-  return {fs::is_regular_file(status) ? PlaceKind::file : PlaceKind::other};
+  if (!fs::is_regular_file(status)) return {PlaceKind::other};
+  const std::uintmax_t size = fs::file_size(path, reason);
+  return {PlaceKind::file, {}, reason ? 0 : static_cast<std::size_t>(size)};
 }
 
 std::string behind_links(const std::string& path) {

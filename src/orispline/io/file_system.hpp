@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <system_error>
 
@@ -21,6 +22,7 @@ enum class PlaceKind {
 struct Place {
   PlaceKind kind = PlaceKind::unknown;
   std::error_code fault{};
+  std::size_t size = 0;  ///< of a file [bytes], where that can be said
 };
 
 /// What is at a path, behind its links.

@@ -83,7 +83,7 @@ Expected<CurveOfKeys> curve_of_keys(const Method& method, const Track& keys) {
   Method found = findings ? with_findings(method, *findings) : method;
   // Positions say something of their own.
   return shaped_curve(keys.keys.positions().empty() ? found : method, keys).map([&](PoseCurve curve) {
-    auto warnings = warnings_of(found, keys);
+    auto warnings = warnings_of(found, keys, &curve.orientation);
     return CurveOfKeys{std::move(curve), std::move(found), findings, std::move(warnings)};
   });
 }

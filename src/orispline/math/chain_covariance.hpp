@@ -15,11 +15,13 @@ void for_each_covariance(const ChainElimination<M, Data, Sides, Link>& chain, Ta
   Block covariance = Block::Zero();  // of the node behind
   for (std::size_t i = chain.rows().size(); i-- > 0;) {
     const auto factor = chain.rows()[i].template leftCols<M>().template triangularView<Eigen::Upper>();
-    // Column by column, and by lazy products: those of large matrices have other bits on other machines.
+    // Large blocks column by column, and by lazy products, since their solutions and products as a whole have other
+    // bits on other machines.
+    constexpr Eigen::Index together = M <= 4 ? M : 1;
     Block inverse = Block::Identity(), gain = chain.rows()[i].template middleCols<M>(M);
-    for (Eigen::Index k = 0; k < M; ++k) {
-      factor.solveInPlace(inverse.col(k));
-      factor.solveInPlace(gain.col(k));
+    for (Eigen::Index k = 0; k < M; k += together) {
+      factor.solveInPlace(inverse.template middleCols<together>(k));
+      factor.solveInPlace(gain.template middleCols<together>(k));
     }
     const Block of_gain = gain.lazyProduct(covariance);
     covariance = inverse.lazyProduct(inverse.transpose()) + of_gain.lazyProduct(gain.transpose());

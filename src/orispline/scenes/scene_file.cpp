@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/scenes/scene_file.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -49,7 +50,7 @@ Expected<Scene> checked(Scene scene) {
 
 }  // namespace
 
-Expected<std::string> bytes_of_file(const std::string& path, const SceneFormat* format) {
+Expected<std::string> bytes_of_file(const std::string& path, const SceneFormat* format, std::size_t most) {
   if (path == io::standard_stream)
     return failure(ErrorCode::bad_argument, "found standard input for a file of skeletons, wanted the name of a file");
   const auto close = [](std::FILE* file) { std::fclose(file); };
@@ -59,7 +60,7 @@ Expected<std::string> bytes_of_file(const std::string& path, const SceneFormat* 
   const std::size_t size = size_of(file.get());
   if (size > largest_scene_file) return too_large(path);
   std::string bytes;
-  for (std::size_t got = piece; got == piece && bytes.size() <= largest_scene_file;) {
+  for (std::size_t got = piece; got == piece && bytes.size() < most;) {
     const std::size_t had = bytes.size();
     bytes.resize(had + piece);
     got = std::fread(bytes.data() + had, 1, piece, file.get());
@@ -67,9 +68,10 @@ Expected<std::string> bytes_of_file(const std::string& path, const SceneFormat* 
     if (had > 0 || size <= got) continue;
     if (format != nullptr && format->check_start != nullptr)
       if (auto sound = format->check_start(bytes, size, path); !sound) return tl::unexpected(std::move(sound.error()));
-    bytes.reserve(size + piece);
+    bytes.reserve(std::min(size, most) + piece);
   }
   if (std::ferror(file.get())) return unreadable(path);
+  bytes.resize(std::min(bytes.size(), most));
   if (bytes.size() > largest_scene_file) return too_large(path);  // of a file that did not state its size
   return bytes;
 }

@@ -98,10 +98,12 @@ extern const SceneFormat bvh_format, gltf_format;
 /// A file larger than this is not read [bytes].
 inline constexpr std::size_t largest_scene_file = std::size_t{2} << 30;
 
-/// All bytes of a file. Of a large one the format is asked first whether it can be one of its files. Errors: bad_access
-/// where it cannot be read or is larger than `largest_scene_file`; those of check_start().
+/// The bytes of a file, `most` of them from its beginning. Of a large one the format is asked first whether it can be
+/// one of its files. Errors: bad_access where it cannot be read or is larger than `largest_scene_file`; those of
+/// check_start().
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::string> bytes_of_file(const std::string& path,
-                                                                   const SceneFormat* format = nullptr);
+                                                                   const SceneFormat* format = nullptr,
+                                                                   std::size_t most = largest_scene_file + 1);
 
 /// Reads the skeleton and the clips of a file, in the format of its extension, and checks them by check_clip().
 ///

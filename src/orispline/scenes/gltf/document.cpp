@@ -130,24 +130,42 @@ bool is_beside(std::string_view name) {
   return true;
 }
 
-/// A file of strangers must not make us wait for a pipe, nor carry other files of yours into what is written.
-Expected<std::string> file_in_folder(const Object& buffer, std::string_view uri, const std::string& folder,
+/// The bytes of a buffer, and how many the file has that it is in.
+struct BufferBytes {
+  std::string bytes;
+  std::size_t beside = 0;
+};
+
+std::string too_few(std::size_t found, std::size_t wanted) {
+  return formatted("found {} bytes, wanted the {} of its byteLength", found, wanted);
+}
+
+/// A file of strangers must not make us wait for a pipe, nor carry other files of yours into what is written; no more
+/// of it is read than the buffer has.
+Expected<BufferBytes> file_in_folder(const Object& buffer, std::string_view uri, const std::string& folder,
                                      const std::string& name) {
   const std::string file = folder + name;
-  if (const auto kind = io::place_at(file).kind; kind == io::PlaceKind::folder || kind == io::PlaceKind::other)
+  const io::Place place = io::place_at(file);
+  if (place.kind == io::PlaceKind::folder || place.kind == io::PlaceKind::other)
     return buffer.fault(
         formatted("found uri {}, which is a folder, a pipe or a device, wanted a file", in_quotes(uri)));
   if (!io::stays_within(folder, file))
     return buffer.fault(formatted(
         "found uri {}, a link to another folder, wanted a file beside the glTF file; copy it there", in_quotes(uri)));
-  return bytes_of_file(file);
+  const auto length = buffer.count("byteLength");
+  if (!length) return tl::unexpected(length.error());
+  if (place.size > 0 && place.size < *length) return buffer.fault(too_few(place.size, *length));
+  return bytes_of_file(file, nullptr, *length).map([&place](std::string bytes) {
+    return BufferBytes{std::move(bytes), place.size};
+  });
 }
 
-Expected<std::string> file_beside(const Object& buffer, std::string_view uri, const io::Input& from) {
+Expected<BufferBytes> file_beside(const Object& buffer, std::string_view uri, const io::Input& from) {
   const std::string name = percent_decoded(uri);
   if (!is_beside(uri) || !is_beside(name))
     return buffer.fault(formatted("found uri {}, wanted a file beside the glTF file", in_quotes(uri)));
-  if (const io::Input* const beside = from.beside(name)) return std::string(beside->bytes());
+  if (const io::Input* const beside = from.beside(name))
+    return BufferBytes{std::string(beside->bytes()), beside->bytes().size()};
   if (from.is_in_memory())
     return buffer.fault(formatted(
         "found uri {}, which is not given, wanted the bytes within the document, as a .glb has them", in_quotes(uri)));
@@ -157,19 +175,19 @@ Expected<std::string> file_beside(const Object& buffer, std::string_view uri, co
 
 bool is_data(std::string_view uri) { return uri.starts_with("data:"); }
 
-Expected<std::string> data_of(const Object& buffer, std::string_view uri, const io::Input& from) {
+Expected<BufferBytes> data_of(const Object& buffer, std::string_view uri, const io::Input& from) {
   if (!is_data(uri)) return file_beside(buffer, uri, from);
   constexpr std::string_view mark = ";base64,";
   const std::size_t found = uri.find(mark);
   auto bytes = found == std::string_view::npos ? std::nullopt : bytes_from_base64(uri.substr(found + mark.size()));
   if (!bytes) return buffer.fault("found a data uri that is not base64, wanted one that is");
-  return std::move(*bytes);
+  return BufferBytes{std::move(*bytes)};
 }
 
 /// The bytes of one buffer; nothing where it has none.
-Expected<std::optional<std::string>> bytes_of(const Object& buffer, std::optional<std::string_view> chunk,
+Expected<std::optional<BufferBytes>> bytes_of(const Object& buffer, std::optional<std::string_view> chunk,
                                               const io::Input& from) {
-  if (!buffer.has("uri")) return chunk ? std::optional(std::string(*chunk)) : std::nullopt;
+  if (!buffer.has("uri")) return chunk ? std::optional(BufferBytes{std::string(*chunk)}) : std::nullopt;
   return buffer.text("uri").and_then([&](const std::string& uri) { return data_of(buffer, uri, from); });
 }
 
@@ -178,21 +196,21 @@ Expected<Buffers> with(Buffers all, const Object& buffer, std::optional<std::str
                        const io::Input& from) {
   const auto length = buffer.count("byteLength");
   if (!length) return tl::unexpected(length.error());
-  auto bytes = bytes_of(buffer, chunk, from);
-  if (!bytes) return tl::unexpected(std::move(bytes.error()));
-  all.places.push_back({.offset = (all.bytes.size() + 7) / 8 * 8, .length = *length, .has_data = bytes->has_value()});
+  auto found = bytes_of(buffer, chunk, from);
+  if (!found) return tl::unexpected(std::move(found.error()));
+  all.places.push_back({.offset = (all.bytes.size() + 7) / 8 * 8, .length = *length, .has_data = found->has_value()});
   const std::size_t offset = all.places.back().offset;
   if (!all.places.back().has_data) return all;
-  if (buffer.has("uri") && !is_data(*buffer.text("uri"))) all.bytes_beside += (*bytes)->size();
-  if ((*bytes)->size() < *length)
-    return buffer.fault(formatted("found {} bytes, wanted the {} of its byteLength", (*bytes)->size(), *length));
+  auto& [bytes, beside] = **found;
+  all.bytes_beside += beside;
+  if (bytes.size() < *length) return buffer.fault(too_few(bytes.size(), *length));
   if (offset + *length > largest_scene_file) return buffer.fault("found more than 2 GiB of buffers, wanted less");
-  (*bytes)->resize(*length);
+  bytes.resize(*length);
   if (offset == 0) {
-    all.bytes = std::move(**bytes);
+    all.bytes = std::move(bytes);
   } else {
     all.bytes.resize(offset);
-    all.bytes += **bytes;
+    all.bytes += bytes;
   }
   return all;
 }
