@@ -7,13 +7,13 @@
 #include <fuzz/claim.hpp>
 #include <fuzz/fuzzed_method.hpp>
 #include <online/online_stream.hpp>
-#include <orispline/online/state_bytes.hpp>
+#include <online/sealed_state.hpp>
 #include <orispline/online/track_sampler.hpp>
 #include <support/tolerance.hpp>
 
 namespace orispline::fuzz { namespace {
 
-using Bytes = std::vector<std::byte>;
+using Bytes = testing_support::StateBytes;
 
 constexpr std::size_t most_keys = 16, most_changes = 4, word = 8;
 /// Grids of wild times have a sample for every atom: the first ones are looked at.
@@ -192,9 +192,9 @@ void try_state(FuzzInput& of_track, FuzzInput& of_changes, const Method& method,
   claim_goes_on_alike(*restored, *sampler, data, put_away);
   const std::size_t changes = of_changes.below(most_changes + 1);
   if (changes == 0) return;
-  state.resize(state.size() - word);  // without the checksum
+  state = testing_support::unsealed(std::move(state));
   for (std::size_t i = 0; i < changes; ++i) change(state, of_changes);
-  claim_lives(StateWriter(std::move(state)).sealed(), data, put_away);
+  claim_lives(testing_support::sealed(std::move(state)), data, put_away);
 }
 
 }}  // namespace orispline::fuzz

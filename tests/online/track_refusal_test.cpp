@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <online/sealed_state.hpp>
 #include <online/track_stream.hpp>
 #include <orispline/families/blending/blending_family.hpp>
-#include <orispline/online/state_bytes.hpp>
 #include <support/not_finite.hpp>
 
 namespace orispline { namespace {
@@ -162,11 +162,11 @@ TEST(TrackSampler, LivesWithStatesThatAreForged) {
   Dice dice(835);
   for (const auto& state : states())
     for (int k = 0; k < 3000; ++k) {
-      std::vector<std::byte> forged(state.begin(), state.end() - 8);
+      StateBytes forged = unsealed(state);
       for (int changes = 1 + static_cast<int>(dice() * 3.0); changes > 0; --changes)
         forged[static_cast<std::size_t>(dice() * static_cast<double>(forged.size()))] =
             static_cast<std::byte>(dice() * 256.0);
-      auto sampler = TrackSampler::from_state(StateWriter(std::move(forged)).sealed());
+      auto sampler = TrackSampler::from_state(sealed(std::move(forged)));
       if (!sampler) {
         EXPECT_EQ(sampler.error().code, ErrorCode::bad_data);
         continue;

@@ -233,7 +233,7 @@ Expected<TrackStretch> read_stretch(StateReader& in, std::uint64_t next, const S
   KeyframeData data = read_data(in);
   std::vector<std::vector<double>> settings;
   for (std::size_t left = in.count(); left > 0; --left) settings.push_back(in.reals());
-  if (!in.is_sound()) return no_state("they end too early");
+  if (!in.is_sound()) return failure(ErrorCode::bad_data, "they end too early");
   return StreamKeys::from_kept(first, std::move(data), std::move(settings), method).and_then([&](StreamKeys keys) {
     return TrackStretch::from_kept(std::move(keys), stream, first_key, start, next, method, grid);
   });
@@ -285,8 +285,8 @@ Expected<void> TrackState::read_rest(StateReader& in, TrackSampler& sampler) {
   sampler.alignment_ = read_alignment(in, sampler.keys_);
   for_each_stream_part([&](const auto& part) { sampler.parts_.*part.is_there = in.below(2) == 1; });
   sampler.finished_ = in.below(2) == 1;
-  const auto is_known = [](const std::optional<double>& time) { return time && std::isfinite(*time); };
-  if ((sampler.start_ && !is_known(sampler.start_)) || is_known(sampler.end_) != sampler.finished_ ||
+  const auto is_endless = [](const std::optional<double>& time) { return time && !std::isfinite(*time); };
+  if (is_endless(sampler.start_) || is_endless(sampler.end_) || sampler.end_.has_value() != sampler.finished_ ||
       (sampler.end_ && !sampler.start_))
     return failure(ErrorCode::bad_data, "one of their curves has no start or no end");
   if (auto placed = sampler.place_grid(); !placed) return placed;
