@@ -188,6 +188,25 @@ TEST(Averages, OfPositionsAreTheNaturalCubicSplineFarFromTheOriginToo) {
   }
 }
 
+TEST(Averages, StartFromRestAndComeToRestWhereOneTurnIsMoreThanHalfOfOne) {
+  // Control points that stay, turn by 240° the way that the signs say, and stay: not all in one half of the sphere.
+  const Eigen::Vector3d turn = 4.0 / 3.0 * pi * Eigen::Vector3d(0.48, -0.6, 0.64);
+  KeyframeData data = random_walk(462, 6, Spacing::uneven);
+  for (std::size_t i = 0; i < 6; ++i) {
+    data.orientations[i] = exp<double>(i < 3 ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : turn);
+    data.positions.push_back(i < 3 ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : turn);
+  }
+  const auto keys = Keyframes::make(data, Signs::as_given);
+  const auto pose = make_pose_curve({"averages", keys_as_control_points}, *keys);
+  ASSERT_TRUE(pose) << describe(pose.error());
+  const AnyCurve& c = pose->orientation;
+  EXPECT_EQ(c.motion(data.times[1]).angular_velocity.norm(), 0.0);
+  EXPECT_GT(c.motion(data.times[2]).angular_velocity.norm(), 0.1);
+  EXPECT_LE(c.motion(data.times[4]).angular_velocity.norm(), tolerance::rates);
+  for (const double t : sample_times(data.times, 9))
+    EXPECT_LE((log<double>(c(t)) - pose->position->linear_motion(t).position).norm(), tolerance::series) << t;
+}
+
 TEST(Averages, TellWhereTheirEquationsHaveNoSolution) {
   KeyframeData data = random_walk(461, 6, Spacing::even);
   for (std::size_t i = 0; i < 6; ++i)
