@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -119,6 +120,60 @@ TEST(HermiteKeys, AllTargetsBetweenKeysThatAreNotNeighboursAreHeld) {
                   tolerance + 1e-12);
     }
   }
+}
+
+/// Smooth but for the targets between two neighbouring samples, which are wild.
+CubicSamples<Eigen::Quaterniond> wild_between(std::size_t sample, double wild, unsigned seed) {
+  constexpr std::size_t count = 41, stride = 4;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(-wild, wild);
+  CubicSamples<Eigen::Quaterniond> samples{.stride = stride};
+  auto& [times, points] = samples.targets;
+  for (std::size_t k = 0; k <= (count - 1) * stride; ++k) {
+    const double t = 0.1 * static_cast<double>(k) / stride;
+    times.push_back(t);
+    Eigen::Quaterniond q = exp<double>(Eigen::Vector3d(std::sin(2.0 * t), std::cos(3.0 * t), 0.1 * t * t));
+    if (k / stride == sample && k % stride != 0)
+      q = q * exp<double>(Eigen::Vector3d(any(random), any(random), any(random)));
+    points.push_back(q.coeffs());
+    if (k > 0 && points[k].dot(points[k - 1]) < 0.0) points[k] = -points[k];
+  }
+  return samples;
+}
+
+TEST(HermiteKeys, TheNeighbouringSampleIsAKeyWhereNothingHoldsTheTargetsBetween) {
+  for (std::size_t sample = 20; sample < 40; ++sample)
+    for (const double tolerance : {0.05 * degree, 0.5 * degree})
+      for (const bool closed : {false, true}) {
+        SCOPED_TRACE(testing::Message() << "sample " << sample << ", tolerance " << tolerance << ", closed " << closed);
+        const auto samples = wild_between(sample, sample % 2 == 0 ? 1.0 : 0.1, static_cast<unsigned>(sample));
+        const auto seam = closed ? std::optional(Eigen::Vector3d(1.0, -0.5, 0.3)) : std::nullopt;
+        const HermiteKeys found = fewest_hermite_keys(samples, tolerance, seam);
+        EXPECT_LT(found.samples.size(), samples.size() * 2 / 3);
+        if (closed) {
+          EXPECT_EQ(found.rates.front(), *seam);
+          EXPECT_EQ(found.rates.back(), *seam);
+        }
+        const auto key = std::ranges::find(found.samples, sample);
+        ASSERT_TRUE(key != found.samples.end() && *(key + 1) == sample + 1);
+        if (!closed && sample + 2 == samples.size()) {  // then the last rate is the best one for these targets
+          HermiteSpan<Eigen::Quaterniond> span(samples.targets, sample * samples.stride, (sample + 1) * samples.stride,
+                                               false);
+          const std::array<HermiteSpan<Eigen::Quaterniond>*, 1> row{&span};
+          std::array<Eigen::Vector3d, 2> best{found.rates.rbegin()[1], Eigen::Vector3d::Zero()};
+          fit_rates<Eigen::Quaterniond>(row, best, {.last = true});
+          EXPECT_LT((found.rates.back() - best[1]).norm(), 1e-9 * best[1].norm());
+        }
+        const AnyCurve curve = curve_of(samples, found);
+        for (std::size_t k = 0; k + 1 < found.samples.size(); ++k) {
+          const std::size_t i = found.samples[k], j = found.samples[k + 1];
+          if (j == i + 1) continue;
+          for (std::size_t at = i * samples.stride; at <= j * samples.stride; ++at)
+            EXPECT_LE(
+                angular_distance(curve(samples.targets.times[at]), Eigen::Quaterniond(samples.targets.points[at])),
+                tolerance + 1e-12);
+        }
+      }
 }
 
 TEST(HermiteKeys, NoStepIsNearAHalfTurn) {
