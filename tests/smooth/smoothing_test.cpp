@@ -79,6 +79,34 @@ TEST_P(EveryPenalty, FindsTheSameMinimumFromAFitUnderAnotherLambda) {
   }
 }
 
+TEST_P(EveryPenalty, EndsAtTheLowestCostThatItHasSeen) {
+  // Orientations at random, between which the shorter way changes sides: steps may lead uphill, and not down again.
+  for (const std::uint64_t seed : {1u, 11u, 34u, 49u, 73u, 231u, 246u}) {
+    Dice dice(700 + seed);
+    KeyframeData wild;
+    for (std::size_t i = 0; i < 6 + seed % 4; ++i) {
+      wild.times.push_back(static_cast<double>(i));
+      wild.orientations.push_back(exp<double>(Eigen::Vector3d(3.0 * dice.vector())));
+    }
+    const SmoothingProblem problem = problem_of(wild, 0.1);
+    for (const double smoothing_time : {0.5, 1.0, 2.0}) {
+      const SmoothingObjective objective{.penalty = GetParam(),
+                                         .lambda = lambda_of(smoothing_time, GetParam(), 0.1, 1.0)};
+      double before = std::numeric_limits<double>::infinity();
+      bool has_ended = false;
+      for (int most = 1; !has_ended && most < 20; ++most) {
+        const SmoothingFit fit = fit_smoothing(problem, objective, {.most = most});
+        EXPECT_LE(fit.cost, before * (1.0 + 1e-11)) << "seed " << seed << ", step " << most;
+        for (std::size_t i = 0; i < problem.size(); ++i)
+          EXPECT_LT((fit.residuals[i] - shortest_increment(fit.nodes.orientations[i], wild.orientations[i])).norm(),
+                    1e-12);
+        before = std::min(before, fit.cost);
+        has_ended = fit.iterations < most;
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Smoothing, EveryPenalty, testing::Values(Penalty::acceleration, Penalty::jerk));
 
 template <int P>
