@@ -504,6 +504,8 @@ TEST(TrackState, IsRefusedForWhatAStretchHasBegunOrEnded) {
 TEST(TrackState, IsRefusedForTheOrderOfItsStretches) {
   const StateFields open = open_track("auto", 3), ended = ended_track("auto", 3), two = two_stretches(),
                     none{.family = "auto"};
+  StateFields all_taken = ended;
+  all_taken.stretches.clear();
   expect_refused({
       {"a newest key of none", none, [](auto& s) { s.newest = known(0.0); }, order},
       {"a stretch of no keys", open,
@@ -513,6 +515,7 @@ TEST(TrackState, IsRefusedForTheOrderOfItsStretches) {
        },
        order},
       {"keys without a newest one", open, [](auto& s) { s.newest = {}; }, order},
+      {"all taken, without a newest key", all_taken, [](auto& s) { s.newest = {}; }, order},
       {"an open track without a stretch", open, [](auto& s) { s.stretches.clear(); }, order},
       {"a stretch that ended in an open track", open, [](auto& s) { s.stretches[0].finished = 1; }, order},
       {"an open stretch in a track that ended", ended, [](auto& s) { s.stretches[0].finished = 0; }, order},

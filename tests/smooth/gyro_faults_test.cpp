@@ -70,7 +70,7 @@ TEST(GyroFaults, AreNotWhatFewRatesMissInAFastTurn) {
 
 TEST(GyroFaults, AreRatesThatMissMoreOfAFastTurnThanTheirNumberExplains) {
   FastTurn turn;
-  for (std::size_t k = 101; k < 105; ++k) turn.gyro.rates[k] *= 0.8;
+  for (std::size_t k = 101; k < 105; ++k) turn.gyro.rates[k] *= 0.9;
   const CountedRates counts = turn.left();
   for (std::size_t k = 101; k < 105; ++k) EXPECT_FALSE(counts[k]) << k;
   EXPECT_LT(std::ranges::count(counts, false), 9);
