@@ -66,7 +66,9 @@ void add_difference_options(Command& app, TaskArguments& o) {
       ->repeated()
       ->type_name("NAME");
   add_field(app, o.fields, field_named(fields_of<orispline::ClipReduceOptions>(), "shell"), "");
-  app.add_option("--rate", o.fields["rate"], "Compare at so many times per second as well [at the keys of FIRST only]")
+  app.add_option("--rate", o.fields["rate"],
+                 "Look between keys too: at so many times per second, and beside the largest differences [at the keys "
+                 "of FIRST only]")
       ->type_name("HZ");
   app.add_flag("--json", o.json, "Print one JSON document");
   app.add_option("--report", o.report.path,

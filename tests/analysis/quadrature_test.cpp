@@ -31,6 +31,22 @@ TEST(Quadrature, HalvesUntilItHasFollowedAPeakThatIsMuchNarrowerThanThePiece) {
   EXPECT_NEAR(integral(peak, 0.0, 1.0) / wanted, 1.0, 1e-10);
 }
 
+TEST(Quadrature, FindsACorner) {
+  constexpr double corner = 0.31415;
+  const double wanted = 0.5 * (corner * corner + (1.0 - corner) * (1.0 - corner));
+  EXPECT_NEAR(integral([](double t) { return std::abs(t - corner); }, 0.0, 1.0) / wanted, 1.0, 1e-11);
+}
+
+TEST(Quadrature, LooksIntoNoRounding) {
+  std::size_t values = 0;
+  const auto rough = [&](double t) {
+    ++values;
+    return 1.0 + 1e-7 * std::sin(1e12 * t);
+  };
+  EXPECT_NEAR(integral(rough, 0.0, 1.0), 1.0, 1e-7);
+  EXPECT_LT(values, 6 * quadrature_nodes * (std::size_t{1} << most_halvings));
+}
+
 TEST(Quadrature, WeighsTheTimesThatANodeIsRoundedTo) {
   for (const double h : {1.0, 1.0 / 64.0, 1.0 / 4096.0}) {
     const auto ninth = [h](double t) { return std::pow((t - today) / h, 9.0); };

@@ -89,11 +89,15 @@ class SceneReports(SceneTest):
         self.assertEqual(self.json_of("difference arm.bvh small.glb --rate 500"), report)
         page = self.page("page.html")
         self.assertEqual((page["title"], page["notes"][0]),
-                         ("arm.bvh and small.glb", "Both motions are compared at every key of arm.bvh, and 500 times per second as well."))
+                         ("arm.bvh and small.glb", "Both motions are compared at every key of arm.bvh, 500 times per second, and where they differ most between these times."))
         clip = page["skeleton"]["clips"][0]
         self.assertEqual(len(clip["errors"]["t"]), 600)
         self.assertAlmostEqual(max(joint["distance"][0] for joint in clip["joints"]), report["shell_distance_max"],
                                delta=0.51 * clip["errors"]["distance_step"])
+        found = max((joint["angle_deg"] for joint in report["clips"][0]["joints"]), key=lambda angle: angle["largest"])
+        shown = max(joint["angle_deg"] for joint in clip["joints"])
+        self.assertAlmostEqual(shown[1], found["time_s"], delta=1e-6)
+        self.assertNotAlmostEqual(shown[1] * 500, round(shown[1] * 500), delta=1e-3)
 
     def test_difference_says_what_only_one_file_has(self):
         self.write("other.bvh", bvh_text().replace("JOINT Elbow", "JOINT Knee"))

@@ -43,6 +43,48 @@ TEST(Differences, SayWhenTheyAreLargest) {
   EXPECT_EQ(found[1].distance.time, 1.0);
 }
 
+/// Both ends alike, with tangents that swing the root's z and its place by m (u − u²) between.
+Clip swinging(double m) {
+  const Eigen::Quaterniond still = about_z(0), forth(0, 0, 0, m), back(0, 0, 0, -m);
+  const Eigen::Vector3d shift(0, m, 0);
+  return {.name = "c",
+          .rotations = {{.joint = 0,
+                         .interpolation = ChannelInterpolation::cubicspline,
+                         .times = {0.0, 1.0},
+                         .values = {still, still},
+                         .in_tangents = {forth, back},
+                         .out_tangents = {forth, back}}},
+          .translations = {{.joint = 0,
+                            .interpolation = ChannelInterpolation::cubicspline,
+                            .times = {0.0, 1.0},
+                            .values = {{0, 0, 0}, {0, 0, 0}},
+                            .in_tangents = {shift, -shift},
+                            .out_tangents = {shift, -shift}}}};
+}
+
+TEST(Differences, AreLookedForBetweenTheTimesWhereAskedFor) {
+  const Skeleton skeleton = bone(2.0);
+  const double m = 0.8, shell = 0.03;
+  const ClipMotion still(skeleton, turned(0.0)), moving(skeleton, swinging(m));
+  const std::array<std::size_t, 2> same{0, 1};
+  const std::array times{0.0, 0.2, 0.4, 0.65, 1.0};
+  const auto at_times = differences(still, moving, same, times, shell),
+             found = differences(still, moving, same, times, shell, Between::looked_at);
+  EXPECT_EQ(at_times[0].angle.time, 0.4);
+  // z / w is largest in the middle, m / 4.
+  const double angle = 2.0 * std::atan(m / 4.0);
+  EXPECT_NEAR(found[0].angle.value, angle, 1e-12);
+  EXPECT_NEAR(found[0].angle.time, 0.5, 1e-6);
+  EXPECT_NEAR(found[0].translation.value, m / 4.0, 1e-12);
+  // The tip, with the shell's point ahead of it: how far it turns and is carried.
+  const double reach = 2.0 + shell;
+  EXPECT_NEAR(found[1].distance.value, std::hypot(reach * (1.0 - std::cos(angle)), reach * std::sin(angle) + m / 4.0),
+              1e-12);
+  EXPECT_NEAR(found[1].distance.time, 0.5, 1e-6);
+  EXPECT_EQ(found[1].angle.value, 0.0);
+  EXPECT_LT(at_times[1].distance.value, found[1].distance.value - 1e-3);
+}
+
 TEST(KeyTimes, AreThoseOfAllChannelsEachOnce) {
   const Clip clip{.name = "c",
                   .rotations = {{.joint = 0, .times = {0.0, 2.0}, .values = {about_z(0), about_z(1)}}},

@@ -35,8 +35,9 @@ constexpr std::array options{"tolerance=0.1deg",
                              "clip=walk",
                              "=",
                              ""};
-constexpr std::array names{"keys",     "recording", "reference", "moved",    "gyro", "keys.csv", "keys.json",
-                           "keys.tum", "walk.bvh",  "walk.gltf", "walk.glb", "x",    ""};
+constexpr std::array names{"keys",     "recording", "reference", "moved",    "fixed",     "gyro",
+                           "first",    "second",    "rows",      "keys.csv", "keys.json", "keys.tum",
+                           "walk.bvh", "walk.gltf", "walk.glb",  "x",        ""};
 constexpr std::array columns{"positions",
                              "angular_velocities",
                              "angular_accelerations",
@@ -340,7 +341,12 @@ class Program {
     claim_done<void*>(orispline_curve_peaks(curve, inertia, &peaks, &error), error, nullptr);
     std::array<double, 3> bounds;
     error = nullptr;
-    claim_done<void*>(orispline_curve_bounded_peaks(curve, inertia, &peaks, bounds.data(), &error), error, nullptr);
+    if (!claim_done<void*>(orispline_curve_bounded_peaks(curve, inertia, &peaks, bounds.data(), &error), error,
+                           nullptr))
+      return;
+    const std::array found{peaks.angular_velocity, peaks.angular_acceleration, peaks.torque};
+    for (std::size_t i = 0; i < found.size(); ++i)
+      claim(std::isnan(bounds[i]) || found[i].value <= bounds[i], "{} above its bound {}", found[i].value, bounds[i]);
   }
 
   void bake() {

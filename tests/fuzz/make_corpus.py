@@ -9,6 +9,7 @@ import json
 import math
 import pathlib
 import random
+import re
 import struct
 
 CORPUS = pathlib.Path(__file__).resolve().parent / "corpus"
@@ -361,6 +362,36 @@ def fbx_files():
     yield "no_fbx", b"\0not an FBX file"
 
 
+def c_words(array):
+    """The numbers of the texts of an array of fuzz_c.cpp."""
+    source = (CORPUS.parent / "fuzz_c.cpp").read_text("utf-8")
+    words = re.findall(r'"([^"]*)"', re.search(rf"std::array {array}\{{(.*?)\}};", source, re.S)[1])
+    return {word: number for number, word in enumerate(words)}
+
+
+WALK = (b"HIERARCHY ROOT a { OFFSET 0 0 0 CHANNELS 3 Zrotation Xrotation Yrotation JOINT b { OFFSET 1 0 0 CHANNELS 3 Zrotation "
+        b"Xrotation Yrotation End Site { OFFSET 1 0 0 } } }\nMOTION\nFrames: 4\nFrame Time: 0.1\n"
+        b"0 0 0 0 0 0\n9 0 5 0 20 0\n10 0 0 3 2 1\n0 1 9 9 2 0\n")
+
+
+def c_tasks(five_keys):
+    """Tasks by name and with values, and what becomes of their outcomes."""
+    names, options, tasks = c_words("names"), c_words("options"), c_words("tasks")
+    walk = WALK.ljust((len(WALK) + 7) // 8 * 8)
+    skeletons = (bytes([17, len(walk) // 8 - 1]) + walk + bytes([names["walk.bvh"], options[""], 0])) * 2
+    look = bytes([22, 1, 0]) + bytes([18, 1, 1, 1, 1]) + bytes([19, names["walk.glb"], options[""], 0, 1, 1])
+    for task, first, second, option in (("smooth", "recording", "gyro", None), ("reduce", "recording", "x", "tolerance=0.1deg"),
+                                        ("inspect", "keys", "x", None), ("difference", "first", "second", "rate=30")):
+        yield f"skeletons_{task}", skeletons + bytes([21, names[first], 1, names[second], 2, tasks[task], options[option or ""],
+                                                      option is not None, task == "difference"]) + look
+    for task, first, second, option in (
+            ("smooth", "recording", "gyro", None), ("tune", "keys", "reference", "method=slerp"), ("reduce", "recording", "x", "tolerance=0.1deg"),
+            ("retime", "keys", "x", "angular_velocity=10deg/s"), ("bake", "keys", "x", "method=slerp"), ("mean", "rows", "x", None),
+            ("align", "moved", "fixed", None), ("compare", "keys", "reference", "methods=auto,slerp"), ("inspect", "keys", "x", None)):
+        yield f"task_{task}", five_keys + bytes([20, 1, names[first], 1, names[second], 1, options[option or ""], options[""], tasks[task],
+                                                 second != "x", option is not None, 0]) + look
+
+
 def c_programs():
     """Calls by their numbers in fuzz_c.cpp: make_keys 25, make_curve 4, bake 11, rebake 12, sample_baked 13, …"""
     turned = b"".join(bytes([x, 20, 200, 60, 1]) for x in (5, 30, 60, 90, 120))
@@ -370,6 +401,7 @@ def c_programs():
     for call, name in enumerate(("read_keys", "look_at_keys", "write_keys", "make_curve", "make_curves", "look_at_curve",
                                  "move", "sample", "samples", "judge", "bake", "rebake", "sample_baked"), 1):
         yield name, five_keys + curve + b"".join(bytes([call, 1]) + bytes(range(k, k + 40)) for k in (1, 90, 170))
+    yield from c_tasks(five_keys)
     for k in range(12):
         calls = random.Random(k)
         yield f"random_{k:02}", five_keys + curve + b"".join(

@@ -52,6 +52,19 @@ TEST(DifferenceJob, ComparesBetweenTheKeysToo) {
   EXPECT_EQ(difference(request).error().option, "rate");
 }
 
+TEST(DifferenceJob, FindsTheLargestBetweenTheTimesOfARate) {
+  DifferenceRequest request{.first = motion("a.glb", {turned("nod", 0.0)}),
+                            .second = motion("b.glb", {turned("nod", 0.0)})};
+  RotationChannel& swing = request.second.clips[0].rotations[0];
+  swing.times[1] = 0.87;
+  swing.values[1] = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ());
+  EXPECT_NEAR(difference(request).value().clips[0].worst[0].angle.value, 0.3 * 1.0 / 1.13, 1e-12);
+  request.rate = 3.0;
+  const LargestInTime found = difference(request).value().clips[0].worst[0].angle;
+  EXPECT_NEAR(found.value, 0.3, 1e-6);
+  EXPECT_NEAR(found.time, 0.87, 1e-6);
+}
+
 TEST(DifferenceJob, SaysWhatIsGuessedAndWhatIsMissing) {
   MotionFile first = motion("a.glb", {turned("nod", 0.1), turned("nod", 0.2)}),
              second = motion("b.glb", {turned("nod", 0.1), turned("nod", 0.2), turned("nod", 0.4)});

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Figures that pages state in their own words are those that the commands beside them print anew.
 
-They stand between `<!-- figures: COMMANDS -->` and `<!-- end of figures -->`. Each number with a decimal point there is one that the commands print,
+They stand between `<!-- figures: COMMANDS -->` and `<!-- end of figures -->`. Commands may name recordings; where these do not lie beside the project they
+are not run. Each number with a decimal point there is one that the commands print,
 rounded; in a row of a table whose first cell holds names as code, one in a line that begins with such a name.
 """
 import re
@@ -10,6 +11,7 @@ import sys
 import unittest
 from typing import NamedTuple
 
+from given import NAMED, has_recordings, put
 from lines import Line, run
 from pages import PAGES, ROOT, name_of
 
@@ -64,6 +66,10 @@ class Stated(CommandTest):
         count = 0
         for figures in (block for page in PAGES for block in blocks_of(page)):
             with self.subTest(figures.place):
+                recordings = {name: content for name, content in NAMED.items() if any(name in command for command in figures.commands)}
+                if recordings and not has_recordings():
+                    self.skipTest(f"{figures.place}: there are no recordings beside the project")
+                put(self.folder, recordings)
                 lines = [Line(figures.place, command) for command in figures.commands]
                 printed = run(lines, self.folder, programs)
                 if len(printed) <= len(lines):

@@ -161,7 +161,7 @@ OF_PAGE = {"docs/conventions.md": {"keys.csv": lambda: csv([keys()[0] | {"t": t}
 # Recordings by their own names. Without them the lines that take them are not run.
 NAMED = {name.rpartition("/")[2]: recorded(f"data/{name}") for name in (
     "flight/px4_quad_sample_attitude.csv", "imu/broad_06_undisturbed_fast_rotation_A_40s.csv", "spacecraft/mro_ck_sliced_-74000.csv",
-    "trajectory/tum_fr2_desk_groundtruth.txt")}
+    "trajectory/tum_fr2_desk_groundtruth.txt", "mocap/cmu_01_01_fairmotion.bvh")}
 
 
 def has_recordings():

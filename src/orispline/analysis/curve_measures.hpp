@@ -63,8 +63,8 @@ struct Peaks {
 /// How far a curve has gone, its arc length, and the inverse of that: the angle ∫|ω| dt of orientations [rad], the
 /// distance ∫|v| dt of positions [m].
 ///
-/// Made once per curve by adaptive Gauss–Kronrod quadrature, to 1e-10 relative in each segment (less where the speed
-/// touches zero and has a kink).
+/// Made once per curve by adaptive Gauss–Kronrod quadrature, to 1e-10 relative in each segment, also where the speed
+/// touches zero and has a kink; less on curves that turn thousands of times between two keys.
 template <class C>
 class ORISPLINE_EXPORT ArcLength {
  public:

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include <orispline/math/highest.hpp>
+
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
@@ -15,6 +17,77 @@ double shell_distance(const Eigen::Affine3d& a, const Eigen::Affine3d& b, double
   for (Eigen::Index axis = 0; axis < 3; ++axis) square = std::max(square, (shift + turn.col(axis)).squaredNorm());
   return std::sqrt(square);
 }
+
+/// The joints of two motions, each beside its counterpart.
+struct JointsBeside {
+  const ClipMotion &first, &second;
+  std::span<const std::size_t> counterparts;
+  double shell;
+
+  [[nodiscard]] double angle(std::size_t joint, double t) const {
+    return angular_distance(first.local_pose(joint, t).rotation, second.local_pose(counterparts[joint], t).rotation);
+  }
+  [[nodiscard]] double translation(std::size_t joint, double t) const {
+    return (first.local_pose(joint, t).translation - second.local_pose(counterparts[joint], t).translation).norm();
+  }
+  [[nodiscard]] double distance(std::size_t joint, double t) const {
+    return shell_distance(first.world_pose(joint, t), second.world_pose(counterparts[joint], t), shell);
+  }
+
+  /// Passes the differences of every joint that has a counterpart to take(joint, time, angle, translation, distance).
+  template <class Take>
+  void pass(std::span<const double> times, const Take& take) const {
+    std::vector<Eigen::Affine3d> poses(counterparts.size()), others(second.skeleton().size());
+    for (const double t : times) {
+      first.world_poses(t, poses);
+      second.world_poses(t, others);
+      for (std::size_t i = 0; i < counterparts.size(); ++i) {
+        const std::size_t other = counterparts[i];
+        if (other == no_parent) continue;
+        const JointPose a = first.local_pose(i, t), b = second.local_pose(other, t);
+        take(i, t, angular_distance(a.rotation, b.rotation), (a.translation - b.translation).norm(),
+             shell_distance(poses[i], others[other], shell));
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<JointDifference> at(std::span<const double> times) const {
+    const LargestInTime none{.time = times.front()};
+    std::vector<JointDifference> found(counterparts.size(), {none, none, none});
+    pass(times, [&](std::size_t joint, double t, double angle, double translation, double distance) {
+      found[joint].angle.take(angle, t);
+      found[joint].translation.take(translation, t);
+      found[joint].distance.take(distance, t);
+    });
+    return found;
+  }
+
+  [[nodiscard]] std::vector<JointDifference> around(std::span<const double> times) const {
+    struct Summits {
+      SummitsInPassing angle, translation, distance;
+    };
+    std::vector<Summits> summits(counterparts.size());
+    pass(times, [&](std::size_t joint, double t, double angle, double translation, double distance) {
+      summits[joint].angle.pass({t, angle});
+      summits[joint].translation.pass({t, translation});
+      summits[joint].distance.pass({t, distance});
+    });
+    const auto largest = [](SummitsInPassing& passed, const auto& f) {
+      const Height top = passed.highest(f);
+      return LargestInTime{.value = top.value, .time = top.place};
+    };
+    const LargestInTime none{.time = times.front()};
+    std::vector<JointDifference> found(counterparts.size(), {none, none, none});
+    for (std::size_t i = 0; i < counterparts.size(); ++i) {
+      if (counterparts[i] == no_parent) continue;
+      auto& [angles, translations, distances] = summits[i];
+      found[i] = {.angle = largest(angles, [&](double t) { return angle(i, t); }),
+                  .translation = largest(translations, [&](double t) { return translation(i, t); }),
+                  .distance = largest(distances, [&](double t) { return distance(i, t); })};
+    }
+    return found;
+  }
+};
 
 /// Those that channels share count once.
 template <CurvePoint P>
@@ -28,25 +101,9 @@ void append_times(std::vector<double>& times, std::set<const double*>& taken, co
 
 std::vector<JointDifference> differences(const ClipMotion& first, const ClipMotion& second,
                                          std::span<const std::size_t> counterparts, std::span<const double> times,
-                                         double shell) {
-  const std::size_t joints = first.skeleton().size();
-  std::vector<Eigen::Affine3d> poses(joints), others(second.skeleton().size());
-  const LargestInTime none{.time = times.front()};
-  std::vector<JointDifference> found(joints, {none, none, none});
-  for (const double t : times) {
-    first.world_poses(t, poses);
-    second.world_poses(t, others);
-    for (std::size_t i = 0; i < joints; ++i) {
-      const std::size_t other = counterparts[i];
-      if (other == no_parent) continue;
-      const JointPose a = first.local_pose(i, t), b = second.local_pose(other, t);
-      JointDifference& worst = found[i];
-      worst.angle.take(angular_distance(a.rotation, b.rotation), t);
-      worst.translation.take((a.translation - b.translation).norm(), t);
-      worst.distance.take(shell_distance(poses[i], others[other], shell), t);
-    }
-  }
-  return found;
+                                         double shell, Between between) {
+  const JointsBeside beside{first, second, counterparts, shell};
+  return between == Between::nothing ? beside.at(times) : beside.around(times);
 }
 
 std::vector<double> key_times(const Clip& clip) {

@@ -22,25 +22,27 @@ struct LargestInTime {
   }
 };
 
-/// How far a joint of one motion is from the same joint of another one, at the worst of some times.
+/// How far a joint of one motion is from the same joint of another one, where that is farthest.
 struct JointDifference {
   LargestInTime angle{};        ///< between the rotations in the frames of the parents [rad]
   LargestInTime translation{};  ///< between the translations in the frames of the parents
   LargestInTime distance{};     ///< the shell distance in the world
 };
 
-/// Of every joint of the first skeleton, over the times [s], at least one. `counterparts` are the joints of the second
-/// skeleton that are the same ones (`Counterparts::joints`), `no_parent` for those that are not there, which do not
-/// count.
+/// Whether motions are compared at the times alone, or also between them, beside the largest differences until nothing
+/// rises: what is found is the largest there is if the times are dense enough to show where it is.
+enum class Between { nothing, looked_at };
+
+/// Of every joint of the first skeleton, over the times [s], rising, at least one. `counterparts` are the joints of the
+/// second skeleton that are the same ones (`Counterparts::joints`), `no_parent` for those that are not there, which do
+/// not count.
 ///
 /// The shell distance is the largest distance in the world between the same points in both motions: the joint itself,
 /// and those that are `shell` off it along each of its axes. It tells how far a skin that hangs on the joint is off.
 /// Source: N. Frechette, the Animation Compression Library (ACL).
-[[nodiscard]] ORISPLINE_EXPORT std::vector<JointDifference> differences(const ClipMotion& first,
-                                                                        const ClipMotion& second,
-                                                                        std::span<const std::size_t> counterparts,
-                                                                        std::span<const double> times,
-                                                                        double shell = default_shell);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<JointDifference> differences(
+    const ClipMotion& first, const ClipMotion& second, std::span<const std::size_t> counterparts,
+    std::span<const double> times, double shell = default_shell, Between between = Between::nothing);
 
 /// All times of keys of a clip [s], rising, each once.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<double> key_times(const Clip& clip);

@@ -333,6 +333,12 @@ void ClipMotion::world_poses(double t, std::span<Eigen::Affine3d> poses) const n
   }
 }
 
+Eigen::Affine3d ClipMotion::world_pose(std::size_t joint, double t) const noexcept {
+  Eigen::Affine3d pose = transform(local_pose(joint, t));
+  while ((joint = (*skeleton_)[joint].parent) != no_parent) pose = transform(local_pose(joint, t)) * pose;
+  return pose;
+}
+
 std::vector<Eigen::Affine3d> world_poses(const Skeleton& skeleton, const Clip& clip, std::span<const double> times) {
   const ClipMotion motion(skeleton, clip);
   std::vector<Eigen::Affine3d> poses(skeleton.size() * times.size());

@@ -59,6 +59,8 @@ class ORISPLINE_EXPORT ClipMotion {
   /// From every joint's frame to that of the world at time t [s], into as many places as there are joints. With scales,
   /// negative and uneven ones too, this need not be a rigid motion.
   void world_poses(double t, std::span<Eigen::Affine3d> poses) const noexcept;
+  /// That of one joint, to rounding.
+  [[nodiscard]] Eigen::Affine3d world_pose(std::size_t joint, double t) const noexcept;
 
  private:
   /// Places of the joint's curves, one more than their index; 0 where it has none.

@@ -86,9 +86,9 @@ Expected<std::vector<double>> compared_times(const Clip& clip, std::optional<dou
 
 void compare_joints(ClipDifference& clip, const DifferenceRequest& request, std::span<const std::size_t> counterparts) {
   const MotionFile &first = request.first, &second = request.second;
-  const auto found =
-      differences(ClipMotion(first.skeleton, first.clips[clip.first]),
-                  ClipMotion(second.skeleton, second.clips[clip.second]), counterparts, clip.times, request.shell);
+  const auto found = differences(ClipMotion(first.skeleton, first.clips[clip.first]),
+                                 ClipMotion(second.skeleton, second.clips[clip.second]), counterparts, clip.times,
+                                 request.shell, request.rate ? Between::looked_at : Between::nothing);
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (counterparts[i] == no_parent) continue;
     clip.joints.push_back(i);

@@ -35,15 +35,15 @@ struct MotionFile {
 struct DifferenceRequest {
   MotionFile first{}, second{};
   double shell = default_shell;  ///< in the unit of the files
-  std::optional<double>
-      rate{};            ///< compare at so many times per second too [Hz]; absent: at the keys of the first only
-  unsigned threads = 0;  ///< at most so many at work; 0: one per core
+  std::optional<double> rate{};  ///< look between keys too: at so many times per second [Hz], and beside the largest
+                                 ///< differences until nothing rises; absent: at the keys of the first only
+  unsigned threads = 0;          ///< at most so many at work; 0: one per core
 };
 
 /// How far two motions of a clip are from each other.
 struct ClipDifference {
   std::size_t first = 0, second = 0;     ///< which of the clips of each file
-  std::vector<double> times{};           ///< at which they were compared [s]
+  std::vector<double> times{};           ///< of keys and of the rate, at which they were compared [s]
   std::vector<std::size_t> joints{};     ///< of the first skeleton, those that are in both files
   std::vector<JointDifference> worst{};  ///< of each of them
 };

@@ -175,7 +175,8 @@ TaskInfo difference_info() {
           {},
           {{.name = "first", .sentence = "A skeleton with its clips", .takes = scenes_alone},
            {.name = "second", .sentence = "The same skeleton with other clips", .takes = scenes_alone}},
-          {{"rate", "Compare at so many times per second as well [Hz]"}, threads_setting},
+          {{"rate", "Look between keys too: at so many times per second, and beside the largest differences [Hz]"},
+           threads_setting},
           run_difference};
 }
 

@@ -35,9 +35,10 @@ void add_warnings(std::vector<std::string>& notes, const std::vector<Warning>& w
 
 std::vector<std::string> notes_on(const DifferenceOutcome& outcome) {
   const DifferenceRequest& request = outcome.request;
-  std::vector<std::string> notes{
-      formatted("Both motions are compared at every key of {}{}.", file_name_of(request.first.name),
-                request.rate ? formatted(", and {:g} times per second as well", *request.rate) : "")};
+  std::vector<std::string> notes{formatted(
+      "Both motions are compared at every key of {}{}.", file_name_of(request.first.name),
+      request.rate ? formatted(", {:g} times per second, and where they differ most between these times", *request.rate)
+                   : "")};
   for (const auto& [file, clips] :
        {std::pair{&request.first, &outcome.only_in_first}, {&request.second, &outcome.only_in_second}})
     if (!clips->empty())
@@ -45,6 +46,16 @@ std::vector<std::string> notes_on(const DifferenceOutcome& outcome) {
                                 counted(clips->size(), "more clip"), in_quotes(clips->front())));
   add_warnings(notes, outcome.warnings);
   return notes;
+}
+
+/// At which a clip was compared, and at which its joints differ most, which may be between these.
+std::vector<double> times_of(const ClipDifference& clip) {
+  std::vector<double> times = clip.times;
+  for (const JointDifference& worst : clip.worst)
+    for (const LargestInTime& largest : {worst.angle, worst.translation, worst.distance}) times.push_back(largest.time);
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
 }
 
 Seam seam_of(const Method& method) { return method.options.loop ? Seam::closed : Seam::open; }
@@ -129,7 +140,7 @@ report::SkeletonPage page_of(const DifferenceOutcome& outcome, const pages::Page
   pages::PageHead with_notes = head;
   std::ranges::move(notes_on(outcome), std::back_inserter(with_notes.notes));
   std::vector<pages::ClipPair> pairs;
-  for (const ClipDifference& clip : outcome.clips) pairs.push_back({clip.first, clip.second, clip.times});
+  for (const ClipDifference& clip : outcome.clips) pairs.push_back({clip.first, clip.second, times_of(clip)});
   return pages::skeleton_page({first.name, first.skeleton, first.clips}, {second.name, second.skeleton, second.clips},
                               pairs, {.are_known = !first.has_no_unit && !second.has_no_unit, .shell = shell},
                               with_notes, threads);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include <orispline/base/abi.hpp>
 #include <orispline/base/expect.hpp>
@@ -52,5 +53,61 @@ template <class F>
   }
   return best;
 }
+
+/// The same of a function whose values come one after the other and are too many to be kept. Of the places that no
+/// neighbour is above it keeps those above which the function may be largest: up to where the lines through the
+/// neighbours go on, which no top goes beyond where the function bends downwards. Of many that may be, the highest few.
+class SummitsInPassing {
+ public:
+  /// At a place beyond all before.
+  void pass(Height height) {
+    if (count_ > 0) note(last_, height);
+    else best_.place = height.place;
+    if (height.value > best_.value) best_ = height;
+    before_ = count_ > 0 ? last_ : height;
+    last_ = height;
+    ++count_;
+  }
+
+  /// The largest, once all places have been passed. Precondition: there was one.
+  template <class F>
+  [[nodiscard]] Height highest(const F& f) {
+    ORISPLINE_EXPECT(count_ > 0);
+    if (count_ > 1) note(last_, last_);
+    std::ranges::sort(summits_, std::ranges::greater(), &Summit::reach);
+    for (const Summit& summit : summits_) {
+      if (!(summit.reach > best_.value)) break;
+      const Height top = climbed(f, summit.start, summit.top, summit.end);
+      if (top.value > best_.value) best_ = top;
+    }
+    return best_;
+  }
+
+ private:
+  static constexpr std::size_t most = 8;
+
+  struct Summit {
+    Height top;
+    double start, end, reach;
+  };
+
+  /// A place between the one before it and the next; at either end there is but one of them.
+  void note(const Height& here, const Height& next) {
+    const double rise = here.value - before_.value, fall = here.value - next.value;
+    if (rise < 0.0 || fall < 0.0 || (rise == 0.0 && fall == 0.0)) return;
+    const double back = here.place - before_.place, on = next.place - here.place;
+    const double above = back > 0.0 && on > 0.0 ? std::max(rise * on / back, fall * back / on) : std::max(rise, fall);
+    if (!(here.value + above > best_.value)) return;
+    if (summits_.size() == most) {
+      std::erase_if(summits_, [&](const Summit& summit) { return !(summit.reach > best_.value); });
+      if (summits_.size() == most) summits_.erase(std::ranges::min_element(summits_, {}, &Summit::reach));
+    }
+    summits_.push_back({here, before_.place, next.place, here.value + above});
+  }
+
+  Height best_{0.0, 0.0}, before_{}, last_{};
+  std::size_t count_ = 0;
+  std::vector<Summit> summits_{};
+};
 
 }}  // namespace orispline

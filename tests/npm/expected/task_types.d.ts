@@ -266,7 +266,7 @@ export interface Tasks {
             second: SceneInput;
         };
         options: {
-            /** Compare at so many times per second as well [Hz]. */
+            /** Look between keys too: at so many times per second, and beside the largest differences [Hz]. */
             rate?: Text | Flag | undefined;
             /** At most so many at work; 0: one per core. */
             threads?: Text | Flag | undefined;
