@@ -18,6 +18,10 @@ double shell_distance(const Eigen::Affine3d& a, const Eigen::Affine3d& b, double
   return std::sqrt(square);
 }
 
+double angle_between(const JointPose& a, const JointPose& b) { return angular_distance(a.rotation, b.rotation); }
+
+double translation_between(const JointPose& a, const JointPose& b) { return (a.translation - b.translation).norm(); }
+
 /// The joints of two motions, each beside its counterpart.
 struct JointsBeside {
   const ClipMotion &first, &second;
@@ -25,10 +29,10 @@ struct JointsBeside {
   double shell;
 
   [[nodiscard]] double angle(std::size_t joint, double t) const {
-    return angular_distance(first.local_pose(joint, t).rotation, second.local_pose(counterparts[joint], t).rotation);
+    return angle_between(first.local_pose(joint, t), second.local_pose(counterparts[joint], t));
   }
   [[nodiscard]] double translation(std::size_t joint, double t) const {
-    return (first.local_pose(joint, t).translation - second.local_pose(counterparts[joint], t).translation).norm();
+    return translation_between(first.local_pose(joint, t), second.local_pose(counterparts[joint], t));
   }
   [[nodiscard]] double distance(std::size_t joint, double t) const {
     return shell_distance(first.world_pose(joint, t), second.world_pose(counterparts[joint], t), shell);
@@ -45,8 +49,7 @@ struct JointsBeside {
         const std::size_t other = counterparts[i];
         if (other == no_parent) continue;
         const JointPose a = first.local_pose(i, t), b = second.local_pose(other, t);
-        take(i, t, angular_distance(a.rotation, b.rotation), (a.translation - b.translation).norm(),
-             shell_distance(poses[i], others[other], shell));
+        take(i, t, angle_between(a, b), translation_between(a, b), shell_distance(poses[i], others[other], shell));
       }
     }
   }
