@@ -50,15 +50,17 @@ Expected<TaskJob> smooth_job(const TaskArguments& arguments) {
   if (const auto given = first_given(arguments.rows); !are_samples && !given.empty())
     return usage_failure(formatted("{}: wanted --rate as well", given));
   if (are_samples && is_given(arguments.fields, "sigma"))
-    return usage_failure("--sigma: found --rate as well, wanted keys: standard deviations are those of keys");
+    return usage_failure(
+        "--sigma: found --rate as well, wanted keys, which have columns for it, or --band 0.9 for samples");
   const bool has_gyro_file = file_of(arguments, "gyro").has_value();
   FirstError checked;
   TaskJob job{.input = checked(input_request(arguments.input)), .request = request_of(arguments)};
+  if (arguments.rows.band) job.request.options.emplace_back("sigma", true);
   if (has_gyro_file && !is_given(arguments.fields, "gyro")) job.request.options.emplace_back("gyro", true);
   if (auto sound = jobs::check_task("smooth", job.request); !sound) return tl::unexpected(std::move(sound.error()));
   job.columns = checked(output_columns(arguments.output));
   if (are_samples) {
-    job.rows = checked(row_request(arguments.rows, arguments.input, arguments.output, {}));
+    job.rows = checked(row_request(arguments.rows, arguments.input, arguments.output));
     job.threads = checked(threads_in(arguments.inputs.threads));
   }
   job.names = Json({{"input", arguments.input.path}});
@@ -78,7 +80,7 @@ Expected<void> read_smoothed(const TaskArguments& arguments, TaskJob& job) {
   if (!file) return tl::unexpected(with_output_for_all(file.error(), all_in_scene));
   warn(file->warnings);
   job.columns = columns_like(*file->format, job.columns, arguments.output);
-  if (job.rows) job.rows->columns = columns_for(arguments.rows, arguments.output, {}, *file->format);
+  if (job.rows) job.rows->columns = columns_for(arguments.rows, arguments.output, *file->format);
   if (is_given(arguments.fields, "sigma") && !job.columns.format->holds.settings)
     return bad_option(
         "sigma", formatted("{} has no columns for standard deviations, wanted a CSV file", job.columns.format->file));
@@ -102,12 +104,18 @@ Expected<std::size_t> write_curve(const std::string& path, const TaskJob& job, c
   const auto curve = jobs::curve_through(smoothed.method, *keys);
   if (!curve) return tl::unexpected(curve.error());
   const RowRequest& rows = *job.rows;
+  std::optional<jobs::Band> band;
+  if (rows.band) {
+    auto found = jobs::band_of(*keys, smoothed.method, *rows.band);
+    if (!found) return tl::unexpected(std::move(found.error()));
+    band = std::move(*found);
+  }
   const auto wanted = jobs::times_on_curve(rows.times, keys->epoch, curve->orientation.domain(), rows.extrapolation);
   if (!wanted) return tl::unexpected(wanted.error());
   warn(wanted->warnings);
   const RowWriting writing = row_writing(rows, keys->recipe.gap.has_value(), job.threads);
   return write_rows(path, with_positions(rows.columns, curve->position.has_value()), *curve, wanted->times,
-                    {rows.extrapolation}, writing, Progress::Show::never)
+                    {rows.extrapolation, band ? &*band : nullptr}, writing, Progress::Show::never)
       .map([&](const jobs::RowCounts& counts) { return counts.rows(writing.policy); });
 }
 

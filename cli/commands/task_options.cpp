@@ -185,13 +185,14 @@ constexpr auto smooth_footer = R"(Examples:
   orispline smooth imu.csv --gyro -o keys.csv
   orispline smooth poses.csv --gyro-file imu.csv -o keys.csv
   orispline smooth noisy.csv --sigma -o keys.csv
+  orispline smooth noisy.csv --rate 100 --band 0.9 -o motion.csv
   orispline smooth walk.bvh -o clean.bvh --report clean.html
   orispline smooth recordings --output-folder smoothed
   orispline sample keys.csv --method hermite-c2 --rate 500 -o motion.csv
 
 Without --noise, --smoothing-time or --cutoff the smoothing is chosen by generalised cross-validation. The output has an
 orientation with its rates (wx,wy,wz,ax,ay,az) at every time of INPUT, of which 'sample --method hermite-c2' makes a C2
-curve; with --rate it has samples of that curve. docs/smooth.md says more.)";
+curve; with --rate it has samples of that curve, and with --band how far off they may be. docs/smooth.md says more.)";
 
 void add_smooth_options(Command& app, TaskArguments& o) {
   add_several_inputs(app, o.inputs, "keys");
@@ -208,6 +209,7 @@ void add_smooth_options(Command& app, TaskArguments& o) {
   o.output.scenes = scenes_written();
   add_output_options(app, o.output);
   add_row_options(app, o.rows);
+  add_band_option(app, o.rows);
   add_report_option(app, o.report);
   add_summary_options(app, o.summary);
   app.usual = {"--noise", "--smoothing-time", "--cutoff", "--gap", "--gyro", "--gyro-file", "--sigma", "--rate"};

@@ -209,6 +209,10 @@ std::vector<std::string> open_parameters(const Method& method) {
   return names;
 }
 
+void read_band(io::ReadOptions& read) {
+  read.parameters.insert(read.parameters.end(), band_columns.begin(), band_columns.end());
+}
+
 std::vector<std::string> known_settings() {
   std::set<std::string> settings;
   for (const FamilyInfo& family : families_info()) {

@@ -66,6 +66,8 @@ using OwnFamilies = std::vector<std::shared_ptr<const OwnFamily>>;
 
 /// Parameters of the method that the command line leaves to the columns of the key file.
 [[nodiscard]] std::vector<std::string> open_parameters(const Method& method);
+/// The columns in which smoothed keys carry their band too.
+void read_band(io::ReadOptions& read);
 
 /// Every `NAME=` or `NAME=WORD` that some method takes.
 [[nodiscard]] std::vector<std::string> known_settings();

@@ -104,7 +104,7 @@ Expected<jobs::TimeRequest> time_request(const RowOptions& options, const InputO
 }
 
 Expected<io::SampleColumns> columns_in(const RowOptions& options, const OutputOptions& output,
-                                       const std::optional<std::string>& band, const io::FormatInfo* input = nullptr) {
+                                       const io::FormatInfo* input = nullptr) {
   FirstError checked;
   auto columns = checked(output_columns(output));
   const auto derivatives = checked(if_given("--derivatives", options.derivatives, derivatives_in));
@@ -114,7 +114,7 @@ Expected<io::SampleColumns> columns_in(const RowOptions& options, const OutputOp
   const bool holds_rates = columns.format->holds.rates;
   columns.derivatives = derivatives.value_or(holds_rates ? default_csv_derivatives : 0);
   columns.frame = frame.value_or(io::Frame::body);
-  columns.band = band.has_value();
+  columns.band = options.band.has_value();
   auto read = std::move(checked).or_else(std::move(columns));
   if (!read || holds_rates) return read;
   const auto refused = [&](OptionText option, std::string_view only) {
@@ -122,8 +122,16 @@ Expected<io::SampleColumns> columns_in(const RowOptions& options, const OutputOp
   };
   if (read->derivatives > 0) return refused({"--derivatives", *options.derivatives}, "0");
   if (read->frame == io::Frame::world) return refused({"--frame", *options.frame}, "body");
-  if (read->band) return refused({"--band", *band}, "none");
+  if (read->band) return refused({"--band", *options.band}, "none");
   return read;
+}
+
+Expected<double> share_in(OptionText option) {
+  constexpr std::string_view what = "a number between 0 and 1";
+  return positive_in(option, what).and_then([&](double share) -> Expected<double> {
+    if (share < 1.0) return share;
+    return wanted(option, what);
+  });
 }
 
 /// What samples outside the curve do, as either of two options has it.
@@ -166,7 +174,8 @@ std::string_view first_given(const RowOptions& o) {
                                                        {o.mark_gaps, "--mark-gaps"},
                                                        {o.yes, "--yes"},
                                                        {o.derivatives.has_value(), "--derivatives"},
-                                                       {o.frame.has_value(), "--frame"}};
+                                                       {o.frame.has_value(), "--frame"},
+                                                       {o.band.has_value(), "--band"}};
   const auto* const given = std::ranges::find(options, true, &std::pair<bool, std::string_view>::first);
   return given == std::end(options) ? "" : given->second;
 }
@@ -205,22 +214,30 @@ void add_row_options(Command& app, RowOptions& o) {
       ->group(group);
 }
 
-Expected<RowRequest> row_request(const RowOptions& options, const InputOptions& input, const OutputOptions& output,
-                                 const std::optional<std::string>& band) {
+void add_band_option(Command& app, RowOptions& o) {
+  app.add_option(
+         "--band", o.band,
+         "Column band [rad]: the radius that is meant to hold this share of the true motion, such as 0.9, about "
+         "the curve of 'measured' or of smoothed keys")
+      ->type_name("SHARE")
+      ->group("Output");
+}
+
+Expected<RowRequest> row_request(const RowOptions& options, const InputOptions& input, const OutputOptions& output) {
   const bool into_scene = is_scene(output.path);
   FirstError checked;
   RowRequest request{.times = checked(clock_in(input).and_then(
                          [&](const io::Clock& clock) { return time_request(options, input, clock, into_scene); })),
-                     .columns = into_scene ? io::SampleColumns() : checked(columns_in(options, output, band)),
+                     .columns = into_scene ? io::SampleColumns() : checked(columns_in(options, output)),
                      .extrapolation = checked(extrapolation_in(options)).value_or(Extrapolation::hold),
                      .outside = leaves_out(options) ? jobs::OutsideRows::left_out : jobs::OutsideRows::made,
-                     .mark_gaps = checked(mark_gaps_in(options, output))};
+                     .mark_gaps = checked(mark_gaps_in(options, output)),
+                     .band = checked(if_given("--band", options.band, share_in))};
   return std::move(checked).or_else(std::move(request));
 }
 
-io::SampleColumns columns_for(const RowOptions& options, const OutputOptions& output,
-                              const std::optional<std::string>& band, const io::FormatInfo& input) {
-  return columns_in(options, output, band, &input).value();
+io::SampleColumns columns_for(const RowOptions& options, const OutputOptions& output, const io::FormatInfo& input) {
+  return columns_in(options, output, &input).value();
 }
 
 io::SampleColumns with_positions(io::SampleColumns columns, bool positions) {

@@ -29,6 +29,7 @@ struct RowOptions {
   bool yes = false;  ///< to any number of samples
   std::optional<std::string> derivatives, frame, extrapolate, outside;
   bool mark_gaps = false;
+  std::optional<std::string> band;
 
   [[nodiscard]] bool names_times() const noexcept { return rate || count || list; }
 };
@@ -42,7 +43,8 @@ struct RowRequest {
   io::SampleColumns columns{};
   Extrapolation extrapolation = Extrapolation::hold;
   jobs::OutsideRows outside = jobs::OutsideRows::made;
-  bool mark_gaps = false;  ///< by rows with a time alone; else they have none
+  bool mark_gaps = false;        ///< by rows with a time alone; else they have none
+  std::optional<double> band{};  ///< the share of the true motion that it is meant to hold
 };
 
 /// When samples are, and what those outside the curve do. `rate`: what --rate does, for the help.
@@ -50,14 +52,17 @@ void add_time_options(Command& app, RowOptions& options, const std::string& grou
 /// What rows have, and that there may be any number of them.
 void add_row_options(Command& app, RowOptions& options);
 
+/// How far off the true motion may be.
+void add_band_option(Command& app, RowOptions& options);
+
 /// The times of these options, and the columns of the output, where it is one of rows. Without other times those are
-/// the frames of the input, if it states how many there are in a second. `band`: what was typed for one.
+/// the frames of the input, if it states how many there are in a second.
 [[nodiscard]] Expected<RowRequest> row_request(const RowOptions& options, const InputOptions& input,
-                                               const OutputOptions& output, const std::optional<std::string>& band);
+                                               const OutputOptions& output);
 
 /// The columns for INPUT of that format, of options that row_request() has understood.
 [[nodiscard]] io::SampleColumns columns_for(const RowOptions& options, const OutputOptions& output,
-                                            const std::optional<std::string>& band, const io::FormatInfo& input);
+                                            const io::FormatInfo& input);
 /// The columns for keys with or without positions.
 [[nodiscard]] io::SampleColumns with_positions(io::SampleColumns columns, bool positions);
 

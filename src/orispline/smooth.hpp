@@ -4,3 +4,4 @@
 // A noisy recording as a smooth motion (ORISPLINE_OPTIMISE).
 
 #include <orispline/smooth/smooth.hpp>
+#include <orispline/smooth/smoothed_band.hpp>

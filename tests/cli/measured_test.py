@@ -105,7 +105,7 @@ class Measured(CommandTest):
             self.assert_fails(f"sample keys.csv --method measured --band {share} --rate 9", BAD_USAGE,
                               f"--band: found '{share}', wanted a number between 0 and 1")
         self.assert_fails("sample keys.csv --band 0.9 --rate 9", BAD_USAGE,
-                          "--band: method 'auto' has no band, wanted 'measured'")
+                          "--band: method 'auto' has no band, wanted 'measured', or keys that smooth wrote with --sigma")
         self.assert_fails("sample keys.csv --method measured --band 0.9 --rate 9 -o out.tum", BAD_USAGE,
                           "--band: found '0.9', wanted none for a TUM file, which has no columns for rates")
 

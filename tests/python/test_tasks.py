@@ -79,6 +79,21 @@ def test_standard_deviations_are_those_of_the_command(tmp_path):
     assert without.sigma is None and without.sigma_of_rates is None and without.rms_sigma is None
 
 
+def test_smoothed_keys_carry_the_band_of_their_curve(tmp_path):
+    noisy, out, samples = noisy_file(tmp_path / "noisy.csv"), tmp_path / "keys.csv", tmp_path / "motion.csv"
+    smoothing = ori.smooth(keys_in(noisy), sigma=True)
+    smoothing.keys.write(out)
+    json_of("sample", out, "--band", "0.9", "--rate", "77", "-o", samples)
+    columns = columns_of(samples)
+    t, band = np.array(columns["t"], float), np.array(columns["band"], float)
+    assert np.allclose(smoothing.curve.band(t), band, rtol=1e-12) and (band > 0).all()
+    assert np.allclose(ori.read(out).curve("hermite-c2").band(t, 0.9), band, rtol=1e-12)
+    assert (smoothing.curve.band(t, 0.99) > band).all()
+    for curve in (ori.smooth(keys_in(noisy)).curve, smoothing.keys.curve("auto")):
+        with pytest.raises(ori.ArgumentError, match="has no band, wanted 'measured', or keys that smooth wrote with sigma"):
+            curve.band(t)
+
+
 def test_smooth_motion_is_near_to_the_truth(tmp_path):
     noisy = keys_in(noisy_file(tmp_path / "noisy.csv"))
     smoothing = ori.smooth(noisy)

@@ -54,28 +54,6 @@ Eigen::Vector3d true_rate(double t) {
   return {3.0 * std::cos(3.0 * t), rate * std::sin(angle), rate * std::cos(angle)};
 }
 
-/// A motion that the penalty is the prior of: body rates that are a random walk, of 2 rad/s in a second, at 100 Hz.
-Recording wandering(std::size_t count, double noise, std::uint64_t seed) {
-  constexpr int steps = 10;  // of the walk, from sample to sample
-  Recording recording;
-  Dice dice(100 + seed);
-  Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
-  Eigen::Vector3d rate = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < count; ++i) {
-    recording.clean.times.push_back(0.01 * static_cast<double>(i));
-    recording.clean.orientations.push_back(q);
-    recording.clean.angular_velocities.push_back(rate);
-    recording.noisy.orientations.push_back(q * exp<double>(Eigen::Vector3d(noise * normal_vector(dice))));
-    for (int k = 0; k < steps; ++k) {
-      const Eigen::Vector3d half = rate;
-      rate += 2.0 * std::sqrt(0.01 / steps) * normal_vector(dice);
-      q = (q * exp<double>(Eigen::Vector3d(0.01 / steps * 0.5 * (half + rate)))).normalized();
-    }
-  }
-  recording.noisy.times = recording.clean.times;
-  return recording;
-}
-
 /// Shares of components, and of angles, that are within so many standard deviations of the truth.
 struct Coverage {
   double turns = 0.0, rates = 0.0, angles = 0.0, samples = 0.0;

@@ -169,14 +169,11 @@ nb::dict settings_of(const PythonCurve& curve) {
 }
 
 void bands_at(const PythonCurve& curve, double share, const Numbers& times, const MutableNumbers& out) {
-  const BandInStretches band = value_of([&] {
+  const jobs::Band band = value_of([&] {
     const nb::gil_scoped_release release;
-    const Track& track = *curve.keys().track;
-    return stretches_of(track).and_then([&](const std::vector<Stretch>& stretches) {
-      return BandInStretches::make(curve.method(), track.keys, stretches, share);
-    });
+    return jobs::band_of(*curve.keys().track, curve.method(), share);
   }());
-  map_numbers(times, out, [&band](double t) { return band(t); });
+  map_numbers(times, out, [&band](double t) { return jobs::band_at(band, t); });
 }
 
 }  // namespace

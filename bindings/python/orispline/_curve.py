@@ -381,11 +381,12 @@ class Curve(Looks, Orienting):
     def band(self, t: ArrayLike, share: float = ...) -> Array: ...
 
     def band(self, t: Any, share: float = 0.9) -> Any:
-        """The angle [rad] about a curve of the method `measured` that is meant to hold this share of the true motion, at times
-        which are held to the curve's domain: a float for one time, else an array of their shape. Infinite where the keys say
-        nothing. It takes as long as making the curve.
+        """The angle [rad] about a curve that is meant to hold this share of the true motion, at times which are held to the
+        curve's domain: a float for one time, else an array of their shape. It is known of curves of the method `measured`, and of
+        `hermite-c2` through keys that `smooth(..., sigma=True)` made. Infinite where the keys say nothing, NaN in gaps. It takes
+        as long as making the curve.
 
-        Raises ArgumentError for the curve of another method and for a share that is not between 0 and 1.
+        Raises ArgumentError for another curve and for a share that is not between 0 and 1.
 
         >>> import numpy as np, orispline as ori
         >>> times = np.arange(40.0)

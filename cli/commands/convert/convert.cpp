@@ -32,6 +32,7 @@ Expected<io::TrackFile> open_source(InputRequest request, const io::OrientationF
   if (!method) return tl::unexpected(method.error());
   if (*method) {
     request.read.parameters = open_parameters(**method);
+    if ((*method)->name == smoothed_method) read_band(request.read);
     request.read = with_columns_of(**method, std::move(request.read));
     request.read.world_rates = jobs::family_of(**method).rate_orders > 0;
   }

@@ -33,7 +33,7 @@ struct Source {
   io::TrackFile file;
   jobs::CurveOfKeys shaped;
   jobs::SampleTimes times;
-  std::optional<BandInStretches> band{};
+  std::optional<jobs::Band> band{};
 };
 
 Expected<io::TrackFile> track_of(io::KeyReader reader, Signs signs) {
@@ -57,8 +57,11 @@ Expected<Source> open_source(const SampleRequest& request, io::KeyReader keys) {
                                      request.rows.extrapolation);
   if (!wanted) return tl::unexpected(std::move(wanted.error()));
   warn(wanted->warnings);
-  return jobs::band_of(track, shaped->method, request.band).map([&](std::optional<BandInStretches> band) {
-    return Source{std::move(*file), std::move(*shaped), std::move(wanted->times), std::move(band)};
+  Source source{std::move(*file), std::move(*shaped), std::move(wanted->times)};
+  if (!request.rows.band) return source;
+  return jobs::band_of(source.file.track, source.shaped.method, *request.rows.band).map([&](jobs::Band band) {
+    source.band = std::move(band);
+    return std::move(source);
   });
 }
 
@@ -83,7 +86,7 @@ Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader 
   if (!source) return tl::unexpected(source.error());
   const auto& [file, shaped, times, band] = *source;
   SampleReport report{.outcome = outcome_of(file.track, request.method, shaped), .repairs = file.repairs};
-  report.outcome.band = request.band;
+  report.outcome.band = request.rows.band;
   if (request.truth) {
     auto distance = truth_distance(request, file, shaped.curve);
     if (!distance) return tl::unexpected(std::move(distance.error()));
@@ -124,7 +127,7 @@ Expected<bool> goes_in_pieces(const SampleRequest& request, io::KeyReader& keys)
     const io::ReadOptions& read = request.input.read;
     // A header that counts the rows stands before them; in a pipe that cannot be done later.
     const bool counts_later = !request.rows.columns.format->writing.counts_rows || !io::is_stream(request.output);
-    return !two_tracks && keys.columns() && counts_later && !request.truth && !request.band && !read.sort &&
+    return !two_tracks && keys.columns() && counts_later && !request.truth && !request.rows.band && !read.sort &&
            !read.session && !keys.recipe().gap && !writes_into_input(request) &&
            jobs::can_stream(stream_request(request, *keys.columns()));
   });
@@ -220,7 +223,7 @@ Expected<void> sample_keys(const SampleArguments& options) {
   return io::KeyReader::open(std::move(*input), request->input.read)
       .and_then([&](io::KeyReader keys) -> Expected<void> {
         if (is_scene(request->output)) return sample_into_scene(options, *request, std::move(keys));
-        request->rows.columns = columns_for(options.rows, options.output, options.band, keys.format());
+        request->rows.columns = columns_for(options.rows, options.output, keys.format());
         const auto in_pieces = goes_in_pieces(*request, keys);
         if (!in_pieces) return tl::unexpected(in_pieces.error());
         return (*in_pieces ? sample_in_pieces(*request, std::move(keys)) : sample_whole(*request, std::move(keys)))

@@ -18,7 +18,7 @@ struct SampleArguments {
   MethodOptions shape;
   RowOptions rows;
   OutputOptions output;
-  std::optional<std::string> truth, band;
+  std::optional<std::string> truth;
   std::optional<std::string> tolerance, position_tolerance;  ///< of a file of skeletons
   bool align = false;
   SummaryOptions summary;

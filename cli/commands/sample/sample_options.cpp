@@ -22,6 +22,7 @@ constexpr auto sample_footer = R"(Examples:
   orispline sample keys.csv --rate 100000 -o motion.npy
   orispline sample joints --rate 100 --output-folder motions
   orispline sample recording.csv --method measured --band 0.9 --rate 100 -o motion.csv
+  orispline sample smoothed.csv --band 0.9 --rate 100 -o motion.csv
   orispline sample mage.glb --clip Walking_A --joint hand.r --space world --rate 240 -o hand.csv
   orispline sample mage.glb --rate 30 --output-folder joints
   orispline sample flight.csv --tolerance 0.03deg -o flight.glb
@@ -68,11 +69,7 @@ void add_sample_options(Command& app, SampleArguments& o) {
                  "Largest distance between the path and the cubics of a glTF file [1mm]")
       ->type_name("LENGTH")
       ->group(group);
-  app.add_option("--band", o.band,
-                 "Column band [rad]: the radius about the curve of 'measured' that is meant to hold this share of the "
-                 "true motion, such as 0.9")
-      ->type_name("SHARE")
-      ->group(group);
+  add_band_option(app, o.rows);
   app.add_option("--threads", o.inputs.threads,
                  "Threads that make the samples, which are the same on any number [all cores]")
       ->type_name("N")

@@ -32,7 +32,7 @@ Json names_of(const io::SampleColumns& columns) {
 }  // namespace
 
 Expected<SampleReport> write_samples(const SampleRequest& request, SampleReport report, const PoseCurve& curve,
-                                     const jobs::SampleTimes& times, bool has_gaps, const BandInStretches* band) {
+                                     const jobs::SampleTimes& times, bool has_gaps, const jobs::Band* band) {
   report.input = request.input.path;
   report.output = request.output;
   report.columns = with_positions(request.rows.columns, curve.position.has_value());

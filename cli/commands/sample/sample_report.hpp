@@ -25,7 +25,7 @@ struct SampleReport {
 /// Writes the samples of a curve in memory, of which the report has the outcome so far.
 [[nodiscard]] Expected<SampleReport> write_samples(const SampleRequest& request, SampleReport report,
                                                    const PoseCurve& curve, const jobs::SampleTimes& times,
-                                                   bool has_gaps = false, const BandInStretches* band = nullptr);
+                                                   bool has_gaps = false, const jobs::Band* band = nullptr);
 
 /// A curve in a file of skeletons, and the names of the files.
 struct CurveSceneReport {

@@ -15,14 +15,6 @@ namespace orispline::cli {
 
 namespace {
 
-Expected<double> share_in(OptionText option) {
-  constexpr std::string_view what = "a number between 0 and 1";
-  return positive_in(option, what).and_then([&](double share) -> Expected<double> {
-    if (share < 1.0) return share;
-    return wanted(option, what);
-  });
-}
-
 constexpr std::string_view default_cubic_tolerance = "0.01deg";
 
 Expected<double> measured_in(OptionText option, std::span<const Unit> units) {
@@ -45,9 +37,9 @@ Expected<void> check_into_scene(const SampleArguments& options) {
     if (typed && *typed != "hold" && *typed != "error")
       return usage_failure(formatted("{}: found '{}' with a file of skeletons, wanted hold or error", name, *typed));
   if (options.truth) return usage_failure("--truth: found a file of skeletons as the output, wanted one of samples");
-  if (options.rows.derivatives || options.rows.frame || options.band)
+  if (options.rows.derivatives || options.rows.frame || options.rows.band)
     return usage_failure(formatted("{}: found a file of skeletons, which has no columns for it, wanted a CSV file",
-                                   options.band         ? "--band"
+                                   options.rows.band    ? "--band"
                                    : options.rows.frame ? "--frame"
                                                         : "--derivatives"));
   return {};
@@ -97,7 +89,7 @@ Expected<void> check_stored(const SampleArguments& options) {
     return usage_failure(
         formatted("{}: found the motion that the file says, which has its shape, wanted --method as well",
                   first_given(options.shape)));
-  if (options.band) return usage_failure("--band: found the motion that the file says, wanted --method measured");
+  if (options.rows.band) return usage_failure("--band: found the motion that the file says, wanted --method measured");
   if (options.truth) return usage_failure("--truth: found the motion that the file says, wanted --method as well");
   if (is_scene(options.output.path))
     return usage_failure("-o: found a file of skeletons, wanted one of samples, or 'orispline convert' for the keys");
@@ -112,12 +104,11 @@ Expected<SampleRequest> sample_request(const SampleArguments& options) {
   SampleRequest request{.input = checked(input_request(options.input)),
                         .named = checked(named_method(options.method, options.shape)),
                         .shape = options.shape,
-                        .rows = checked(row_request(options.rows, options.input, options.output, options.band)),
+                        .rows = checked(row_request(options.rows, options.input, options.output)),
                         .threads = checked(threads_in(options.inputs.threads)),
                         .output = options.output.path,
                         .truth = options.truth,
                         .align = options.align,
-                        .band = checked(if_given("--band", options.band, share_in)),
                         .tolerance = checked(tolerance_in(options)),
                         .position_tolerance = checked(position_tolerance_in(options)),
                         .progress = progress_for(options)};
@@ -140,6 +131,7 @@ Expected<std::vector<Warning>> settle_method(SampleRequest& request, const io::K
   return chosen_method(request.named, request.shape, keys, {default_method}).map([&](jobs::ChosenMethod chosen) {
     request.method = std::move(chosen.method);
     request.input.read = read_for({&request.method, 1}, std::move(request.input.read));
+    if (request.rows.band) read_band(request.input.read);
     request.input.signs = request.input.signs.value_or(keys.recipe().signs);
     return std::move(chosen.warnings);
   });

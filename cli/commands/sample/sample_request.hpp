@@ -17,7 +17,6 @@ struct SampleRequest {
   std::string output;
   std::optional<std::string> truth;
   bool align = false;                 ///< the truth, with the keys
-  std::optional<double> band;         ///< the share of the true motion that it is meant to hold
   std::optional<double> tolerance{};  ///< of the cubics of a file of skeletons [rad]; absent: samples are written
   double position_tolerance = 1e-3;   ///< of those of positions [m]
   Progress::Show progress = Progress::Show::never;

@@ -52,6 +52,7 @@ Track Track::at(std::span<const std::size_t> indices) const {
   for (const auto& [parameter, values] : settings) some.settings.emplace(parameter, entries_at(values, indices));
   some.as_read = entries_at(as_read, indices);
   some.table = {table.names, entries_at(table.rows, indices)};
+  some.forget_band();
   return some;
 }
 
@@ -66,8 +67,14 @@ Expected<Track> Track::with_times(std::vector<double> times) const {
   return keys.with_times(std::move(times)).map([this](const Keyframes& moved) {
     Track track = with_keys(moved);
     track.exact_times.clear();
+    track.forget_band();
     return track;
   });
+}
+
+void Track::forget_band() {
+  for (const std::string_view name : band_columns)
+    if (const auto column = settings.find(name); column != settings.end()) settings.erase(column);
 }
 
 Error Track::located(Error error) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -8,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <orispline/base/abi.hpp>
@@ -25,6 +27,14 @@ struct KeyTable {
 };
 
 struct BlendingData;
+
+/// The method whose curve through smoothed keys is the smooth motion: C2, through their orientations and rates.
+inline constexpr std::string_view smoothed_method = "hermite-c2";
+
+/// Settings of keys for it that say how certain the curve is: the standard deviation of a turn per axis [rad], at the
+/// key and at sixths of the way to the next one.
+inline constexpr std::array<std::string_view, 6> band_columns{"sigma_0of6", "sigma_1of6", "sigma_2of6",
+                                                              "sigma_3of6", "sigma_4of6", "sigma_5of6"};
 
 /// What keys say about the curve that they are for: with it a file of keys carries its meaning.
 struct Recipe {
@@ -79,12 +89,16 @@ struct ORISPLINE_EXPORT Track {
   [[nodiscard]] Eigen::Quaterniond written(std::size_t key) const;
 
   /// The keys at these rising indices, one at least, with all that belongs to them; signs for the shortest way. The
-  /// curve that all keys were for is not theirs: the recipe is empty.
+  /// curve that all keys were for is not theirs: the recipe is empty, and so is the band.
   [[nodiscard]] Track at(std::span<const std::size_t> indices) const;
-  /// These keys at other times; exact times and the table are forgotten. Errors: those of Keyframes::with_times().
+  /// These keys at other times; exact times, the table and the band are forgotten. Errors: those of
+  /// Keyframes::with_times().
   [[nodiscard]] Expected<Track> with_times(std::vector<double> times) const;
   /// Other keys at the same times, such as smoothed ones; the table is forgotten.
   [[nodiscard]] Track with_keys(const Keyframes& others) const;
+
+  /// Without the settings of its band, which is that of another curve.
+  void forget_band();
 
   /// The error with the name of the track and, where it names a key, its line.
   [[nodiscard]] Error located(Error error) const;

@@ -39,7 +39,7 @@ struct Sample {
   std::optional<Eigen::Vector3d> angles{};  ///< of Euler [rad], where they are not those of the orientation alone
 };
 
-inline constexpr std::size_t most_settings = 8;  ///< columns of settings in a file
+inline constexpr std::size_t most_settings = 12;  ///< columns of settings in a file
 
 /// Error (bad_argument): what the format cannot hold.
 [[nodiscard]] ORISPLINE_EXPORT Expected<void> check_columns(const SampleColumns& columns);

@@ -21,6 +21,7 @@ ReadOptions read_for(std::span<const FamilyInfo* const> families, ReadOptions op
     for (const Parameter& parameter : family->parameters) parameters.emplace(parameter.name);
   }
   options.parameters = {parameters.begin(), parameters.end()};
+  options.parameters.insert(options.parameters.end(), band_columns.begin(), band_columns.end());
   options.world_rates = true;
   return options;
 }

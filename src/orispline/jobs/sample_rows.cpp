@@ -128,7 +128,7 @@ Expected<void> CurveSamples::next(SampleBlock& block, std::size_t most, Work wor
     const std::size_t parts = parts_of(block.size(), work.threads);
     parallel_for(parts, work.threads, [&](std::size_t i) {
       const std::size_t begin = block.size() * i / parts, end = block.size() * (i + 1) / parts;
-      for (std::size_t k = begin; k < end; ++k) block.bands()[k] = (*sampling_.band)(block.time(k));
+      for (std::size_t k = begin; k < end; ++k) block.bands()[k] = band_at(*sampling_.band, block.time(k));
     });
   }
   return sample_at<double>(curve_, block.times(), block.room(), work).and_then([&] {

@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include <orispline/analysis/curve_in_stretches.hpp>
 #include <orispline/batch/sample.hpp>
 #include <orispline/curve/motion.hpp>
+#include <orispline/jobs/band.hpp>
 #include <orispline/jobs/sample_times.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
@@ -74,7 +74,7 @@ class SampleSource {
 /// How a curve in memory is sampled.
 struct CurveSampling {
   Extrapolation extrapolation = Extrapolation::hold;
-  const BandInStretches* band = nullptr;  ///< where the columns have one
+  const Band* band = nullptr;  ///< where the columns have one
 };
 
 /// Samples of a curve, such as the motion of a joint. It refers to the curve and the times.

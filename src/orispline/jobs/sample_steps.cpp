@@ -30,15 +30,6 @@ SampleOutcome outcome_of_joint(std::string source, const PoseCurve& curve) {
           .end = Decimal::from_double(domain.end)};
 }
 
-Expected<std::optional<BandInStretches>> band_of(const Track& keys, const Method& method, std::optional<double> share) {
-  if (!share) return std::optional<BandInStretches>();
-  auto band = stretches_of(keys).and_then([&](const std::vector<Stretch>& stretches) {
-    return BandInStretches::make(method, keys.keys, stretches, *share);
-  });
-  if (!band) return bad_option("band", band.error().message);
-  return std::optional(std::move(*band));
-}
-
 std::vector<std::size_t> moved_joints(const Skeleton& skeleton, const Clip& clip, JointSpace space) {
   std::vector<bool> moves(skeleton.size());
   for (const RotationChannel& channel : clip.rotations) moves[channel.joint] = true;

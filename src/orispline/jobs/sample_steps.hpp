@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include <orispline/analysis/curve_in_stretches.hpp>
 #include <orispline/clip/clip_motion.hpp>
 #include <orispline/jobs/sample.hpp>
 #include <orispline/jobs/sample_rows.hpp>
@@ -25,11 +24,6 @@ inline constexpr std::string_view stored_method = "stored";
 
 /// Of a joint that moves as its file says.
 [[nodiscard]] SampleOutcome outcome_of_joint(std::string source, const PoseCurve& curve);
-
-/// Where the true motion may be beside the curve of `measured`, if a share of it is to be held. Error (bad_argument, of
-/// `band`): another method.
-[[nodiscard]] Expected<std::optional<BandInStretches>> band_of(const Track& keys, const Method& method,
-                                                               std::optional<double> share);
 
 /// The joints that a clip moves, in the order of the skeleton: those with keys of their own, and in the world those
 /// that these carry too.

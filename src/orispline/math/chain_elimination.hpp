@@ -18,6 +18,7 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 template <int M, int Data, int Sides, int Link = M>
 class ChainElimination {
  public:
+  static constexpr int unknowns = M;                        ///< of each node
   static constexpr int columns = 2 * M + Sides;             ///< this node, the next one, right-hand sides
   using Row = Eigen::Matrix<double, M, columns>;            ///< of the triangular factor; its lower triangle is unused
   using Low = Eigen::Matrix<double, Data + Link, columns>;  ///< the data rows, then the link rows

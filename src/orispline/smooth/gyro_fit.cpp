@@ -290,6 +290,7 @@ void judge(GyroFit& fit, const GyroModel& model, const SmoothingSearch& without,
   if (!fit.finding.used) fit.finding.doubt = doubt_of(model, reaches, is_clean, with < alone);
   fit.finding.risk = {.with = with, .without = fit.finding.used ? without_by_gyro : alone};
   fit.residual_noise = model.noises.correlated > 0.0 ? model.noises.white : residual_noise(fit, posterior);
+  fit.calibration_variance = std::max(0.0, model.variance) / (3.0 * count);
 }
 
 }  // namespace

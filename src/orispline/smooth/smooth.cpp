@@ -15,6 +15,7 @@
 #include <orispline/smooth/changing_noise.hpp>
 #include <orispline/smooth/correlated_fit.hpp>
 #include <orispline/smooth/gyro_fit.hpp>
+#include <orispline/smooth/smoothed_band.hpp>
 #include <orispline/smooth/smoothing_result.hpp>
 #include <orispline/smooth/smoothing_search.hpp>
 #include <orispline/smooth/smoothing_stretches.hpp>
@@ -159,6 +160,16 @@ std::vector<double> shares_of(const std::vector<double>& noises, double usual) {
   std::vector<double> shares;
   for (const double noise : noises) shares.push_back(usual * usual / (noise * noise));
   return shares;
+}
+
+/// With a further variance of every turn per axis [rad²].
+NodeSigmas widened(NodeSigmas sigmas, double variance) {
+  const auto widen = [variance](double& sigma) { sigma = std::sqrt(sigma * sigma + variance); };
+  for (Eigen::Vector3d& sigma : sigmas.orientations)
+    for (double& of_axis : sigma) widen(of_axis);
+  for (auto& within : sigmas.to_next)
+    for (double& sigma : within) widen(sigma);
+  return sigmas;
 }
 
 /// The times of all keys, of which some are no samples, and the rate of the gyro that each of them is of, if any. Empty
@@ -331,7 +342,9 @@ class Smoother {
     result_.lambda = fit.objective.lambda;
     result_.smoothing_time = smoothing_time_of(fit.objective.lambda, fit.objective.penalty, fit.noise, fit.interval);
     result_.penalty = fit.objective.penalty;
-    if (options_.sigma) result_.sigmas = node_sigmas(fit.problems.front(), fit.objective, fit.fits.fits.front().nodes);
+    if (options_.sigma)
+      result_.sigmas = widened(node_sigmas(fit.problems.front(), fit.objective, fit.fits.fits.front().nodes),
+                               fit.calibration_variance);
     take_fits(fit.fits);
     result_.noise = fit.residual_noise;
     result_.gyro = fit.finding;
@@ -497,6 +510,7 @@ Expected<Smoothing> smoothed(const Request& request) {
         Smoothing& smoothing = found.smoothing;
         smoothing.track = std::move(*track);
         forget_stated_noise(smoothing.track);
+        if (smoothing.sigmas) set_band(smoothing.track, *smoothing.sigmas);
         smoothing.track.recipe = recipe_for(smoothing.method, recording);
         smoothing.track.recipe.gap = request.options.gap;
         if (smoothing.gyro && counts_turns(*smoothing.gyro)) smoothing.track.recipe.signs = Signs::as_given;

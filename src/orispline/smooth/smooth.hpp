@@ -107,12 +107,13 @@ struct SmoothedNodes {
 
 /// What the samples leave open of nodes: one standard deviation along each axis of the body.
 struct NodeSigmas {
+  static constexpr std::size_t within = 5;            ///< times within a step: its sixths
   std::vector<Eigen::Vector3d> orientations{};        ///< [rad], of a turn about that axis
   std::vector<Eigen::Vector3d> angular_velocities{};  ///< [rad/s]
+  /// Of the turn on the way from each node to the next: the root of the mean square over the axes [rad]; of the last
+  /// node of a stretch, its own.
+  std::vector<std::array<double, within>> to_next{};
 };
-
-/// The method whose curve through smoothed keys is the smooth motion: C2, through their orientations and rates.
-inline constexpr std::string_view smoothed_method = "hermite-c2";
 
 /// How far the smooth motion is from samples [rad], of positions [m].
 struct SampleDistances {

@@ -247,6 +247,7 @@ NodeSigmas sigmas_of(const StretchProblems& stretches, const SmoothingObjective&
     all.orientations.insert(all.orientations.end(), part.orientations.begin(), part.orientations.end());
     all.angular_velocities.insert(all.angular_velocities.end(), part.angular_velocities.begin(),
                                   part.angular_velocities.end());
+    all.to_next.insert(all.to_next.end(), part.to_next.begin(), part.to_next.end());
   }
   return all;
 }

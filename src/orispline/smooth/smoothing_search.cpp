@@ -212,6 +212,8 @@ NodeSigmas SmoothingSearch::sigmas(double noise) const {
   NodeSigmas all = sigmas_of(problems_, objective_, fits_);
   for (Eigen::Vector3d& sigma : all.orientations) sigma *= ratio;
   for (Eigen::Vector3d& sigma : all.angular_velocities) sigma *= ratio;
+  for (auto& within : all.to_next)
+    for (double& sigma : within) sigma *= ratio;
   return all;
 }
 

@@ -65,6 +65,7 @@ Expected<std::vector<double>> stated_noise(const Track& recording) {
 void forget_stated_noise(Track& track) {
   for (const std::string_view name : noise_columns)
     if (const auto column = track.settings.find(name); column != track.settings.end()) track.settings.erase(column);
+  track.forget_band();
 }
 
 }}  // namespace orispline

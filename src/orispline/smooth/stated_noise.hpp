@@ -16,7 +16,7 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// without the others.
 [[nodiscard]] Expected<std::vector<double>> stated_noise(const Track& recording);
 
-/// Without these settings, which are not those of smoothed keys.
+/// Without these settings and those of a band, which are not those of smoothed keys.
 void forget_stated_noise(Track& track);
 
 }}  // namespace orispline

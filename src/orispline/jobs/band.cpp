@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/jobs/band.hpp>
+
+#include <utility>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/families/measured.hpp>
+#include <orispline/fields/field_info.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+
+Expected<Band> band_of(const Track& keys, const Method& method, double share) {
+  const auto of_option = [&](Error error) {
+    return keys.located({.code = ErrorCode::bad_argument,
+                         .message = std::move(error.message),
+                         .where = std::move(error.where),
+                         .option = "band"});
+  };
+  if (SmoothedBand::is_of(keys, method))
+    return SmoothedBand::make(keys, share)
+        .map([](SmoothedBand band) { return Band(std::move(band)); })
+        .map_error(of_option);
+  if (method.name != families::Measured::info.name)
+    return bad_option("band", formatted("method '{}' has no band, wanted '{}', or keys that smooth wrote with `sigma`",
+                                        method.name, families::Measured::info.name));
+  return stretches_of(keys)
+      .and_then([&](const std::vector<Stretch>& stretches) {
+        return BandInStretches::make(method, keys.keys, stretches, share);
+      })
+      .map([](BandInStretches band) { return Band(std::move(band)); })
+      .map_error(of_option);
+}
+
+}}}  // namespace orispline::jobs
