@@ -62,10 +62,14 @@ class Sigma(CommandTest):
     def test_the_report_draws_them_as_bands(self):
         self.output_of("smooth noisy.csv --sigma -o sigma.csv --report out.html")
         bands = self.page("out.html")["methods"][0]["bands"]
-        self.assertEqual(set(bands), {"error", "w"})
-        for high, row in zip(bands["error"]["high"], self.columns("sigma.csv"), strict=True):
-            angle = math.degrees(math.hypot(*(float(row[name]) for name in NAMES[3:])))
-            self.assertAlmostEqual(high, angle, delta=1e-6 * angle)
+        self.assertEqual(set(bands), {"angle", "error", "w"})
+        self.write("times.txt", "".join(f"{t!r}\n" for t in bands["error"]["t"]))
+        rows = self.output_of("sample sigma.csv --times times.txt --band 0.9").splitlines()[1:]
+        for high, low, row in zip(*(bands["error"][side] for side in ("high", "low")), rows, strict=True):
+            angle = math.degrees(float(row.rpartition(",")[2]))
+            self.assertAlmostEqual(high, angle, delta=1e-5 * angle)
+            self.assertEqual(low, 0)
+        self.assertEqual(len(bands["w"]["t"]), 300)
 
     def test_refusals(self):
         self.assert_fails("smooth noisy.csv --sigma --rate 100", BAD_USAGE,

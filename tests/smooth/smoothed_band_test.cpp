@@ -85,8 +85,8 @@ TEST(SmoothedBand, OfTheLastNodeIsItsOwn) {
 
 /// Keys with such a band, one standard deviation of 0.01 everywhere.
 Track even_keys(std::optional<double> gap = {}) {
-  Track keys(Keyframes::make({.times = {0.0, 1.0, 2.0, 5.0, 6.0},
-                              .orientations = std::vector(5, Eigen::Quaterniond::Identity())})
+  Track keys(Keyframes::make(
+                 {.times = {0.0, 1.0, 2.0, 5.0, 6.0}, .orientations = std::vector(5, Eigen::Quaterniond::Identity())})
                  .value());
   keys.recipe.gap = gap;
   set_band(keys, {.orientations = std::vector(5, Eigen::Vector3d(0.01, 0.01, 0.01)),

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <map>
 
 #include <orispline/analysis/curve_in_stretches.hpp>
 #include <orispline/analysis/sampled.hpp>
@@ -13,7 +12,6 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 #include <orispline/families/registry.hpp>
-#include <orispline/math/degrees.hpp>
 #include <orispline/pages/curve_page.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
@@ -56,24 +54,11 @@ std::vector<report::PageColumn> columns_of(const ComparedCurves& compared) {
   return columns;
 }
 
-/// Of a method that has a band, where it is to hold 90 % of the truth: about the error, and about the angle from the
-/// start. Nowhere where it is infinite, and not in gaps.
-std::map<std::string, report::PageBand, std::less<>> bands_of(const Candidate& candidate,
-                                                              const report::PagePath& path) {
-  std::map<std::string, report::PageBand, std::less<>> bands;
-  const auto found = BandInStretches::make(candidate.method, candidate.keys, candidate.stretches, 0.9);
-  if (!found) return bands;
-  report::PageBand& error = bands["error"];
-  report::PageBand& turn = bands["angle"];
-  error.label = turn.label = "90 % of the truth, as the keys tell";
-  for (std::size_t i = 0; i < path.times.size(); ++i) {
-    const double t = path.times[i], width = (*found)(t)*degrees,
-                 angle = angular_distance(path.orientations.front(), path.orientations[i]) * degrees;
-    const double from = std::isfinite(width) ? 0.0 : std::nan("");  // NaN ends a band
-    extend(error, t, from, width + from);
-    extend(turn, t, std::max(0.0, angle - width) + from, std::min(180.0, angle + width) + from);
-  }
-  return bands;
+/// Of a method that has a band, where it is to hold 90 % of the truth.
+Bands bands_of(const Candidate& candidate, const report::PagePath& path) {
+  const auto band = BandInStretches::make(candidate.method, candidate.keys, candidate.stretches, 0.9);
+  if (!band) return {};
+  return bands_about(path, "90 % of the truth, as the keys tell", *band);
 }
 
 report::Fineness fineness_of(std::size_t keys, std::size_t methods) {

@@ -2,6 +2,7 @@
 #include <orispline/pages/curve_page.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <orispline/analysis/sampled.hpp>
@@ -9,6 +10,7 @@
 #include <orispline/base/version.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/math/degrees.hpp>
+#include <orispline/math/so3.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
@@ -97,6 +99,21 @@ void extend(report::PageBand& band, double t, double low, double high) {
   band.times.push_back(t);
   band.low.push_back(low);
   band.high.push_back(high);
+}
+
+Bands bands_about(const report::PagePath& path, const std::string& label, const std::function<double(double)>& radius) {
+  Bands bands;
+  report::PageBand& error = bands["error"];
+  report::PageBand& turn = bands["angle"];
+  error.label = turn.label = label;
+  for (std::size_t i = 0; i < path.times.size(); ++i) {
+    const double t = path.times[i], width = radius(t) * degrees,
+                 angle = angular_distance(path.orientations.front(), path.orientations[i]) * degrees;
+    const double from = std::isfinite(width) ? 0.0 : std::nan("");  // NaN ends a band
+    extend(error, t, from, width + from);
+    extend(turn, t, std::max(0.0, angle - width) + from, std::min(180.0, angle + width) + from);
+  }
+  return bands;
 }
 
 report::PageErrors errors_at(const PoseCurve& curve, const report::PagePath& recording) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -66,6 +68,13 @@ inline constexpr std::size_t samples_of_few = 2000;
 
 /// One time more of a band, from `low` to `high` there; NaN ends the band before it.
 void extend(report::PageBand& band, double t, double low, double high);
+
+using Bands = std::map<std::string, report::PageBand, std::less<>>;
+
+/// Where the truth may be within an angle [rad] of the path at each time: about the error, and about the angle from the
+/// start. Nowhere where the angle is not finite.
+[[nodiscard]] Bands bands_about(const report::PagePath& path, const std::string& label,
+                                const std::function<double(double)>& radius);
 
 /// Angles [deg] between the curve and a recording, at times of the recording that lie on the curve.
 [[nodiscard]] report::PageErrors errors_at(const PoseCurve& curve, const report::PagePath& recording);

@@ -15,6 +15,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/pages/curve_page.hpp>
+#include <orispline/smooth/smoothed_band.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 namespace {
@@ -97,27 +98,29 @@ report::PageMethod method_of(const Source& source, const CurvePage& page, ShownC
   return result;
 }
 
-/// One standard deviation: of the turn from the truth, and of |ω| about itself; ended where a gap begins.
-std::map<std::string, report::PageBand, std::less<>> bands_of(const Source& source) {
-  std::map<std::string, report::PageBand, std::less<>> bands;
-  if (!source.smoothing.sigmas) return bands;
-  const NodeSigmas& sigmas = *source.smoothing.sigmas;
-  report::PageBand& turn = bands["error"];
-  report::PageBand& rate = bands["w"];
-  turn.label = rate.label = "one standard deviation";
+/// One standard deviation of |ω| about itself; ended where a gap begins.
+report::PageBand band_of_rate(const Source& source) {
+  report::PageBand band{.label = "one standard deviation"};
   for (const std::size_t key : evenly_picked(source.smoothed().size())) {
     const double t = source.smoothed().times()[key];
     const Eigen::Vector3d& w = source.smoothed().angular_velocities()[key];
-    const double speed = w.norm(), angle = sigmas.orientations[key].norm() * degrees;
-    const double spread = sigmas.angular_velocities[key]
+    const double speed = w.norm();
+    const double spread = source.smoothing.sigmas->angular_velocities[key]
                               .cwiseProduct(speed > 0.0 ? Eigen::Vector3d(w / speed) : Eigen::Vector3d::Ones())
                               .norm();
-    const double before = turn.times.empty() ? t : turn.times.back();
-    if (!source.smoothing.covers(0.5 * (before + t)))
-      for (auto& [id, band] : bands) extend(band, t, std::nan(""), std::nan(""));
-    extend(turn, t, 0.0, angle);
-    extend(rate, t, std::max(0.0, speed - spread), speed + spread);
+    const double before = band.times.empty() ? t : band.times.back();
+    if (!source.smoothing.covers(0.5 * (before + t))) extend(band, t, std::nan(""), std::nan(""));
+    extend(band, t, std::max(0.0, speed - spread), speed + spread);
   }
+  return band;
+}
+
+/// Where standard deviations were asked for.
+Bands bands_of(const Source& source, const report::PagePath& path) {
+  if (!source.smoothing.sigmas) return {};
+  const auto band = SmoothedBand::make(source.smoothing.track, 0.9);
+  Bands bands = band ? bands_about(path, "90 % of the truth, as the samples tell", *band) : Bands();
+  bands["w"] = band_of_rate(source);
   return bands;
 }
 
@@ -130,7 +133,7 @@ report::PageMethod smoothed_one(const Source& source, const PoseCurve& curve) {
   report::PageMethod method =
       method_of(source, source.curves, {"smoothed", source.smoothed(), curve, distances}, smoothed_method);
   method.measures.emplace(rms_of_accepted, root_mean_square(accepted.values));
-  method.bands = bands_of(source);
+  method.bands = bands_of(source, method.samples.path);
   return with_errors(std::move(method), accepted, source.curves.covers);
 }
 
