@@ -2,6 +2,7 @@
 // The band of a smoothed motion: between nodes as that of a node without a sample, against quantiles of the chi
 // distribution, and against the truth over seeded noise.
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -111,7 +112,7 @@ TEST(SmoothedBand, IsNothingInGapsAndAtNoTime) {
 
 TEST(SmoothedBand, RefusesSharesAndDeviationsThatAreNone) {
   for (const double share : {0.0, 1.0, -1.0, std::nan("")}) EXPECT_FALSE(SmoothedBand::make(even_keys(), share));
-  for (const double sigma : {-0.01, std::nan(""), INFINITY}) {
+  for (const double sigma : {-0.01, std::nan(""), std::numeric_limits<double>::infinity()}) {
     Track keys = even_keys();
     keys.settings["sigma_4of6"][3] = sigma;
     const auto band = SmoothedBand::make(keys, 0.9);
@@ -145,7 +146,7 @@ TEST(SmoothedBand, HoldsTheTruthBetweenSamples) {
     const SmoothedBand band = SmoothedBand::make(smoothing.track, 0.9).value();
     for (std::size_t i = 1; i < recording.clean.times.size(); i += 2, ++all) {
       const double t = recording.clean.times[i];
-      const Eigen::Quaterniond q = curve.orientation.orientation(t);
+      const Eigen::Quaterniond q = curve.orientation(t);
       inside += angular_distance(q, recording.clean.orientations[i]) <= band(t) ? 1 : 0;
     }
   }

@@ -73,8 +73,8 @@ Expected<Track> Track::with_times(std::vector<double> times) const {
 }
 
 void Track::forget_band() {
-  for (const std::string_view name : band_columns)
-    if (const auto column = settings.find(name); column != settings.end()) settings.erase(column);
+  for (const std::string_view column_name : band_columns)
+    if (const auto column = settings.find(column_name); column != settings.end()) settings.erase(column);
 }
 
 Error Track::located(Error error) const {

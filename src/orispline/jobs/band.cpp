@@ -10,16 +10,14 @@
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
 Expected<Band> band_of(const Track& keys, const Method& method, double share) {
-  const auto of_option = [&](Error error) {
-    return keys.located({.code = ErrorCode::bad_argument,
-                         .message = std::move(error.message),
-                         .where = std::move(error.where),
-                         .option = "band"});
+  const auto placed = [&](Error error) {
+    if (error.code == ErrorCode::bad_argument) error.option = "band";
+    return keys.located(std::move(error));
   };
   if (SmoothedBand::is_of(keys, method))
     return SmoothedBand::make(keys, share)
         .map([](SmoothedBand band) { return Band(std::move(band)); })
-        .map_error(of_option);
+        .map_error(placed);
   if (method.name != families::Measured::info.name)
     return bad_option("band", formatted("method '{}' has no band, wanted '{}', or keys that smooth wrote with `sigma`",
                                         method.name, families::Measured::info.name));
@@ -28,7 +26,7 @@ Expected<Band> band_of(const Track& keys, const Method& method, double share) {
         return BandInStretches::make(method, keys.keys, stretches, share);
       })
       .map([](BandInStretches band) { return Band(std::move(band)); })
-      .map_error(of_option);
+      .map_error(placed);
 }
 
 }}}  // namespace orispline::jobs

@@ -19,8 +19,8 @@ using Band = std::variant<BandInStretches, SmoothedBand>;
   return std::visit([t](const auto& of_kind) { return of_kind(t); }, band);
 }
 
-/// The band of the curve of a method through keys. Error (bad_argument, of `band`): a curve that has none, a share that
-/// is not between 0 and 1, and what the band of its kind refuses.
+/// The band of the curve of a method through keys. Errors: bad_argument, of `band`, for a curve that has none and for a
+/// share that is not between 0 and 1; bad_data, with the key, for what is no standard deviation.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Band> band_of(const Track& keys, const Method& method, double share);
 
 }}}  // namespace orispline::jobs

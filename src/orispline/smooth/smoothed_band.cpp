@@ -13,8 +13,8 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-constexpr std::size_t parts = band_columns.size();
-static_assert(NodeSigmas::within + 1 == parts);
+constexpr std::size_t sixths = band_columns.size();
+static_assert(NodeSigmas::within + 1 == sixths);
 
 /// The probability that a normal vector of three has a length below r standard deviations: the series of the incomplete
 /// gamma function of 3/2. Source: Abramowitz and Stegun, 6.5.29.
@@ -40,11 +40,11 @@ double length_within(double share) {
 }
 
 /// The polynomial of degree six through values at 0, 1, …, 6, at a place x between. Source: Lagrange.
-double through_sixths(const std::array<double, parts>& values, double last, double x) {
+double through_sixths(const std::array<double, sixths>& values, double last, double x) {
   double sum = 0.0;
-  for (std::size_t k = 0; k <= parts; ++k) {
-    double factor = k < parts ? values[k] : last;
-    for (std::size_t j = 0; j <= parts; ++j)
+  for (std::size_t k = 0; k <= sixths; ++k) {
+    double factor = k < sixths ? values[k] : last;
+    for (std::size_t j = 0; j <= sixths; ++j)
       if (j != k) factor *= (x - static_cast<double>(j)) / (static_cast<double>(k) - static_cast<double>(j));
     sum += factor;
   }
@@ -64,7 +64,7 @@ Expected<std::vector<bool>> ends_of(const Track& keys) {
 }  // namespace
 
 void set_band(Track& keys, const NodeSigmas& sigmas) {
-  for (std::size_t k = 0; k < parts; ++k) {
+  for (std::size_t k = 0; k < sixths; ++k) {
     std::vector<double>& column = keys.settings[std::string(band_columns[k])];
     column.clear();
     for (std::size_t key = 0; key < sigmas.to_next.size(); ++key)
@@ -84,7 +84,7 @@ Expected<SmoothedBand> SmoothedBand::make(const Track& keys, double share) {
   band.radius_ = length_within(share);
   band.times_.assign(keys.keys.times().begin(), keys.keys.times().end());
   band.variances_.resize(band.times_.size());
-  for (std::size_t k = 0; k < parts; ++k) {
+  for (std::size_t k = 0; k < sixths; ++k) {
     const std::vector<double>& column = keys.settings.find(band_columns[k])->second;
     for (std::size_t key = 0; key < column.size(); ++key) {
       if (!(column[key] >= 0.0) || !std::isfinite(column[key]))
@@ -108,7 +108,7 @@ double SmoothedBand::operator()(double t) const noexcept {
   if (t > times_[key] && key + 1 < times_.size()) {
     if (ends_[key]) return std::numeric_limits<double>::quiet_NaN();
     const double x = (t - times_[key]) / (times_[key + 1] - times_[key]);
-    variance = through_sixths(variances_[key], variances_[key + 1][0], static_cast<double>(parts) * x);
+    variance = through_sixths(variances_[key], variances_[key + 1][0], static_cast<double>(sixths) * x);
   }
   return radius_ * std::sqrt(std::max(0.0, variance));
 }
