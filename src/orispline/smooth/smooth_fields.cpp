@@ -233,6 +233,15 @@ constexpr std::array of_orientations{
                                                    .sentence = "Standard deviations of its components",
                                                    .quantity = &quantities::angle,
                                                    .absent = "where there are none"}),
+    field<&found_of_gyro<&GyroFinding::trend, 0>>(
+        {.name = "gyro_trend",
+         .sentence = "By which the correction grows in a second, from the middle of the recording",
+         .quantity = &quantities::acceleration,
+         .absent = "without a gyro that counts, or where the recording does not tell"}),
+    field<&found_of_gyro<&GyroFinding::trend, 1>>({.name = "gyro_trend_sigma",
+                                                   .sentence = "Standard deviations of its components",
+                                                   .quantity = &quantities::acceleration,
+                                                   .absent = "where there are none"}),
     field<&found_of_gyro<&GyroFinding::clock_rate, 0>>(
         {.name = "gyro_clock_rate",
          .sentence = "By which share of the time the clock of the gyro runs fast",

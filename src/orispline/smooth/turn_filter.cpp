@@ -224,7 +224,8 @@ double CalibrationPrior::width(int column) const {
   if (column < columns::scale) return 0.0;
   if (column < columns::mount) return scale;
   if (column < columns::cross) return mount;
-  if (column < columns::offset) return cross_share * std::min(scale, mount);
+  if (column < columns::trend) return cross_share * std::min(scale, mount);
+  if (column < columns::offset) return trend;
   return column == columns::offset ? offset : clock_rate;
 }
 
