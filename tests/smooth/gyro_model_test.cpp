@@ -75,12 +75,29 @@ TEST(GyroModel, TellsNothingOfWhatIsNotThere) {
     const GyroModel model = model_of(made);
     EXPECT_FALSE(model.has_scale || model.has_mount || model.has_trend || model.has_clock_rate) << seed;
     EXPECT_EQ(model.calibration.trend, Eigen::Vector3d(0.0, 0.0, 0.0)) << seed;
+    const auto shape = model.values.segment<6>(columns::scale), sigmas = model.sigmas.segment<6>(columns::scale);
+    EXPECT_LT(shape.cwiseAbs().maxCoeff(), 1e-4) << seed;  // a tenth of what least squares would find
+    EXPECT_GT(sigmas.minCoeff(), 0.0) << seed;             // though it may be there
     EXPECT_EQ(model.noises.drift, 0.0) << seed;
     EXPECT_EQ(model.noises.clock, 0.0) << seed;
     EXPECT_EQ(model.noises.correlated, 0.0) << seed;
     EXPECT_NEAR(model.noises.white, pose_noise, 0.1 * pose_noise) << seed;
     expect_within(model, CalibrationUnknowns::Zero(), 0, columns::count);
   }
+}
+
+/// Of a vehicle, whose orientations and rates are about one axis alone.
+TEST(GyroModel, TakesNoNoiseInAPlaneForThatOfTheClock) {
+  GyroCase made(23);
+  const auto heading = [](double t) { return std::sin(0.9 * t) + 0.5 * std::sin(2.3 * t); };
+  for (std::size_t k = 0; k < made.data.times.size(); ++k)
+    made.data.orientations[k] = exp<double>(Eigen::Vector3d(
+        (heading(made.data.times[k]) + pose_noise * normal_vector(made.dice).z()) * Eigen::Vector3d::UnitZ()));
+  for (std::size_t k = 0; k < made.gyro.times.size(); ++k) {
+    const double t = made.gyro.times[k], turning = 0.9 * std::cos(0.9 * t) + 1.15 * std::cos(2.3 * t);
+    made.gyro.rates[k] = (turning + rate_noise * normal_vector(made.dice).z()) * Eigen::Vector3d::UnitZ();
+  }
+  EXPECT_EQ(model_of(made).noises.clock, 0.0);
 }
 
 TEST(GyroModel, FindsATrendOfTheBias) {

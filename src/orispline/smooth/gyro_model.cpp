@@ -15,14 +15,15 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 namespace {
 
 namespace columns = calibration_columns;
-using elementary::exponential;
+using elementary::exponential, elementary::natural_logarithm;
 
 constexpr int rounds = 3;  // of slopes
 constexpr std::size_t fewest_turns = 8, most_turns_of_search = 3000, search_parts = 4;
 
-// Standard deviations that are expected of scale and mount [rad]: those of a good sensor, and of one that was put on by
-// hand and never calibrated; of the rate of its clock, which may be that of the orientations; and of the offset [s].
-constexpr std::array scale_widths{0.005, 0.05}, mount_widths{0.002, 0.05};
+// Standard deviations that are expected of scale and mount [rad]: of none, those of a good sensor, and of one that was
+// put on by hand and never calibrated; of the rate of its clock, which may be that of the orientations; and of the
+// offset [s].
+constexpr std::array scale_widths{0.0, 0.005, 0.05}, mount_widths{0.0, 0.002, 0.05};
 // Off by more in scale or mount [rad] it is no sensor; where the orientations are said to have noise that correlates,
 // with which such a shape can be taken for it, it is none sooner.
 constexpr double widest_shape = 0.4, widest_shape_beside_correlation = 0.15;
@@ -33,6 +34,18 @@ constexpr double sure = 3.0;          // in standard deviations: a smaller scale
 
 // By so much -2 log of the likelihood has to fall for a further noise: a walk of the bias, which is usual, the others.
 constexpr double price_of_drift = 2.0, price_of_width = 6.0, price = 8.0, price_of_correlation = 16.0;
+
+/// Whether turns jump about one axis of the body more than about the others, as those of a vehicle in its plane do.
+bool is_about_one_axis(std::span<const PathTurn> turns) {
+  std::vector<Eigen::Vector3d> jumps;
+  for (std::size_t k = 1; k + 1 < turns.size(); ++k) {
+    if (turns[k].starts || turns[k + 1].starts) continue;
+    const double share = turns[k].interval / (turns[k].interval + turns[k + 1].interval);
+    jumps.emplace_back(turns[k].to_world.transpose() *
+                       (turns[k].turn - (1.0 - share) * turns[k - 1].turn - share * turns[k + 1].turn));
+  }
+  return !jumps.empty() && lopsided_deviation(jumps) > 0.0;
+}
 
 /// The noises that explain turns best.
 class NoiseSearch {
@@ -75,7 +88,7 @@ class NoiseSearch {
     if (plan_.bias != GyroBias::constant)
       for (const double drift : {plan_.rate_noise, 10.0 * plan_.rate_noise})
         consider(from(with(plain.noises, &GyroNoises::drift, drift), {&GyroNoises::drift}), price_of_drift);
-    if (plan_.finds_clock_rate)
+    if (plan_.finds_clock_rate && !is_about_one_axis(turns_))
       consider(from(with(plain.noises, &GyroNoises::clock, 1e-3), {&GyroNoises::clock}), price);
     const GyroNoises noisier = with(least.noises, &GyroNoises::rate, 3.0 * least.noises.rate);
     if (noisier.drift > 0.0) consider(from(noisier, {&GyroNoises::rate, &GyroNoises::drift}), price);
@@ -179,24 +192,51 @@ bool shows_trend(std::span<const PathTurn> turns, const GyroModelPlan& plan, con
   return evidence < without.rough().evidence && evidence < without.rough_walk().evidence;
 }
 
+/// The mean of calibrations by their evidence, and how far they are apart as a part of its covariance.
+FoundCalibration mean_of(const std::vector<FoundCalibration>& all) {
+  FoundCalibration mean;
+  for (const FoundCalibration& one : all) mean.evidence = std::min(mean.evidence, one.evidence);
+  std::vector<double> weights;
+  for (const FoundCalibration& one : all) weights.push_back(exponential(0.5 * (mean.evidence - one.evidence)));
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  mean.evidence -= 2.0 * natural_logarithm(sum);
+  for (std::size_t k = 0; k < all.size(); ++k) mean.values += weights[k] / sum * all[k].values;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const CalibrationUnknowns apart = all[k].values - mean.values;
+    mean.covariance += weights[k] / sum * (all[k].covariance + apart * apart.transpose());
+  }
+  mean.sigmas = mean.covariance.diagonal().cwiseSqrt();
+  return mean;
+}
+
+/// The mean over the widths of scale and mount; `prior` has the others.
+FoundCalibration mean_calibration(const TurnInnovations& innovations, const CalibrationUnknowns& present,
+                                  CalibrationPrior prior) {
+  std::vector<FoundCalibration> all;
+  for (const double scale : scale_widths)
+    for (const double mount : mount_widths) {
+      prior.scale = scale;
+      prior.mount = mount;
+      all.push_back(solved(innovations, present, prior));
+      for (const bool is_wide : {scale == scale_widths.back(), mount == mount_widths.back()})
+        all.back().evidence += is_wide ? price_of_width : 0.0;
+    }
+  return mean_of(all);
+}
+
 /// The calibration of the greatest evidence under these noises.
 FoundCalibration best_calibration(const TurnInnovations& innovations, const CalibrationUnknowns& present,
                                   const GyroModelPlan& plan, double trend) {
   FoundCalibration best;
   const bool has_offset = plan.finds_offset && plan.near.offset != 0.0;
-  for (const double scale : scale_widths)
-    for (const double mount : mount_widths)
-      for (const double clock_rate : clock_rate_widths)
-        for (const double offset : {0.0, offset_width}) {
-          if (clock_rate > 0.0 && !plan.finds_clock_rate) continue;
-          if (offset > 0.0 ? !plan.finds_offset : has_offset) continue;
-          FoundCalibration found =
-              solved(innovations, present,
-                     {.scale = scale, .mount = mount, .trend = trend, .offset = offset, .clock_rate = clock_rate});
-          for (const bool is_wide : {scale == scale_widths.back(), mount == mount_widths.back()})
-            found.evidence += is_wide ? price_of_width : 0.0;
-          if (found.evidence < best.evidence) best = found;
-        }
+  for (const double clock_rate : clock_rate_widths)
+    for (const double offset : {0.0, offset_width}) {
+      if (clock_rate > 0.0 && !plan.finds_clock_rate) continue;
+      if (offset > 0.0 ? !plan.finds_offset : has_offset) continue;
+      const FoundCalibration found =
+          mean_calibration(innovations, present, {.trend = trend, .offset = offset, .clock_rate = clock_rate});
+      if (found.evidence < best.evidence) best = found;
+    }
   return best;
 }
 
