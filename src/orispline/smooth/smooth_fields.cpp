@@ -122,9 +122,10 @@ constexpr std::array of_options{
                                         .quantity = &quantities::time,
                                         .example = "0.02",
                                         .absent = "auto: found from the recording"}),
-    field<&SmoothOptions::gyro_bias>({.name = "gyro_bias",
-                                      .sentence = "The bias of the gyro",
-                                      .absent = "auto: constant, unless a walk explains the recording better"}),
+    field<&SmoothOptions::gyro_bias>(
+        {.name = "gyro_bias",
+         .sentence = "The bias of the gyro",
+         .absent = "auto: constant, unless a walk or a trend explains the recording better"}),
     field<&SmoothOptions::position_noise>({.name = "position_noise",
                                            .sentence = "Standard deviation of the noise of the positions, per axis",
                                            .quantity = &quantities::length,
