@@ -57,13 +57,13 @@ class SmoothWithGyro(CommandTest):
     def test_faults_of_a_few_rates_do_no_harm_and_are_named(self):
         clean, found = self.smoothed("40_clean.csv")
         correction, error = clean["gyro_correction_rad_s"], rms_degrees(found, orientations(CASES / "40_true.csv"))
-        self.assertLess(error, 0.067)
+        self.assertLess(error, 0.053)
         for name in ("40_spike3.csv", "40_zero3.csv"):
             with self.subTest(name):
                 told, found = self.smoothed(name)
                 self.assertLess(math.degrees(math.dist(told["gyro_correction_rad_s"], correction)), 0.01)
                 self.assertEqual([sample["line"] for sample in told["rejected_gyro"]], [502, 503, 504])
-                self.assert_near_truth(found, "40_true.csv", 1.02 * error)
+                self.assert_near_truth(found, "40_true.csv", 0.054)
                 self.assertTrue(told["gyro_used"])
 
     def test_a_late_clock_is_found_and_corrected(self):

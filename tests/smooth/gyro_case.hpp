@@ -25,9 +25,12 @@ struct GyroCase {
 
   /// As the gyro would have it: `calibration` brings it back.
   void set_off(const GyroCalibration& calibration) {
-    const double origin = calibration.clock_origin, pace = 1.0 - calibration.clock_rate;
-    for (Eigen::Vector3d& rate : gyro.rates)
-      rate = (calibration.shape.inverse() * (rate - calibration.correction)).eval();
+    const double origin = calibration.origin, pace = 1.0 - calibration.clock_rate;
+    for (std::size_t k = 0; k < gyro.rates.size(); ++k) {
+      const Eigen::Vector3d added =
+          calibration.correction + (gyro.times[k] + calibration.offset - origin) * calibration.trend;
+      gyro.rates[k] = (calibration.shape.inverse() * (gyro.rates[k] - added)).eval();
+    }
     for (double& t : gyro.times) t = (t + calibration.offset - calibration.clock_rate * origin) / pace;
   }
   void add_noise(double of_orientations, double of_rates) {

@@ -22,7 +22,8 @@ GyroModel model_of(const GyroCase& made, const GyroAlignment& near = {}) {
                      .rate_noise = rate_noise * std::sqrt(interval),
                      .pose_noise = pose_noise,
                      .finds_offset = true,
-                     .finds_clock_rate = true});
+                     .finds_clock_rate = true,
+                     .finds_trend = true});
 }
 
 void expect_within(const GyroModel& model, const CalibrationUnknowns& truth, int first, int count) {
@@ -43,7 +44,7 @@ TEST(GyroModel, FindsScaleMountAndClock) {
                   .correction = truth.head<3>(),
                   .offset = truth[columns::offset],
                   .clock_rate = truth[columns::clock_rate],
-                  .clock_origin = std::midpoint(made.data.times.front(), made.data.times.back())});
+                  .origin = std::midpoint(made.data.times.front(), made.data.times.back())});
     made.add_noise(pose_noise, rate_noise);
     const GyroModel model = model_of(made);
     EXPECT_TRUE(model.has_scale && model.has_mount && model.has_clock_rate) << seed;
@@ -59,7 +60,7 @@ TEST(GyroModel, FindsThePaceOfAClockThatIsFarOff) {
   const double far = 86400.0;
   made.set_off({.offset = far,
                 .clock_rate = 4e-4,
-                .clock_origin = far + std::midpoint(made.data.times.front(), made.data.times.back())});
+                .origin = far + std::midpoint(made.data.times.front(), made.data.times.back())});
   made.add_noise(pose_noise, rate_noise);
   const GyroModel model = model_of(made, {.offset = far});
   EXPECT_TRUE(model.has_clock_rate);
@@ -72,13 +73,47 @@ TEST(GyroModel, TellsNothingOfWhatIsNotThere) {
     GyroCase made(seed);
     made.add_noise(pose_noise, rate_noise);
     const GyroModel model = model_of(made);
-    EXPECT_FALSE(model.has_scale || model.has_mount || model.has_clock_rate) << seed;
+    EXPECT_FALSE(model.has_scale || model.has_mount || model.has_trend || model.has_clock_rate) << seed;
+    EXPECT_EQ(model.calibration.trend, Eigen::Vector3d(0.0, 0.0, 0.0)) << seed;
+    const auto shape = model.values.segment<6>(columns::scale), sigmas = model.sigmas.segment<6>(columns::scale);
+    EXPECT_LT(shape.cwiseAbs().maxCoeff(), 1e-4) << seed;  // a tenth of what least squares would find
+    EXPECT_GT(sigmas.minCoeff(), 0.0) << seed;             // though it may be there
     EXPECT_EQ(model.noises.drift, 0.0) << seed;
     EXPECT_EQ(model.noises.clock, 0.0) << seed;
     EXPECT_EQ(model.noises.correlated, 0.0) << seed;
     EXPECT_NEAR(model.noises.white, pose_noise, 0.1 * pose_noise) << seed;
     expect_within(model, CalibrationUnknowns::Zero(), 0, columns::count);
   }
+}
+
+/// Of a vehicle, whose orientations and rates are about one axis alone.
+TEST(GyroModel, TakesNoNoiseInAPlaneForThatOfTheClock) {
+  GyroCase made(23);
+  const auto heading = [](double t) { return std::sin(0.9 * t) + 0.5 * std::sin(2.3 * t); };
+  for (std::size_t k = 0; k < made.data.times.size(); ++k)
+    made.data.orientations[k] = exp<double>(Eigen::Vector3d(
+        (heading(made.data.times[k]) + pose_noise * normal_vector(made.dice).z()) * Eigen::Vector3d::UnitZ()));
+  for (std::size_t k = 0; k < made.gyro.times.size(); ++k) {
+    const double t = made.gyro.times[k], turning = 0.9 * std::cos(0.9 * t) + 1.15 * std::cos(2.3 * t);
+    made.gyro.rates[k] = (turning + rate_noise * normal_vector(made.dice).z()) * Eigen::Vector3d::UnitZ();
+  }
+  EXPECT_EQ(model_of(made).noises.clock, 0.0);
+}
+
+TEST(GyroModel, FindsATrendOfTheBias) {
+  GyroCase made(22);
+  CalibrationUnknowns truth = CalibrationUnknowns::Zero();
+  truth.head<3>() << 0.01, -0.02, 0.005;
+  truth.segment<3>(columns::trend) << -0.25 * degree, 0.15 * degree, -0.1 * degree;
+  made.set_off({.correction = truth.head<3>(),
+                .trend = truth.segment<3>(columns::trend),
+                .origin = std::midpoint(made.data.times.front(), made.data.times.back())});
+  made.add_noise(pose_noise, rate_noise);
+  const GyroModel model = model_of(made);
+  EXPECT_TRUE(model.has_trend);
+  expect_within(model, truth, 0, columns::count);
+  EXPECT_LT(model.sigmas.segment<3>(columns::trend).maxCoeff(), 0.03 * degree);
+  EXPECT_EQ(model.noises.drift, 0.0);
 }
 
 TEST(GyroModel, FindsADriftOfTheBias) {
@@ -88,6 +123,7 @@ TEST(GyroModel, FindsADriftOfTheBias) {
   for (Eigen::Vector3d& rate : made.gyro.rates) rate += bias += drift * std::sqrt(interval) * normal_vector(made.dice);
   made.add_noise(pose_noise, rate_noise);
   const GyroModel model = model_of(made);
+  EXPECT_FALSE(model.has_trend);
   EXPECT_NEAR(std::log(model.noises.drift / drift), 0.0, std::log(2.0));
   EXPECT_EQ(model.noises.correlated, 0.0);
 }

@@ -139,6 +139,20 @@ TEST(GyroBias, IsFollowedWhereItDrifts) {
   }
 }
 
+TEST(GyroBias, IsCorrectedWhereItHasATrend) {
+  Recorded made = recorded(1);
+  const Eigen::Vector3d trend = degree * Eigen::Vector3d(0.25, -0.15, 0.1);
+  const double untroubled = rms(with_gyro(made.noisy), made.clean);
+  for (std::size_t k = 0; k < made.noisy.times.size(); ++k)
+    made.noisy.angular_velocities[k] += made.noisy.times[k] * trend;
+  const Smoothing found = with_gyro(made.noisy), constant = with_gyro(made.noisy, {.gyro_bias = GyroBias::constant});
+  ASSERT_TRUE(found.gyro->trend);
+  EXPECT_LT((found.gyro->trend->value + trend).norm(), 4.0 * found.gyro->trend->sigma.norm());
+  EXPECT_LT(rms(found, made.clean), 1.1 * untroubled);
+  EXPECT_FALSE(constant.gyro->trend);
+  EXPECT_GT(rms(constant, made.clean), 1.5 * untroubled);
+}
+
 TEST(GyroBias, CostsLittleToFollowWhereItIsConstant) {
   const Recorded made = recorded(3);
   EXPECT_LT(rms(with_gyro(made.noisy, {.gyro_bias = GyroBias::drifting}), made.clean),

@@ -14,6 +14,7 @@ GyroCalibration changed(GyroCalibration calibration, int column, double by) {
   change[column] = by;
   calibration.correction += change.segment<3>(columns::correction);
   calibration.shape = shape_of(change) * calibration.shape;
+  calibration.trend += change.segment<3>(columns::trend);
   calibration.offset += change[columns::offset];
   calibration.clock_rate += change[columns::clock_rate];
   return calibration;
@@ -21,7 +22,8 @@ GyroCalibration changed(GyroCalibration calibration, int column, double by) {
 
 TEST(PathTurns, MoveWithTheUnknownsAsTheirSlopesSay) {
   const GyroCase made(1, 4.0, 0.1);
-  const GyroCalibration near{.correction = {0.02, -0.01, 0.03}, .offset = 0.02, .clock_origin = 2.0};
+  const GyroCalibration near{
+      .correction = {0.02, -0.01, 0.03}, .trend = {0.01, 0.02, -0.01}, .offset = 0.02, .origin = 2.0};
   const SeenPoses poses = made.poses(degree);
   const auto turns = path_turns(poses, made.gyro, made.counts(), near);
   ASSERT_EQ(turns.size(), poses.times.size());
@@ -45,8 +47,12 @@ TEST(PathTurns, AreThoseOfTheCalibrationToFirstOrder) {
   GyroCase made(2, 4.0, 0.1);
   CalibrationUnknowns truth = CalibrationUnknowns::Zero();
   truth.head<9>() << 2e-3, -1e-3, 1e-3, 2e-3, -3e-3, 1e-3, 1e-3, 2e-3, -2e-3;
-  made.set_off({.shape = shape_of(truth), .correction = truth.head<3>()});
-  const auto turns = path_turns(made.poses(degree), made.gyro, made.counts(), {});
+  truth.segment<3>(columns::trend) << 1e-3, -2e-3, 1e-3;
+  made.set_off({.shape = shape_of(truth),
+                .correction = truth.head<3>(),
+                .trend = truth.segment<3>(columns::trend),
+                .origin = 2.0});
+  const auto turns = path_turns(made.poses(degree), made.gyro, made.counts(), {.origin = 2.0});
   double largest = 0.0, left = 0.0;
   for (const PathTurn& turn : turns) {
     largest = std::max(largest, (turn.turn - turns[0].turn).norm());

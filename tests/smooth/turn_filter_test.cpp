@@ -136,9 +136,10 @@ TEST_P(TurnFilter, LeavesWhatTheBestEstimateOfTheGaussianLeaves) {
 TEST_P(TurnFilter, HasTheEvidenceOfTheGaussian) {
   CalibrationUnknowns present;
   present.setLinSpaced(-0.01, 0.02);
-  for (const CalibrationPrior& prior : {CalibrationPrior{},
-                                        {.scale = 0.05, .mount = 0.02},
-                                        {.scale = 0.01, .mount = 0.05, .offset = 0.1, .clock_rate = 0.2}}) {
+  for (const CalibrationPrior& prior :
+       {CalibrationPrior{},
+        {.scale = 0.05, .mount = 0.02},
+        {.scale = 0.01, .mount = 0.05, .trend = 0.03, .offset = 0.1, .clock_rate = 0.2}}) {
     std::vector<Eigen::Index> active;
     std::vector<double> roots;  // of the precision that is expected of each
     double wanted = dense.log_determinant;

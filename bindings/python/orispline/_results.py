@@ -151,6 +151,8 @@ class Smoothing(Reported):
     gyro_scale_sigma: NDArray[np.float64] | None
     gyro_mount: NDArray[np.float64] | None
     gyro_mount_sigma: NDArray[np.float64] | None
+    gyro_trend: NDArray[np.float64] | None
+    gyro_trend_sigma: NDArray[np.float64] | None
     gyro_clock_rate: float | None
     gyro_clock_rate_sigma: float | None
     correlated_noise: float | None

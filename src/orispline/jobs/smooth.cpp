@@ -111,7 +111,7 @@ std::size_t samples_beyond_gyro(const SmoothOutcome& outcome) {
   return count < fewest_to_tell ? 0 : static_cast<std::size_t>(count);
 }
 
-/// Scale, mount and pace of the clock, where the gyro counts and the recording tells them.
+/// Scale, mount, trend and pace of the clock, where the gyro counts and the recording tells them.
 std::string calibration_lines(const GyroFinding& gyro) {
   if (!gyro.used) return "";
   std::string text;
@@ -125,6 +125,11 @@ std::string calibration_lines(const GyroFinding& gyro) {
     text += formatted("  mount         {:.3g}° ± {:.1g}° about ({:.2g}, {:.2g}, {:.2g}): corrected\n",
                       gyro.mount->value.norm() * degrees, gyro.mount->sigma.maxCoeff() * degrees, axis.x(), axis.y(),
                       axis.z());
+  }
+  if (gyro.trend) {
+    const Eigen::Vector3d trend = gyro.trend->value * degrees, sigma = gyro.trend->sigma * degrees;
+    text += formatted("  trend         {:.3g} ± {:.1g}, {:.3g} ± {:.1g}, {:.3g} ± {:.1g} °/s in 1 s: corrected\n",
+                      trend.x(), sigma.x(), trend.y(), sigma.y(), trend.z(), sigma.z());
   }
   if (gyro.clock_rate)
     text += formatted("  pace          {:.4g} ppm {} ± {:.1g}: corrected\n", std::abs(gyro.clock_rate->value) * 1e6,

@@ -91,6 +91,7 @@ GyroModelPlan model_plan(const GyroPlan& plan, const SeenPoses& poses, const Gyr
           .pose_noise = poses.noise,
           .finds_offset = !plan.options.gyro_offset,
           .finds_clock_rate = plan.gyro.clock == GyroRates::Clock::own,
+          .finds_trend = plan.options.gyro_bias != GyroBias::constant,
           .states_pose_noise = plan.options.noise.has_value(),
           .bias = plan.options.gyro_bias};
 }
@@ -210,6 +211,9 @@ void tell(const GyroModel& model, const Eigen::Matrix3d& mount, GyroFinding& fin
     const Eigen::AngleAxisd whole(exp<double>(model.values.segment<3>(columns::mount)) * turned);
     finding.mount = {.value = whole.angle() * whole.axis(), .sigma = model.sigmas.segment<3>(columns::mount)};
   }
+  if (model.has_trend)
+    finding.trend = {.value = model.values.segment<3>(columns::trend),
+                     .sigma = model.sigmas.segment<3>(columns::trend)};
   if (model.has_clock_rate)
     finding.clock_rate = {.value = model.values[columns::clock_rate], .sigma = model.sigmas[columns::clock_rate]};
 }
@@ -351,8 +355,11 @@ Expected<GyroFit> fit_with_counted_turns(const GyroPlan& plan) {
                   .counts = all,
                   .rate_noise = gyro_noise,
                   .noises = {}};
-  if (plan.options.gyro_bias == GyroBias::drifting)
-    gyro.noises.drift = gyro_model(poses, plan.gyro, all, model_plan(plan, poses, gyro.alignment)).noises.drift;
+  if (plan.options.gyro_bias == GyroBias::drifting) {
+    GyroModelPlan near = model_plan(plan, poses, gyro.alignment);
+    near.finds_trend = false;  // it would not be taken off the rates
+    gyro.noises.drift = gyro_model(poses, plan.gyro, all, near).noises.drift;
+  }
   const SmoothingObjective objective{.penalty = plan.options.penalty.value_or(Penalty::acceleration),
                                      .work = &plan.work};
   return fitted(plan, poses, gyro, objective, {}).map([](GyroFit fit) {

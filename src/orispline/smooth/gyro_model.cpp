@@ -15,31 +15,52 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 namespace {
 
 namespace columns = calibration_columns;
-using elementary::exponential;
+using elementary::exponential, elementary::natural_logarithm;
 
 constexpr int rounds = 3;  // of slopes
 constexpr std::size_t fewest_turns = 8, most_turns_of_search = 3000, search_parts = 4;
 
-// Standard deviations that are expected of scale and mount [rad]: those of a good sensor, and of one that was put on by
-// hand and never calibrated; of the rate of its clock, which may be that of the orientations; and of the offset [s].
-constexpr std::array scale_widths{0.005, 0.05}, mount_widths{0.002, 0.05};
+// Standard deviations that are expected of scale and mount [rad]: of none, those of a good sensor, and of one that was
+// put on by hand and never calibrated; of the rate of its clock, which may be that of the orientations; and of the
+// offset [s].
+constexpr std::array scale_widths{0.0, 0.005, 0.05}, mount_widths{0.0, 0.002, 0.05};
 // Off by more in scale or mount [rad] it is no sensor; where the orientations are said to have noise that correlates,
 // with which such a shape can be taken for it, it is none sooner.
 constexpr double widest_shape = 0.4, widest_shape_beside_correlation = 0.15;
 constexpr std::array clock_rate_widths{0.0, 3e-5, 5e-4};
 constexpr double offset_width = 0.02;
-constexpr double sure = 3.0;  // in standard deviations: a smaller scale, mount or clock rate is not told
+constexpr double trend_width = 5e-3;  // of the bias [rad/s²]
+constexpr double sure = 3.0;          // in standard deviations: a smaller scale, mount or clock rate is not told
 
 // By so much -2 log of the likelihood has to fall for a further noise: a walk of the bias, which is usual, the others.
 constexpr double price_of_drift = 2.0, price_of_width = 6.0, price = 8.0, price_of_correlation = 16.0;
 
+/// Whether turns jump about one axis of the body more than about the others, as those of a vehicle in its plane do.
+bool is_about_one_axis(std::span<const PathTurn> turns) {
+  std::vector<Eigen::Vector3d> jumps;
+  for (std::size_t k = 1; k + 1 < turns.size(); ++k) {
+    if (turns[k].starts || turns[k + 1].starts) continue;
+    const double share = turns[k].interval / (turns[k].interval + turns[k + 1].interval);
+    jumps.emplace_back(turns[k].to_world.transpose() *
+                       (turns[k].turn - (1.0 - share) * turns[k - 1].turn - share * turns[k + 1].turn));
+  }
+  return !jumps.empty() && lopsided_deviation(jumps) > 0.0;
+}
+
 /// The noises that explain turns best.
 class NoiseSearch {
  public:
-  NoiseSearch(std::span<const PathTurn> turns, const GyroModelPlan& plan, const CalibrationUnknowns& present)
+  struct Found {
+    GyroNoises noises{};
+    double evidence = std::numeric_limits<double>::infinity();
+  };
+
+  NoiseSearch(std::span<const PathTurn> turns, const GyroModelPlan& plan, const CalibrationUnknowns& present,
+              bool has_trend)
       : turns_(turns), plan_(plan), present_(present) {
     widest_ = {.scale = scale_widths.back(),
                .mount = mount_widths.back(),
+               .trend = has_trend ? trend_width : 0.0,
                .offset = plan.finds_offset ? offset_width : 0.0,
                .clock_rate = plan.finds_clock_rate ? clock_rate_widths.back() : 0.0};
   }
@@ -47,10 +68,13 @@ class NoiseSearch {
   [[nodiscard]] const CalibrationPrior& widest() const noexcept { return widest_; }
 
   /// Of rates whose calibration is only near.
-  [[nodiscard]] GyroNoises rough() const {
-    return from({.rate = std::max(plan_.rate_noise, 0.3 * plan_.pose_noise), .white = plan_.pose_noise},
-                {&GyroNoises::rate})
-        .noises;
+  [[nodiscard]] Found rough() const {
+    return from({.rate = rough_rate_noise(), .white = plan_.pose_noise}, {&GyroNoises::rate});
+  }
+  /// The same, of a bias that walks.
+  [[nodiscard]] Found rough_walk() const {
+    return from({.rate = rough_rate_noise(), .drift = rough_rate_noise(), .white = plan_.pose_noise},
+                {&GyroNoises::rate, &GyroNoises::drift});
   }
 
   /// `interval`: usual one between turns [s].
@@ -64,7 +88,7 @@ class NoiseSearch {
     if (plan_.bias != GyroBias::constant)
       for (const double drift : {plan_.rate_noise, 10.0 * plan_.rate_noise})
         consider(from(with(plain.noises, &GyroNoises::drift, drift), {&GyroNoises::drift}), price_of_drift);
-    if (plan_.finds_clock_rate)
+    if (plan_.finds_clock_rate && !is_about_one_axis(turns_))
       consider(from(with(plain.noises, &GyroNoises::clock, 1e-3), {&GyroNoises::clock}), price);
     const GyroNoises noisier = with(least.noises, &GyroNoises::rate, 3.0 * least.noises.rate);
     if (noisier.drift > 0.0) consider(from(noisier, {&GyroNoises::rate, &GyroNoises::drift}), price);
@@ -77,10 +101,6 @@ class NoiseSearch {
 
  private:
   using Noise = double GyroNoises::*;
-  struct Found {
-    GyroNoises noises{};
-    double evidence = std::numeric_limits<double>::infinity();
-  };
 
   static GyroNoises with(GyroNoises noises, Noise one, double value) {
     noises.*one = value;
@@ -138,6 +158,7 @@ class NoiseSearch {
       }
     return false;
   }
+  [[nodiscard]] double rough_rate_noise() const { return std::max(plan_.rate_noise, 0.3 * plan_.pose_noise); }
   [[nodiscard]] double least_of(Noise one, const GyroNoises& noises) const {
     if (one == &GyroNoises::rate) return plan_.rate_noise;
     return one == &GyroNoises::white ? std::max(least_noise, 0.02 * noises.correlated) : 1e-12;
@@ -163,23 +184,59 @@ std::vector<PathTurn> representative(const std::vector<PathTurn>& turns) {
   return parts;
 }
 
+/// Whether a trend of the bias explains turns better than noisier rates do, and than a walk.
+bool shows_trend(std::span<const PathTurn> turns, const GyroModelPlan& plan, const CalibrationUnknowns& present) {
+  if (!plan.finds_trend) return false;
+  const NoiseSearch with(turns, plan, present, true), without(turns, plan, present, false);
+  const double evidence = with.rough().evidence + price;
+  return evidence < without.rough().evidence && evidence < without.rough_walk().evidence;
+}
+
+/// The mean of calibrations by their evidence, and how far they are apart as a part of its covariance.
+FoundCalibration mean_of(const std::vector<FoundCalibration>& all) {
+  FoundCalibration mean;
+  for (const FoundCalibration& one : all) mean.evidence = std::min(mean.evidence, one.evidence);
+  std::vector<double> weights;
+  for (const FoundCalibration& one : all) weights.push_back(exponential(0.5 * (mean.evidence - one.evidence)));
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  mean.evidence -= 2.0 * natural_logarithm(sum);
+  for (std::size_t k = 0; k < all.size(); ++k) mean.values += weights[k] / sum * all[k].values;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const CalibrationUnknowns apart = all[k].values - mean.values;
+    mean.covariance += weights[k] / sum * (all[k].covariance + apart * apart.transpose());
+  }
+  mean.sigmas = mean.covariance.diagonal().cwiseSqrt();
+  return mean;
+}
+
+/// The mean over the widths of scale and mount; `prior` has the others.
+FoundCalibration mean_calibration(const TurnInnovations& innovations, const CalibrationUnknowns& present,
+                                  CalibrationPrior prior) {
+  std::vector<FoundCalibration> all;
+  for (const double scale : scale_widths)
+    for (const double mount : mount_widths) {
+      prior.scale = scale;
+      prior.mount = mount;
+      all.push_back(solved(innovations, present, prior));
+      for (const bool is_wide : {scale == scale_widths.back(), mount == mount_widths.back()})
+        all.back().evidence += is_wide ? price_of_width : 0.0;
+    }
+  return mean_of(all);
+}
+
 /// The calibration of the greatest evidence under these noises.
 FoundCalibration best_calibration(const TurnInnovations& innovations, const CalibrationUnknowns& present,
-                                  const GyroModelPlan& plan) {
+                                  const GyroModelPlan& plan, double trend) {
   FoundCalibration best;
   const bool has_offset = plan.finds_offset && plan.near.offset != 0.0;
-  for (const double scale : scale_widths)
-    for (const double mount : mount_widths)
-      for (const double clock_rate : clock_rate_widths)
-        for (const double offset : {0.0, offset_width}) {
-          if (clock_rate > 0.0 && !plan.finds_clock_rate) continue;
-          if (offset > 0.0 ? !plan.finds_offset : has_offset) continue;
-          FoundCalibration found = solved(innovations, present,
-                                          {.scale = scale, .mount = mount, .offset = offset, .clock_rate = clock_rate});
-          for (const bool is_wide : {scale == scale_widths.back(), mount == mount_widths.back()})
-            found.evidence += is_wide ? price_of_width : 0.0;
-          if (found.evidence < best.evidence) best = found;
-        }
+  for (const double clock_rate : clock_rate_widths)
+    for (const double offset : {0.0, offset_width}) {
+      if (clock_rate > 0.0 && !plan.finds_clock_rate) continue;
+      if (offset > 0.0 ? !plan.finds_offset : has_offset) continue;
+      const FoundCalibration found =
+          mean_calibration(innovations, present, {.trend = trend, .offset = offset, .clock_rate = clock_rate});
+      if (found.evidence < best.evidence) best = found;
+    }
   return best;
 }
 
@@ -197,6 +254,7 @@ double evidence_without(const SeenPoses& poses, GyroRates gyro, const CountedRat
   std::ranges::fill(gyro.rates, Eigen::Vector3d::Zero());
   GyroCalibration none = model.calibration;
   none.correction.setZero();
+  none.trend.setZero();
   return solved(filtered(path_turns(poses, gyro, counts, none), model.noises), CalibrationUnknowns::Zero(), {})
       .evidence;
 }
@@ -206,23 +264,26 @@ double evidence_without(const SeenPoses& poses, GyroRates gyro, const CountedRat
 GyroModel gyro_model(const SeenPoses& poses, const GyroRates& gyro, const CountedRates& counts,
                      const GyroModelPlan& plan) {
   GyroModel model{.calibration = plan.near, .noises = {.rate = plan.rate_noise, .white = plan.pose_noise}};
-  model.calibration.clock_origin = plan.near.offset + std::midpoint(poses.times.front(), poses.times.back());
+  model.calibration.origin = plan.near.offset + std::midpoint(poses.times.front(), poses.times.back());
   model.values.segment<3>(columns::correction) = plan.near.correction;
   FoundCalibration found;
+  bool has_trend = false;
   for (int round = 0; round < rounds; ++round) {
     const std::vector<PathTurn> turns = path_turns(poses, gyro, counts, model.calibration);
     model.seen = turns.size();
     if (turns.size() < fewest_turns) return model;
     const std::vector<PathTurn> parts = representative(turns);
-    const NoiseSearch search(parts, plan, model.values);
-    model.noises = round == 0 ? search.rough() : search.best(median_interval(poses.times));
+    if (round == 0) has_trend = shows_trend(parts, plan, model.values);
+    const NoiseSearch search(parts, plan, model.values, has_trend);
+    model.noises = round == 0 ? search.rough().noises : search.best(median_interval(poses.times));
     const TurnInnovations innovations = filtered(turns, model.noises);
     found = round == 0 ? solved(innovations, model.values, search.widest())
-                       : best_calibration(innovations, model.values, plan);
+                       : best_calibration(innovations, model.values, plan, search.widest().trend);
     if (round + 1 == rounds) model.variance = variance_by(found, innovations, left_by_smoother(turns, model.noises));
     model.values = found.values;
     model.sigmas = found.sigmas;
     model.calibration.correction = found.values.segment<3>(columns::correction);
+    model.calibration.trend = found.values.segment<3>(columns::trend);
     model.calibration.shape = shape_of(found.values);
     model.calibration.offset = plan.near.offset + found.values[columns::offset];
     model.calibration.clock_rate = found.values[columns::clock_rate];
@@ -230,12 +291,13 @@ GyroModel gyro_model(const SeenPoses& poses, const GyroRates& gyro, const Counte
   const auto tells = [&](int first, int count) {
     return (model.values.segment(first, count).cwiseAbs() - sure * model.sigmas.segment(first, count)).maxCoeff() > 0.0;
   };
-  const auto shape = model.values.segment<columns::offset - columns::scale>(columns::scale);
+  const auto shape = model.values.segment<columns::trend - columns::scale>(columns::scale);
   const double widest = model.noises.correlated > 0.0 ? widest_shape_beside_correlation : widest_shape;
   model.explains =
       shape.cwiseAbs().maxCoeff() < widest && found.evidence + price < evidence_without(poses, gyro, counts, model);
   model.has_scale = tells(columns::scale, 3);
   model.has_mount = tells(columns::mount, 3);
+  model.has_trend = tells(columns::trend, 3);
   model.has_clock_rate = tells(columns::clock_rate, 1);
   return model;
 }

@@ -31,10 +31,15 @@ Eigen::Matrix<double, 3, 9> by_shape(const Eigen::Vector3d& rate) {
   return slopes;
 }
 
+/// What a calibration adds to the rates at a time of the path [rad/s].
+Eigen::Vector3d added(const GyroCalibration& calibration, double t) {
+  return calibration.correction + (t - calibration.origin) * calibration.trend;
+}
+
 /// The integral of what the unknowns change in the rates, in the frame of the path.
 class PathIntegral {
  public:
-  PathIntegral(const GyroPath& path, const Eigen::Vector3d& correction) : path_(path), correction_(correction) {}
+  PathIntegral(const GyroPath& path, const GyroCalibration& calibration) : path_(path), calibration_(calibration) {}
 
   /// Forgets what was; times do not decrease.
   void start_at(double t) {
@@ -57,16 +62,18 @@ class PathIntegral {
     const auto to = path_.at(t);
     if (from_ && to && from_->piece == to->piece) {
       const Eigen::Matrix3d turn = from_->orientation.slerp(0.5, to->orientation).toRotationMatrix();
-      const Eigen::Vector3d rate = 0.5 * (from_->rate + to->rate) - correction_;
-      sum.leftCols<3>() += (t - at_) * turn;
-      sum.rightCols<9>() += (t - at_) * turn * by_shape(rate);
+      const double middle = 0.5 * (at_ + t);
+      const Eigen::Vector3d rate = 0.5 * (from_->rate + to->rate) - added(calibration_, middle);
+      sum.middleCols<3>(columns::correction) += (t - at_) * turn;
+      sum.middleCols<9>(columns::scale) += (t - at_) * turn * by_shape(rate);
+      sum.middleCols<3>(columns::trend) += (t - at_) * (middle - calibration_.origin) * turn;
     }
     from_ = to;
     at_ = t;
   }
 
   const GyroPath& path_;
-  Eigen::Vector3d correction_;
+  const GyroCalibration& calibration_;
   std::optional<GyroPath::Point> from_;
   double at_ = 0.0;
   std::size_t next_ = 0;
@@ -115,9 +122,11 @@ Eigen::Vector3d world_increment(const Eigen::Quaterniond& from, const Eigen::Qua
 
 GyroRates calibrated(const GyroRates& gyro, const GyroCalibration& calibration) {
   GyroRates rates = gyro;
-  for (Eigen::Vector3d& rate : rates.rates) rate = (calibration.shape * rate).eval();
-  if (calibration.clock_rate != 0.0)
-    for (double& t : rates.times) t -= calibration.clock_rate * (t - calibration.clock_origin);
+  for (std::size_t k = 0; k < rates.times.size(); ++k) {
+    double& t = rates.times[k];
+    if (calibration.clock_rate != 0.0) t -= calibration.clock_rate * (t - calibration.origin);
+    rates.rates[k] = (calibration.shape * rates.rates[k] + (t - calibration.origin) * calibration.trend).eval();
+  }
   return rates;
 }
 
@@ -131,24 +140,25 @@ std::vector<PathTurn> path_turns(const SeenPoses& poses, const GyroRates& gyro, 
                                  const GyroCalibration& calibration) {
   const GyroPath path(calibrated(gyro, calibration), counts, calibration.correction);
   const std::vector<Beside> all = all_beside(poses, path, calibration.offset);
-  PathIntegral integral(path, calibration.correction);
+  PathIntegral integral(path, calibration);
   std::vector<PathTurn> turns;
   Eigen::Vector3d way = Eigen::Vector3d::Zero();
   Slopes slopes = Slopes::Zero();
   Eigen::Quaterniond before = Eigen::Quaterniond::Identity();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Beside& here = all[i];
+    const double at = here.time + calibration.offset;
     const Eigen::Quaterniond reference = mean_about(all, static_cast<std::ptrdiff_t>(i));
     PathTurn& turn = turns.emplace_back();
     turn.starts = i == 0 || here.point.piece != all[i - 1].point.piece;
     turn.share = here.share;
     turn.walked.setZero();
     if (turn.starts) {
-      integral.start_at(here.time + calibration.offset);
+      integral.start_at(at);
     } else {
       turn.interval = here.time - all[i - 1].time;
       way += world_increment(before, reference);
-      const Slopes step = reference.toRotationMatrix() * integral.to(here.time + calibration.offset);
+      const Slopes step = reference.toRotationMatrix() * integral.to(at);
       turn.walked = step.leftCols<3>();
       slopes += step;
     }
@@ -157,9 +167,9 @@ std::vector<PathTurn> path_turns(const SeenPoses& poses, const GyroRates& gyro, 
     turn.slopes.leftCols<of_rates>() = slopes;
     turn.slopes.col(columns::offset) = turn.to_world * here.point.rate;
     // A clock that runs fast stretches the time over which rates are integrated: so much less than with its stamps.
-    turn.slopes.col(columns::clock_rate) = (here.time + calibration.offset - calibration.clock_origin) * turn.to_world *
-                                               (here.point.rate - calibration.correction) -
-                                           slopes.middleCols<3>(columns::scale).rowwise().sum();
+    turn.slopes.col(columns::clock_rate) =
+        (at - calibration.origin) * turn.to_world * (here.point.rate - added(calibration, at)) -
+        slopes.middleCols<3>(columns::scale).rowwise().sum();
     before = reference;
   }
   return turns;

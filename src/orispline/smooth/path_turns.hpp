@@ -7,22 +7,24 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
-/// What lies between the rates g of a gyro and those of a body: the body turns by shape · g + correction at the stamp t
-/// less offset + clock_rate (t - clock_origin).
+/// What lies between the rates g of a gyro and those of a body: the body turns by
+/// shape · g + correction + trend (t - origin) at the stamp t less offset + clock_rate (t - origin).
 struct GyroCalibration {
   Eigen::Matrix3d shape = Eigen::Matrix3d::Identity();
   Eigen::Vector3d correction = Eigen::Vector3d::Zero();  ///< [rad/s]
+  Eigen::Vector3d trend = Eigen::Vector3d::Zero();       ///< of the correction [rad/s²]
   double offset = 0.0;                                   ///< [s]
   double clock_rate = 0.0;
-  double clock_origin = 0.0;  ///< [s]
+  double origin = 0.0;  ///< [s]
 };
 
-/// The rates as those of the body, but for the correction, at stamps that keep the pace of the orientations.
+/// The rates as those of the body, but for the constant correction, at stamps that keep the pace of the orientations.
 [[nodiscard]] GyroRates calibrated(const GyroRates& gyro, const GyroCalibration& calibration);
 
 /// The unknowns of a calibration, which move the turn between the path of a gyro and the world linearly.
 namespace calibration_columns {
-inline constexpr int correction = 0, scale = 3, mount = 6, cross = 9, offset = 12, clock_rate = 13, count = 14;
+inline constexpr int correction = 0, scale = 3, mount = 6, cross = 9, trend = 12, offset = 15, clock_rate = 16,
+                     count = 17;
 }  // namespace calibration_columns
 using CalibrationUnknowns = Eigen::Matrix<double, calibration_columns::count, 1>;
 

@@ -153,6 +153,9 @@ struct GyroFinding {
   std::optional<Found<Eigen::Vector3d>> scale{};
   /// The turn of the sensor against the body [rad], a rotation vector; absent where the recording does not tell.
   std::optional<Found<Eigen::Vector3d>> mount{};
+  /// Of the correction of the rates [rad/s²], which is that in the middle of the recording; absent where the recording
+  /// does not tell, or the bias is stated to be constant.
+  std::optional<Found<Eigen::Vector3d>> trend{};
   /// By which the clock runs fast, as a share; absent where the clock is that of the orientations or does not tell.
   std::optional<Found<double>> clock_rate{};
 

@@ -81,6 +81,31 @@ Eigen::Matrix<double, 3, Of.size()> advance(State& state, Covariance& covariance
 
 // Products are lazy, since those of large matrices have other bits on other machines.
 
+/// What an orientation tells: the turns that it sees less what was expected, their covariance, and by how much they
+/// move the states.
+template <int N, int Sides>
+struct Correction {
+  Eigen::LLT<Eigen::Matrix3d> spread;
+  Eigen::Matrix<double, N, 3> gain;
+  Seen<Sides> innovation;
+};
+
+/// Of the states, by an orientation whose white noise has this variance.
+template <int N, int Sides>
+Correction<N, Sides> correct(Eigen::Matrix<double, N, Sides>& state, Eigen::Matrix<double, N, N>& covariance,
+                             const Eigen::Matrix<double, 3, N>& sees, const Seen<Sides>& seen, double white) {
+  const Eigen::Matrix<double, N, 3> cross = covariance.lazyProduct(sees.transpose());
+  Eigen::Matrix3d spread = sees.lazyProduct(cross);
+  spread.diagonal().array() += white;
+  Correction<N, Sides> made{
+      .spread = Eigen::LLT<Eigen::Matrix3d>(spread), .gain = {}, .innovation = seen - sees.lazyProduct(state)};
+  made.gain = made.spread.solve(cross.transpose()).transpose();
+  state += made.gain.lazyProduct(made.innovation);
+  covariance -= made.gain.lazyProduct(cross.transpose());
+  covariance = (0.5 * (covariance + covariance.transpose())).eval();
+  return made;
+}
+
 /// A Kalman filter over turns, each seen with so many right-hand sides; calls `take(innovations, log_determinant)` with
 /// every innovation in units of its σ.
 template <States Of, int Sides, class See, class Take>
@@ -106,16 +131,9 @@ void filter(std::span<const PathTurn> turns, const GyroNoises& noises, See see, 
       take(Seen<Sides>(seen / std::sqrt(spread)), 3.0 * natural_logarithm(spread));
     } else {
       const Eigen::Matrix<double, 3, n> sees = advance<Of>(state, covariance, turn, noises);
-      const Eigen::Matrix<double, n, 3> cross = covariance.lazyProduct(sees.transpose());
-      Eigen::Matrix3d spread = sees.lazyProduct(cross);
-      spread.diagonal().array() += white;
-      const Eigen::LLT<Eigen::Matrix3d> factor(spread);
-      seen -= sees.lazyProduct(state);
-      const Eigen::Matrix<double, n, 3> gain = factor.solve(cross.transpose()).transpose();
-      state += gain.lazyProduct(seen);
-      covariance -= gain.lazyProduct(cross.transpose());
-      covariance = (0.5 * (covariance + covariance.transpose())).eval();
-      take(Seen<Sides>(factor.matrixL().solve(seen)), 2.0 * natural_logarithm(factor.matrixLLT().diagonal().prod()));
+      const auto made = correct<n, Sides>(state, covariance, sees, seen, white);
+      take(Seen<Sides>(made.spread.matrixL().solve(made.innovation)),
+           2.0 * natural_logarithm(made.spread.matrixLLT().diagonal().prod()));
     }
   }
 }
@@ -145,14 +163,9 @@ std::vector<Step> steps_of(std::span<const PathTurn> turns, const GyroNoises& no
       state.template topRows<3>() = turn.slopes;
     } else {
       step.sees = advance<Step::of>(state, covariance, turn, noises);
-      const Eigen::Matrix<double, n, 3> cross = covariance.lazyProduct(step.sees.transpose());
-      Eigen::Matrix3d spread = step.sees.lazyProduct(cross);
-      spread.diagonal().array() += white;
-      const Eigen::LLT<Eigen::Matrix3d> factor(spread);
-      step.innovation = factor.solve(turn.slopes - step.sees.lazyProduct(state));
-      step.gain = factor.solve(cross.transpose()).transpose();
-      state += cross.lazyProduct(step.innovation);
-      covariance -= step.gain.lazyProduct(cross.transpose());
+      const auto made = correct<n, columns::count>(state, covariance, step.sees, turn.slopes, white);
+      step.innovation = made.spread.solve(made.innovation);
+      step.gain = made.gain;
     }
     step.state = state;
     step.covariance = covariance.template topRows<3>();
@@ -224,7 +237,8 @@ double CalibrationPrior::width(int column) const {
   if (column < columns::scale) return 0.0;
   if (column < columns::mount) return scale;
   if (column < columns::cross) return mount;
-  if (column < columns::offset) return cross_share * std::min(scale, mount);
+  if (column < columns::trend) return cross_share * std::min(scale, mount);
+  if (column < columns::offset) return trend;
   return column == columns::offset ? offset : clock_rate;
 }
 

@@ -47,7 +47,7 @@ using CalibrationMatrix = Eigen::Matrix<double, calibration_columns::count, cali
 /// The unknowns that there are, by the standard deviations that are expected of them; 0: that one is zero. Nothing is
 /// expected of the correction.
 struct CalibrationPrior {
-  double scale = 0.0, mount = 0.0, offset = 0.0, clock_rate = 0.0;
+  double scale = 0.0, mount = 0.0, trend = 0.0, offset = 0.0, clock_rate = 0.0;
 
   [[nodiscard]] bool has(int column) const { return column < calibration_columns::scale || width(column) > 0.0; }
   [[nodiscard]] double width(int column) const;
