@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows as programs write them: names in a comment, units that the caller states, jumps, leap seconds.
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -78,10 +79,22 @@ TEST(TwoOrientationsAtOneInstant, AreAJumpOrWrittenTwice) {
     EXPECT_NE(file.error().message.find("the orientation jumps there by 73.7°"), std::string::npos)
         << file.error().message;
   }
+  const auto near = keys_in(before + "1,0.9998,0,0,0.02\n2,1,0,0,0\n");
+  EXPECT_EQ(near.error().remedy, "drop_duplicates");
+  EXPECT_NE(near.error().message.find("; the row is turned by 2.29° from that one"), std::string::npos)
+      << near.error().message;
   EXPECT_EQ(sessions_in(TextFile(jump).path(), {}).value(), 2u);
   EXPECT_EQ(keys_in(jump, {{"session", "1"}})->lines, (std::vector<std::uint32_t>{2, 3}));
   EXPECT_EQ(keys_in(jump, {{"session", "2"}})->lines, (std::vector<std::uint32_t>{4, 5}));
   EXPECT_EQ(keys_in(jump, {{"drop_duplicates", ""}})->lines, (std::vector<std::uint32_t>{2, 3, 5}));
+}
+
+TEST(TwoOrientationsAtOneInstant, AreNoJumpWhereStampsAreCoarserThanTheRows) {
+  std::string rows = "t,qw,qx,qy,qz\n";
+  for (int row = 0; row < 12; ++row)
+    rows += std::to_string(row / 4) + "," + std::to_string(std::cos(0.1 * row)) + ",0,0," +
+            std::to_string(std::sin(0.1 * row)) + "\n";
+  EXPECT_EQ(keys_in(rows).error().remedy, "columns");
 }
 
 TEST(LeapSecond, IsNamedWhereItsTimesComeTwice) {

@@ -109,13 +109,16 @@ Error KeyRows::out_of_order() const {
       saw_leap_second_ ? "; the leap second 23:59:60 is not counted, so that its times come twice" : "";
   if (time == latest_) {
     const std::string same = duplicate_time(text, latest_line_) + leap;
+    if (repeat_in_runs(time, after))
+      return error("columns", same +
+                                  ": the stamps repeat in runs, since they are coarser than the rows; if another "
+                                  "column has the rest of the time, name both, such as t=sec+nanosec");
     if (turn > jump)
       return error("session", formatted("{}: the orientation jumps there by {:.3g}°, and a second recording begins",
                                         same, turn * degrees));
-    if (!repeat_in_runs(time, after)) return error("drop_duplicates", same);
-    return error("columns", same +
-                                ": the stamps repeat in runs, since they are coarser than the rows; if another column "
-                                "has the rest of the time, name both, such as t=sec+nanosec");
+    return error(
+        "drop_duplicates",
+        turn > same_turn ? formatted("{}; the row is turned by {:.3g}° from that one", same, turn * degrees) : same);
   }
   std::vector<Decimal> times{latest_, time};
   times.insert(times.end(), after.begin(), after.end());
