@@ -98,14 +98,19 @@ TEST(TwoOrientationsAtOneInstant, AreNoJumpWhereStampsAreCoarserThanTheRows) {
 }
 
 TEST(LeapSecond, IsNamedWhereItsTimesComeTwice) {
-  const auto said = [](const std::string& last) {
-    return keys_in("t,qw,qx,qy,qz\n2016-12-31T23:59:60Z,1,0,0,0\n2016-12-31T23:59:60.5Z,1,0,0,0\n" + last +
-                   ",1,0,0,0\n")
-        .error()
-        .message;
+  const auto error_of = [](const std::string& last) {
+    return keys_in("t,qw,qx,qy,qz\n2016-12-31T23:59:60Z,1,0,0,0\n2016-12-31T23:59:60.5Z,1,0,0,0\n" + last + "\n")
+        .error();
   };
-  for (const char* last : {"2017-01-01T00:00:00Z", "2017-01-01T00:00:00.5Z"})
-    EXPECT_NE(said(last).find("the leap second 23:59:60 is not counted"), std::string::npos) << said(last);
+  for (const char* last :
+       {"2017-01-01T00:00:00Z,1,0,0,0", "2017-01-01T00:00:00.5Z,1,0,0,0", "2017-01-01T00:00:00.5Z,0.8,0,0,0.6"}) {
+    const Error error = error_of(last);
+    EXPECT_NE(error.message.find("the leap second 23:59:60 is not counted, so that its times come twice; leave out its "
+                                 "rows, or give times that have no leap seconds"),
+              std::string::npos)
+        << error.message;
+    EXPECT_EQ(error.remedy, "") << "neither order nor a second recording is meant";
+  }
   const auto other = keys_in("t,qw,qx,qy,qz\n2017-01-01T00:00:00Z,1,0,0,0\n2017-01-01T00:00:00Z,1,0,0,0\n");
   EXPECT_EQ(other.error().message.find("leap"), std::string::npos);
 }
