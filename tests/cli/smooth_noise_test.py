@@ -105,6 +105,16 @@ class SmoothNoise(CommandTest):
 
 
 
+@unittest.skipUnless((CASES.parent / "reports").is_dir(), "no reports of users")
+class Flips(CommandTest):
+    def test_what_the_default_follows_it_says_first(self):
+        """A tag that flips by 35° to both sides in 15 % of the rows."""
+        flips = str(CASES.parent / "reports/r25_flips.csv")
+        self.assertRegex(self.run_command(["smooth", flips, "-o", "out.csv"]).stderr,
+                         r"\Aorispline: warning: \S+: key 68: 16 samples as far as the 53 that are rejected are followed as motion; .*, set --loss to huber\n")
+        self.assertNotIn("warning", self.run_command(["smooth", flips, "--loss", "huber", "-o", "out.csv"]).stderr)
+
+
 class NoiseTime(CommandTest):
     WALK = str(ROOT / "examples/data/walking.bvh")
 
@@ -124,6 +134,8 @@ class NoiseTime(CommandTest):
 
     def test_what_contradicts_it_is_refused(self):
         for words, message in (("--noise-time 0", "--noise-time: found '0', wanted a number greater than 0, in ms, s or min, such as 1ms"),
+                               ("--noise-time 1s", "--noise-time: found 1 s, wanted at most 0.6 s, a quarter of the recording, which cannot tell slower noise from motion; "
+                                                   "state less, or record for longer"),
                                ("--noise-time 50ms --smoothing-time 0.1", "--noise-time: wanted no --smoothing-time as well, which is chosen by the noise"),
                                ("--noise-time 50ms --gyro", "--noise-time: wanted no --gyro, with which noise that correlates is found")):
             with self.subTest(words):

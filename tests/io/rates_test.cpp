@@ -14,6 +14,7 @@
 #include <orispline/io/output_file.hpp>
 #include <orispline/io/rates_file.hpp>
 #include <orispline/io/sample_writer.hpp>
+#include <orispline/math/degrees.hpp>
 #include <support/near.hpp>
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
@@ -168,10 +169,31 @@ TEST(RatesOfAGyro, AreAloneWhereTheHeaderNamesNoOrientation) {
   };
   EXPECT_TRUE(are_alone("t,wx,wy,wz\n0,1,2,3\n"));
   EXPECT_TRUE(are_alone("# from a boat\nTimestamp (us),wx_deg_s,wy_deg_s,wz_deg_s,ax,ay,az\n0,1,2,3,4,5,6\n"));
+  EXPECT_TRUE(are_alone("# t,wx,wy,wz\n0,1,2,3\n"));
+  EXPECT_FALSE(are_alone("# t,qw,qx,qy,qz,wx,wy,wz\n0,1,0,0,0,1,2,3\n"));
   EXPECT_FALSE(are_alone("t,qw,qx,qy,qz,wx,wy,wz\n0,1,0,0,0,1,2,3\n"));
   EXPECT_FALSE(are_alone("t,roll_deg,pitch_deg,yaw_deg,wx,wy,wz\n0,1,0,0,1,2,3\n"));
   EXPECT_FALSE(are_alone("t,px,py,pz\n0,1,2,3\n"));
   EXPECT_FALSE(are_alone("0 1 2 3\n"));
+}
+
+TEST(RatesOfAGyro, AreNamedByACommentWhereNoRowDoes) {
+  const std::string rows = "500000000,0,90,0\n1000000000,0,0,180\n";
+  for (const ReadOptions& options : {ReadOptions{}, ReadOptions{.order = QuaternionOrder::wxyz}}) {
+    const auto read = read_rates(test::TextFile("#timestamp [ns],wx_deg_s,wy_deg_s,wz_deg_s\n" + rows).path(), options);
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(read->exact_times[0].to_string(), "0.5");
+    ASSERT_EQ(read->rates.size(), 2u);
+    EXPECT_NEAR(read->rates[1].z() * degrees, 180.0, 1e-12);
+    ASSERT_EQ(read->warnings.size(), 1u);
+    EXPECT_EQ(read->warnings[0].code, "commented_header");
+  }
+  const auto eight = read_rates(test::TextFile("# a b c wx wy wz d t\n0 0 0 1 2 3 0 7\n").path());
+  ASSERT_TRUE(eight) << describe(eight.error());
+  EXPECT_EQ(eight->exact_times[0].to_string(), "7");  // though a file of TUM has as many numbers
+  const auto refused = read_rates(test::TextFile("# from a gyro\n0,1,2,3\n").path());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message, "found no header, wanted one that names t, wx, wy and wz");
 }
 
 TEST(RatesOfAGyro, AreMendedAsRowsAre) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows as programs write them: names in a comment, units that the caller states, jumps, leap seconds.
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -78,21 +79,38 @@ TEST(TwoOrientationsAtOneInstant, AreAJumpOrWrittenTwice) {
     EXPECT_NE(file.error().message.find("the orientation jumps there by 73.7°"), std::string::npos)
         << file.error().message;
   }
+  const auto near = keys_in(before + "1,0.9998,0,0,0.02\n2,1,0,0,0\n");
+  EXPECT_EQ(near.error().remedy, "drop_duplicates");
+  EXPECT_NE(near.error().message.find("; the row is turned by 2.29° from that one"), std::string::npos)
+      << near.error().message;
   EXPECT_EQ(sessions_in(TextFile(jump).path(), {}).value(), 2u);
   EXPECT_EQ(keys_in(jump, {{"session", "1"}})->lines, (std::vector<std::uint32_t>{2, 3}));
   EXPECT_EQ(keys_in(jump, {{"session", "2"}})->lines, (std::vector<std::uint32_t>{4, 5}));
   EXPECT_EQ(keys_in(jump, {{"drop_duplicates", ""}})->lines, (std::vector<std::uint32_t>{2, 3, 5}));
 }
 
+TEST(TwoOrientationsAtOneInstant, AreNoJumpWhereStampsAreCoarserThanTheRows) {
+  std::string rows = "t,qw,qx,qy,qz\n";
+  for (int row = 0; row < 12; ++row)
+    rows += std::to_string(row / 4) + "," + std::to_string(std::cos(0.1 * row)) + ",0,0," +
+            std::to_string(std::sin(0.1 * row)) + "\n";
+  EXPECT_EQ(keys_in(rows).error().remedy, "columns");
+}
+
 TEST(LeapSecond, IsNamedWhereItsTimesComeTwice) {
-  const auto said = [](const std::string& last) {
-    return keys_in("t,qw,qx,qy,qz\n2016-12-31T23:59:60Z,1,0,0,0\n2016-12-31T23:59:60.5Z,1,0,0,0\n" + last +
-                   ",1,0,0,0\n")
-        .error()
-        .message;
+  const auto error_of = [](const std::string& last) {
+    return keys_in("t,qw,qx,qy,qz\n2016-12-31T23:59:60Z,1,0,0,0\n2016-12-31T23:59:60.5Z,1,0,0,0\n" + last + "\n")
+        .error();
   };
-  for (const char* last : {"2017-01-01T00:00:00Z", "2017-01-01T00:00:00.5Z"})
-    EXPECT_NE(said(last).find("the leap second 23:59:60 is not counted"), std::string::npos) << said(last);
+  for (const char* last :
+       {"2017-01-01T00:00:00Z,1,0,0,0", "2017-01-01T00:00:00.5Z,1,0,0,0", "2017-01-01T00:00:00.5Z,0.8,0,0,0.6"}) {
+    const Error error = error_of(last);
+    EXPECT_NE(error.message.find("the leap second 23:59:60 is not counted, so that its times come twice; leave out its "
+                                 "rows, or give times that have no leap seconds"),
+              std::string::npos)
+        << error.message;
+    EXPECT_EQ(error.remedy, "") << "neither order nor a second recording is meant";
+  }
   const auto other = keys_in("t,qw,qx,qy,qz\n2017-01-01T00:00:00Z,1,0,0,0\n2017-01-01T00:00:00Z,1,0,0,0\n");
   EXPECT_EQ(other.error().message.find("leap"), std::string::npos);
 }

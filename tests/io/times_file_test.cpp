@@ -39,6 +39,18 @@ TEST(TimesFile, MayHaveAHeader) {
   EXPECT_EQ(times_file("t_ms\n1500\n").value(), Times{1.5});
 }
 
+TEST(TimesFile, MayBeNamedByAComment) {
+  const auto named = read_times(TextFile("# x,t_ms\n7,1500\n", "times.txt").path(), Decimal());
+  ASSERT_TRUE(named) << text_of(named.error());
+  EXPECT_EQ(named->times, Times{1.5});
+  ASSERT_EQ(named->warnings.size(), 1u);
+  EXPECT_EQ(named->warnings[0].code, "commented_header");
+  const auto sentence = read_times(TextFile("# notes\n1\n", "times.txt").path(), Decimal());
+  ASSERT_TRUE(sentence) << text_of(sentence.error());
+  EXPECT_EQ(sentence->times, Times{1.0});
+  EXPECT_TRUE(sentence->warnings.empty());
+}
+
 TEST(TimesFile, IsRelativeToTheEpochExactly) {
   EXPECT_EQ(times_file("1700000000.123456789\n1700000000\n1699999999.9\n", "1700000000").value(),
             (Times{0.123456789, 0, -0.1}));

@@ -2,9 +2,11 @@
 // Noise that correlates, without a gyro: stated, and found over several tracks. The noise is made here, and what is
 // found is compared with it.
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include <orispline/smooth/clip_smoothing.hpp>
 #include <orispline/smooth/correlated_fit.hpp>
 #include <orispline/smooth/shared_noise_time.hpp>
 
@@ -79,6 +81,35 @@ TEST(CorrelatedNoise, IsStatedWithoutWhatContradictsIt) {
   EXPECT_FALSE(check(SmoothOptions{.noise_time = 0.05, .gyro = true}));
   EXPECT_FALSE(check(SmoothOptions{.noise_time = 0.0}));
   EXPECT_TRUE(check(SmoothOptions{.noise = 0.01, .noise_time = 0.05}));
+}
+
+TEST(CorrelatedNoise, LastsNoLongerThanAQuarterOfTheRecording) {
+  const Track track(Keyframes::make(recorded_with(0.05, 3, 201).noisy).value());
+  EXPECT_TRUE(smooth(track, {.noise_time = 0.49}));
+  const auto refused = smooth(track, {.noise_time = 0.51});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().option, "noise_time");
+  EXPECT_EQ(refused.error().message.find("found 0.51 s, wanted at most 0.5 s, a quarter of the recording"), 0u)
+      << refused.error().message;
+}
+
+TEST(CorrelatedNoise, IsLeftAsideByChannelsThatAreTooShortForIt) {
+  const Skeleton skeleton = Skeleton::make({{.name = "long"}, {.name = "short"}}).value();
+  Clip clip{.name = "walk"};
+  for (const std::size_t count : {401u, 101u}) {
+    const Recording recording = recorded_with(0.05, 3 + count, count);
+    clip.rotations.push_back(
+        {.joint = clip.rotations.size(), .times = recording.noisy.times, .values = recording.noisy.orientations});
+  }
+  const std::vector<Clip> clips{clip};
+  const auto found = smooth_clips(skeleton, clips, {.noise_time = 0.5}, 1);
+  ASSERT_TRUE(found) << describe(found.error());
+  ASSERT_EQ(found->front().joints.size(), 2u);
+  EXPECT_TRUE(found->front().joints[0].smoothing.correlated_noise);
+  EXPECT_FALSE(found->front().joints[1].smoothing.correlated_noise);
+  const auto refused = smooth_clips(skeleton, clips, {.noise_time = 1.01}, 1);
+  ASSERT_FALSE(refused) << "no channel can have it";
+  EXPECT_EQ(refused.error().option, "noise_time");
 }
 
 }}  // namespace orispline

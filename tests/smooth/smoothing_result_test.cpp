@@ -53,6 +53,38 @@ TEST(SmoothingResult, WarnsOfMoreThanOneRejectedSampleInAHundred) {
   EXPECT_TRUE(warnings_of(smoothing).empty());
 }
 
+TEST(SmoothingResult, WarnsFirstOfSamplesThatAreFollowedBesideManyThatAreRejected) {
+  Smoothing smoothing{.keys = std::vector<std::size_t>(200),
+                      .stretches = {{0, 200}},
+                      .rejected = {1, 50, 100},
+                      .retained_outlier_runs = {60, 61}};
+  smoothing.edge = LambdaChoice::Edge::longest;
+  const auto warnings = warnings_of(smoothing);
+  ASSERT_EQ(warnings.size(), 3u);
+  EXPECT_EQ(warnings[0].code, "outliers_followed");
+  EXPECT_EQ(warnings[0].where.key, 60u);
+  EXPECT_EQ(warnings[0].number("samples"), 2.0);
+  EXPECT_TRUE(warnings[0].message.starts_with("2 samples as far as the 3 that are rejected are followed as motion"))
+      << warnings[0].message;
+  smoothing.rejected = {1, 50};
+  EXPECT_EQ(warnings_of(smoothing).front().code, "most_smoothing");
+}
+
+/// As a tag that is seen the wrong way round now and then: in one row of seven, to either side.
+TEST(SmoothingResult, WarnsOfFlipsThatItFollowsAndHuberDoesNot) {
+  Recording recording = recorded(400, degree);
+  Dice dice(1);
+  for (Eigen::Quaterniond& q : recording.noisy.orientations) {
+    const double side = dice() < 0.5 ? -35.0 : 35.0;
+    if (dice() < 1.0 / 7.0) q = q * exp<double>(Eigen::Vector3d(0.0, side * degree, 0.0));
+  }
+  const Smoothing plain = smoothed(recording.noisy), huber = smoothed(recording.noisy, {.loss = Loss::huber});
+  EXPECT_LT(rms(huber, recording.clean), 0.5 * rms(plain, recording.clean));
+  ASSERT_FALSE(plain.warnings.empty());
+  EXPECT_EQ(plain.warnings.front().code, "outliers_followed");
+  EXPECT_TRUE(huber.warnings.empty());
+}
+
 TEST(SmoothingResult, TellsOfSamplesThatJumpAndAreFollowed) {
   auto recording = recorded(40, degree);
   const auto jumps = [&](std::vector<std::size_t> retained) {

@@ -289,10 +289,6 @@ std::vector<std::string> ignored_names(std::span<const std::string_view> header,
   return ignored;
 }
 
-bool begins_like_number(std::string_view cell) {
-  return std::string_view("+-.0123456789").find(cell.front()) != std::string_view::npos;
-}
-
 }  // namespace
 
 std::vector<std::string_view> orientation_names() {
@@ -363,11 +359,6 @@ Expected<std::optional<TimeColumns>> two_time_columns(const ColumnSearch& search
       found[main], units[main].seconds, {found[rest], Fraction(units[rest].seconds, units[main].seconds)}};
 }
 
-bool is_header(std::span<const std::string_view> row) {
-  const auto first = std::find_if(row.begin(), row.end(), [](std::string_view cell) { return !cell.empty(); });
-  return first != row.end() && !begins_like_number(*first) && !number_of(*first);
-}
-
 Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header, const HeaderReading& reading) {
   while (!header.empty() && header.back().empty()) header = header.first(header.size() - 1);
   if (auto checked = check_mappings(reading); !checked) return tl::unexpected(std::move(checked.error()));
@@ -417,9 +408,15 @@ Expected<KeyColumns> columns_of_order(std::size_t columns, const ReadOptions& op
   return result;
 }
 
-std::size_t width_of(std::span<const std::string_view> cells) noexcept {
-  while (!cells.empty() && cells.back().empty()) cells = cells.first(cells.size() - 1);
-  return cells.size();
+std::vector<std::string_view> header_of(const TextTable& table) {
+  const auto row = table.cells().first(width_of(table.cells()));
+  return is_header(row) ? std::vector(row.begin(), row.end()) : table.header_in_comment();
+}
+
+Warning commented_header(std::string_view comment, const std::string& path) {
+  return {.code = "commented_header",
+          .message = formatted("the columns are named by a comment, {}, since no row names them", in_quotes(comment)),
+          .where = {.file = path}};
 }
 
 std::optional<std::string_view> header_option(const ReadOptions& options) {

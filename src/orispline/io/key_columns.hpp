@@ -116,9 +116,6 @@ struct TimeColumns {
 [[nodiscard]] Expected<std::optional<TimeColumns>> two_time_columns(const ColumnSearch& search,
                                                                     const ColumnNames& names);
 
-/// Whether the first row of a table names columns: its first cell that is not empty is no number.
-[[nodiscard]] bool is_header(std::span<const std::string_view> row);
-
 /// The columns that a header names, in any order: `t` (or `time`, `timestamp`, `stamp`; with a unit `t_s`, `t_ms`,
 /// `t_us`, `t_ns`), the orientation by one of its representations, and where present `px,py,pz` (or `tx,ty,tz`, or
 /// `x,y,z`; `px_m`, `px_mm`, `px_cm`, `px_km`), the rates that are asked for (`wx,wy,wz`, `ax,ay,az`, `jx,jy,jz`;
@@ -149,8 +146,12 @@ struct TableLayout {
   enum class FirstRow { header, key } first_row = FirstRow::key;
 };
 
-/// Cells of a row without the empty ones at its end.
-[[nodiscard]] std::size_t width_of(std::span<const std::string_view> cells) noexcept;
+/// The names of the columns of a table at its first row: that row, else the comment before it. None where neither names
+/// them.
+[[nodiscard]] std::vector<std::string_view> header_of(const TextTable& table);
+
+/// `commented_header`: the columns are those that a comment names.
+[[nodiscard]] Warning commented_header(std::string_view comment, const std::string& path);
 
 /// The option that asks for something that only a header can give, if any.
 [[nodiscard]] std::optional<std::string_view> header_option(const ReadOptions& options);

@@ -82,7 +82,7 @@ struct RateRows {
   std::vector<Decimal> exact_times{};    ///< [s], strictly increasing
   std::vector<Eigen::Vector3d> rates{};  ///< [rad/s], body frame
   std::vector<std::uint32_t> lines{};    ///< of the file, from 1
-  std::vector<Warning> warnings{};       ///< `time_unit_by_size`
+  std::vector<Warning> warnings{};       ///< `time_unit_by_size`, `commented_header`
 };
 
 /// A recording in a file, from 1, or all of them.

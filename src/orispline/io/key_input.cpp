@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include <orispline/io/key_columns.hpp>
 #include <orispline/io/line_reader.hpp>
 #include <orispline/io/recipe_line.hpp>
 #include <orispline/io/text_table.hpp>
@@ -61,14 +62,15 @@ const Input& KeyInput::input() const noexcept { return lines_->input(); }
 
 const std::string& KeyInput::path() const noexcept { return lines_->path(); }
 
-std::vector<std::string> KeyInput::first_row() {
+std::vector<std::string> KeyInput::header() {
   lines_->keep();
   TextTable table(std::move(*lines_));
   const auto more = table.next();
-  std::vector<std::string> cells;
-  if (more && *more) cells.assign(table.cells().begin(), table.cells().end());
+  std::vector<std::string> names;
+  if (more && *more)
+    for (const std::string_view name : header_of(table)) names.emplace_back(name);
   *lines_ = std::move(table).from_its_beginning();
-  return cells;
+  return names;
 }
 
 LineReader KeyInput::lines() && noexcept { return std::move(*lines_); }

@@ -28,8 +28,9 @@ class ORISPLINE_EXPORT KeyInput {
   [[nodiscard]] const std::string& path() const noexcept;
   /// Empty where the file has none, or where it is ignored.
   [[nodiscard]] const Recipe& recipe() const noexcept { return recipe_; }
-  /// The cells of its first row, which is read once more with the others; none where there is no row of text.
-  [[nodiscard]] std::vector<std::string> first_row();
+  /// The names of its columns, in its first row or the comment before it, which are read once more with the others;
+  /// none where nothing names them.
+  [[nodiscard]] std::vector<std::string> header();
   /// All lines from the first on.
   [[nodiscard]] LineReader lines() && noexcept;
 
@@ -39,8 +40,6 @@ class ORISPLINE_EXPORT KeyInput {
   std::unique_ptr<LineReader> lines_;
   Recipe recipe_;
 };
-
-struct ReadOptions;
 
 /// What the file says of the curve that its keys are for, and what is said beside it.
 [[nodiscard]] Recipe recipe_of(const KeyInput& input, const ReadOptions& options);

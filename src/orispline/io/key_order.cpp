@@ -105,17 +105,19 @@ Error KeyRows::out_of_order() const {
   const auto error = [&where](std::string_view remedy, std::string message) {
     return mended_by(remedy, std::move(message), where).value();
   };
-  const std::string leap =
-      saw_leap_second_ ? "; the leap second 23:59:60 is not counted, so that its times come twice" : "";
+  if (saw_leap_second_) return {ErrorCode::bad_data, beside_leap_second(*unrising_), where};
   if (time == latest_) {
-    const std::string same = duplicate_time(text, latest_line_) + leap;
+    const std::string same = duplicate_time(text, latest_line_);
+    if (repeat_in_runs(time, after))
+      return error("columns", same +
+                                  ": the stamps repeat in runs, since they are coarser than the rows; if another "
+                                  "column has the rest of the time, name both, such as t=sec+nanosec");
     if (turn > jump)
       return error("session", formatted("{}: the orientation jumps there by {:.3g}°, and a second recording begins",
                                         same, turn * degrees));
-    if (!repeat_in_runs(time, after)) return error("drop_duplicates", same);
-    return error("columns", same +
-                                ": the stamps repeat in runs, since they are coarser than the rows; if another column "
-                                "has the rest of the time, name both, such as t=sec+nanosec");
+    return error(
+        "drop_duplicates",
+        turn > same_turn ? formatted("{}; the row is turned by {:.3g}° from that one", same, turn * degrees) : same);
   }
   std::vector<Decimal> times{latest_, time};
   times.insert(times.end(), after.begin(), after.end());
@@ -126,9 +128,17 @@ Error KeyRows::out_of_order() const {
     return error("drop_invalid",
                  formatted("time {} comes after {}, wanted increasing times: 0 is an invalid time stamp there", text,
                            latest_.to_string()));
-  Error error_of_order = falling_time(text, latest_, begins, where).value();
-  error_of_order.message += leap;
-  return error_of_order;
+  return falling_time(text, latest_, begins, where).value();
+}
+
+/// No option mends it: the rows of the leap second and those behind it have the same times.
+std::string KeyRows::beside_leap_second(const Unrising& row) const {
+  const std::string unrising =
+      row.time == latest_ ? duplicate_time(row.text, latest_line_)
+                          : formatted("time {} comes after {}, wanted increasing times", row.text, latest_.to_string());
+  return unrising +
+         ": the leap second 23:59:60 is not counted, so that its times come twice; leave out its rows, or give times "
+         "that have no leap seconds, such as those of TAI or GPS";
 }
 
 /// From the latest key [rad]; 0 where one of both is no rotation.

@@ -86,10 +86,7 @@ KeyRows::KeyRows(std::string path, const FormatInfo& format, KeyColumns columns,
   file_.format = &format;
   file_.ignored_columns = columns_.ignored;
   if (!columns_.commented_header.empty())
-    file_.warnings.push_back({.code = "commented_header",
-                              .message = formatted("the columns are named by a comment, {}, since no row names them",
-                                                   in_quotes(columns_.commented_header)),
-                              .where = {.file = file_.path}});
+    file_.warnings.push_back(commented_header(columns_.commented_header, file_.path));
   // A set of rows has no clock; and of a pose turned back the position needs the orientation.
   may_be_parts_ = !options_.count_rows && !options_.inverse_poses;
   if (!options_.count_rows) return;

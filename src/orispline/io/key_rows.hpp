@@ -96,6 +96,7 @@ class KeyRows {
   [[nodiscard]] Expected<void> look_ahead(const TextTable& table);
   [[nodiscard]] Expected<bool> append_time(const Decimal& time, std::string_view text, std::size_t line);
   [[nodiscard]] Error out_of_order() const;
+  [[nodiscard]] std::string beside_leap_second(const Unrising& row) const;
   [[nodiscard]] bool is_zero_stamp() const;
   [[nodiscard]] double turn_to(const Pose& pose) const;
   void note_duplicate(const Pose& dropped);

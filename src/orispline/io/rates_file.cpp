@@ -18,11 +18,16 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 namespace {
 
+/// Which cells of a row are the rate and the time.
+struct GyroColumns {
+  VectorColumns rate;
+  TimeColumn time;
+};
+
 /// The columns of the rates that the header names.
-Expected<VectorColumns> rate_columns_of(const TextTable& table, const ReadOptions& options) {
-  if (!is_header(table.cells()))
-    return failure(ErrorCode::bad_data, "found no header, wanted one that names t, wx, wy and wz", table.here());
-  const ColumnSearch search(table.cells().first(width_of(table.cells())), options.columns);
+Expected<VectorColumns> rate_columns_of(const TextTable& table, std::span<const std::string_view> header,
+                                        const ReadOptions& options) {
+  const ColumnSearch search(header, options.columns);
   auto found = rate_columns(search, {.orders = 1, .world = false});
   if (!found) {
     found.error().where = table.here();
@@ -33,6 +38,15 @@ Expected<VectorColumns> rate_columns_of(const TextTable& table, const ReadOption
                    formatted("found {}, wanted the rates of the body wx, wy and wz", search.found_names()),
                    table.here());
   return (*found)[0]->columns;
+}
+
+Expected<GyroColumns> columns_of(const TextTable& table, const ReadOptions& options) {
+  const std::vector<std::string_view> header = header_of(table);
+  if (header.empty())
+    return failure(ErrorCode::bad_data, "found no header, wanted one that names t, wx, wy and wz", table.here());
+  return rate_columns_of(table, header, options).and_then([&](const VectorColumns& rate) {
+    return time_column(table, header, options).map([&](const TimeColumn& time) { return GyroColumns{rate, time}; });
+  });
 }
 
 /// Not finite where a cell is empty or not a finite number.
@@ -68,23 +82,24 @@ Expected<RateRows> read_rates(KeyInput input, const ReadOptions& options) {
   auto more = table.next();
   if (!more) return tl::unexpected(std::move(more.error()));
   if (!*more) return failure(ErrorCode::bad_data, "empty: no rates", {.file = path});
-  const auto columns = rate_columns_of(table, options);
-  if (!columns) return tl::unexpected(columns.error());
-  auto time = time_column(table, options);
-  if (!time) return tl::unexpected(std::move(time.error()));
-  const NewFrames frames(options.frames);
+  auto columns = columns_of(table, options);
+  if (!columns) return tl::unexpected(std::move(columns.error()));
   RateRows rows;
+  TimeColumn& time = columns->time;
+  const NewFrames frames(options.frames);
   std::optional<RoundClock> clock;
-  for (more = table.next(); more && *more; more = table.next()) {
-    const auto rate = rate_of(table, *columns);
+  if (is_header(table.cells())) more = table.next();
+  else rows.warnings.push_back(commented_header(table.comment(), path));
+  for (; more && *more; more = table.next()) {
+    const auto rate = rate_of(table, columns->rate);
     if (!rate) return tl::unexpected(rate.error());
     if (!rate->allFinite()) continue;
-    auto t = time_of(table, *time, options.clock, rows.warnings);
+    auto t = time_of(table, time, options.clock, rows.warnings);
     if (const auto& round = options.clock.round; round && !clock)
-      clock.emplace(round->is_in_seconds ? round->length : time->unit.time_of(round->length));
+      clock.emplace(round->is_in_seconds ? round->length : time.unit.time_of(round->length));
     if (!t) return tl::unexpected(std::move(t.error()));
     if (clock) t = clock->counted_on(*t);
-    if (!t) return failure(t.error().code, std::move(t.error().message), table.here(time->index));
+    if (!t) return failure(t.error().code, std::move(t.error().message), table.here(time.index));
     rows.exact_times.push_back(*t);
     rows.rates.push_back(frames.body_rate(*rate));
     rows.lines.push_back(static_cast<std::uint32_t>(table.line()));
@@ -97,11 +112,9 @@ Expected<RateRows> read_rates(KeyInput input, const ReadOptions& options) {
 }
 
 bool holds_rates_alone(KeyInput& input, const ReadOptions& options) {
-  const std::vector<std::string> first = input.first_row();
-  const std::vector<std::string_view> cells(first.begin(), first.end());
-  const std::span<const std::string_view> row(cells);
-  if (!is_header(row)) return false;
-  const ColumnSearch search(row.first(width_of(row)), options.columns);
+  const std::vector<std::string> names = input.header();
+  const std::vector<std::string_view> header(names.begin(), names.end());
+  const ColumnSearch search(header, options.columns);
   const auto orientation = orientation_columns(search, {});
   const auto rates = rate_columns(search, {.orders = 1, .world = false});
   return orientation && orientation->group.is_absent() && rates && (*rates)[0];

@@ -57,6 +57,10 @@ std::string without_quoted(std::string_view line) {
   return rest;
 }
 
+bool begins_like_number(std::string_view cell) {
+  return std::string_view("+-.0123456789").find(cell.front()) != std::string_view::npos;
+}
+
 bool is_word(std::string_view number) {
   return number.find_first_of("0123456789") == std::string_view::npos || number.find('(') != std::string_view::npos;
 }
@@ -68,6 +72,16 @@ Delimiter delimiter_of(std::string_view line) {
   for (const Delimiter delimiter : {Delimiter::semicolon, Delimiter::comma, Delimiter::tab})
     if (text.find(character_of(delimiter)) != std::string::npos) return delimiter;
   return Delimiter::blanks;
+}
+
+std::size_t width_of(std::span<const std::string_view> cells) noexcept {
+  while (!cells.empty() && cells.back().empty()) cells = cells.first(cells.size() - 1);
+  return cells.size();
+}
+
+bool is_header(std::span<const std::string_view> row) {
+  const auto first = std::find_if(row.begin(), row.end(), [](std::string_view cell) { return !cell.empty(); });
+  return first != row.end() && !begins_like_number(*first) && !number_of(*first);
 }
 
 Expected<double> number_of(std::string_view cell) {
@@ -107,6 +121,23 @@ Expected<bool> TextTable::next() {
     if (!delimiter_) delimiter_ = delimiter_of(text);
     return split(**line);
   }
+}
+
+std::vector<std::string_view> TextTable::header_in_comment() const {
+  constexpr std::string_view label = "HEADER:";
+  if (is_header(cells_)) return {};
+  std::string_view text = comment_;
+  text.remove_prefix(std::min(text.find_first_not_of("# \t"), text.size()));
+  if (text.starts_with(label)) text.remove_prefix(label.size());
+  const Delimiter delimiter = delimiter_of(text);
+  std::vector<std::string_view> cells;
+  for (text = trimmed(without_leading_blanks(text)); !text.empty(); text = without_leading_blanks(text)) {
+    const std::string_view whole = text.substr(0, cell_length(text, delimiter));
+    text.remove_prefix(std::min(whole.size() + 1, text.size()));
+    const std::size_t begin = std::min(whole.find_first_not_of(" \t\""), whole.size());
+    cells.push_back(whole.substr(begin, whole.find_last_not_of(" \t\"") + 1 - begin));
+  }
+  return is_header(cells) && cells.size() == width_of(cells_) ? cells : std::vector<std::string_view>();
 }
 
 LineReader TextTable::from_its_beginning() && {

@@ -28,6 +28,12 @@ enum class Delimiter { comma, semicolon, tab, blanks };
 /// The exact number in a cell; nothing where `number_of` is not finite.
 [[nodiscard]] Expected<std::optional<Decimal>> decimal_of(std::string_view cell);
 
+/// Cells of a row without the empty ones at its end.
+[[nodiscard]] std::size_t width_of(std::span<const std::string_view> cells) noexcept;
+
+/// Whether the first row of a table names columns: its first cell that is not empty is no number.
+[[nodiscard]] bool is_header(std::span<const std::string_view> row);
+
 /// Streams the rows of a text table: lines split into cells, without `#` comments and blank lines.
 class TextTable {
  public:
@@ -51,6 +57,9 @@ class TextTable {
   [[nodiscard]] std::optional<Delimiter> delimiter() const noexcept { return delimiter_; }
   /// The last comment before the first row, with its `#`; empty if there is none.
   [[nodiscard]] std::string_view comment() const noexcept { return comment_; }
+  /// Its cells, `# t,qw,…` or `#HEADER: "t", …`, if they name as many columns as the row has cells; else none. At the
+  /// first row only, and where that names no columns itself.
+  [[nodiscard]] std::vector<std::string_view> header_in_comment() const;
   [[nodiscard]] const std::string& path() const noexcept { return lines_.path(); }
   [[nodiscard]] std::size_t line() const noexcept { return lines_.line(); }
   [[nodiscard]] std::size_t bytes_read() const noexcept { return lines_.bytes_read(); }

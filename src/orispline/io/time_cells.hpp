@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include <orispline/base/decimal.hpp>
@@ -20,8 +22,9 @@ struct TimeColumn {
   std::optional<RestOfTime> rest{};
 };
 
-/// Of the table at its first row.
-[[nodiscard]] Expected<TimeColumn> time_column(const TextTable& table, const ReadOptions& options);
+/// The one that a header names. Errors, at the row of the table.
+[[nodiscard]] Expected<TimeColumn> time_column(const TextTable& table, std::span<const std::string_view> header,
+                                               const ReadOptions& options);
 
 /// The time in the row [s]; what is found out of the unit goes into the column, and is warned of.
 [[nodiscard]] Expected<Decimal> time_of(const TextTable& table, TimeColumn& column, const Clock& clock,

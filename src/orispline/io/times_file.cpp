@@ -26,8 +26,10 @@ Error located(const TextTable& table, Error error) {
   return error;
 }
 
-Expected<TimeColumn> column_of_header(const TextTable& table, const ReadOptions& options) {
-  const auto header = table.cells().first(width_of(table.cells()));
+}  // namespace
+
+Expected<TimeColumn> time_column(const TextTable& table, std::span<const std::string_view> header,
+                                 const ReadOptions& options) {
   const ColumnNames none;
   const auto mapped = options.columns.find(time_name);
   if (const auto two = two_time_columns(ColumnSearch(header, none), options.columns); two && *two)
@@ -48,23 +50,6 @@ Expected<TimeColumn> column_of_header(const TextTable& table, const ReadOptions&
   }
   const TimeUnit unit = time_unit_of(name).value_or(time_unit_at_end_of(name));
   return TimeColumn{**found, unit.seconds, unit.is_stated};
-}
-
-}  // namespace
-
-Expected<TimeColumn> time_column(const TextTable& table, const ReadOptions& options) {
-  const std::size_t width = width_of(table.cells());
-  const auto formats = formats_read();
-  const FormatInfo* const format = width > 1 ? likest(formats, table, options, Likeness::likely) : nullptr;
-  if (format && format->reading.layout && !is_header(table.cells()))
-    return format->reading.layout(table, options).map([](const TableLayout& layout) {
-      return TimeColumn{layout.columns.time, layout.columns.time_unit, layout.columns.states_time_unit};
-    });
-  if (is_header(table.cells())) return column_of_header(table, options);
-  if (width > 1 && !options.order)
-    return at_row(table,
-                  formatted("found {} cells, wanted one time a line, or a header that names the column t", width));
-  return TimeColumn{};
 }
 
 Expected<Decimal> time_of(const TextTable& table, TimeColumn& column, const Clock& clock,
@@ -96,16 +81,43 @@ Expected<Decimal> time_of(const TextTable& table, TimeColumn& column, const Cloc
   return column.unit.time_of(**time + column.rest->unit.of(**rest));
 }
 
+namespace {
+
+/// Of the table at its first row; a comment that names it is warned of.
+Expected<TimeColumn> column_of_times(const TextTable& table, const ReadOptions& options,
+                                     std::vector<Warning>& warnings) {
+  const std::size_t width = width_of(table.cells());
+  const auto formats = formats_read();
+  const FormatInfo* const format = width > 1 ? likest(formats, table, options, Likeness::likely) : nullptr;
+  if (format && format->reading.layout && !is_header(table.cells()))
+    return format->reading.layout(table, options).map([](const TableLayout& layout) {
+      return TimeColumn{layout.columns.time, layout.columns.time_unit, layout.columns.states_time_unit};
+    });
+  const std::vector<std::string_view> header = header_of(table);
+  if (is_header(table.cells())) return time_column(table, header, options);
+  if (!header.empty() && !options.order)
+    if (auto named = time_column(table, header, options)) {
+      warnings.push_back(commented_header(table.comment(), table.path()));
+      return named;
+    }
+  if (width > 1 && !options.order)
+    return at_row(table,
+                  formatted("found {} cells, wanted one time a line, or a header that names the column t", width));
+  return TimeColumn{};
+}
+
+}  // namespace
+
 Expected<TimesList> read_times(const Input& input, const Decimal& epoch, const ReadOptions& options) {
   auto table = TextTable::open(input);
   if (!table) return tl::unexpected(std::move(table.error()));
   auto more = table->next();
   if (!more) return tl::unexpected(more.error());
   if (!*more) return failure(ErrorCode::bad_data, "empty: no times", {.file = input.name()});
-  auto column = time_column(*table, options);
+  TimesList list;
+  auto column = column_of_times(*table, options, list.warnings);
   if (!column) return tl::unexpected(column.error());
   if (is_header(table->cells())) more = table->next();
-  TimesList list;
   for (; more && *more; more = table->next()) {
     const auto time = time_of(*table, *column, options.clock, list.warnings);
     if (!time) return tl::unexpected(time.error());

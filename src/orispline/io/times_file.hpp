@@ -15,7 +15,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 struct TimesList {
   std::vector<double> times{};         ///< relative to the epoch [s]
   std::vector<std::uint32_t> lines{};  ///< 1-based line of each
-  std::vector<Warning> warnings{};     ///< `time_unit_by_size`
+  std::vector<Warning> warnings{};     ///< `time_unit_by_size`, `commented_header`
 };
 
 /// Reads sample times in any order: one number a line, or the times of any table, such as a file of keys.

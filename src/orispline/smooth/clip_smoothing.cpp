@@ -6,6 +6,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
+#include <orispline/smooth/correlated_fit.hpp>
 #include <orispline/smooth/shared_noise_time.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>
 
@@ -43,7 +44,9 @@ Expected<Smoothing> smoothed(const RotationChannel& rotation, const VectorChanne
                              const SmoothOptions& options) {
   KeyframeData data{.times = rotation.times, .orientations = rotation.values};
   if (translation) data.positions = translation->values;
-  return Keyframes::make(std::move(data)).and_then([&](const Keyframes& keys) { return smooth(Track(keys), options); });
+  SmoothOptions suited = options;
+  if (suited.noise_time && !check_noise_time(*suited.noise_time, rotation.times)) suited.noise_time.reset();
+  return Keyframes::make(std::move(data)).and_then([&](const Keyframes& keys) { return smooth(Track(keys), suited); });
 }
 
 /// A rotation of a clip, and where it stands there.
@@ -51,6 +54,14 @@ struct Piece {
   std::size_t clip, rotation;
   Expected<Smoothing> found{};
 };
+
+/// Error (bad_argument): the time of the noise is too long for all of them.
+Expected<void> check_noise_time(double noise_time, std::span<const Clip> clips, const std::vector<Piece>& pieces) {
+  Expected<void> checked;
+  for (const Piece& piece : pieces)
+    if (checked = check_noise_time(noise_time, clips[piece.clip].rotations[piece.rotation].times); checked) break;
+  return checked;
+}
 
 /// The noise of one tracker [rad], by what its joints tell one by one: the lower quartile, since the motion of some is
 /// rougher than the penalty believes, and what it leaves counts as noise. Absent where none could be smoothed.
@@ -110,6 +121,9 @@ Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton, std:
       if (is_smoothed(clips[i].rotations[k])) pieces.push_back({i, k});
       else ++smoothing.left;
   }
+  if (options.noise_time)
+    if (auto checked = check_noise_time(*options.noise_time, clips, pieces); !checked)
+      return tl::unexpected(std::move(checked.error()));
   const auto smooth_all = [&](const SmoothOptions& with) {
     parallel_for(pieces.size(), threads, [&](std::size_t i) {
       const Clip& clip = clips[pieces[i].clip];

@@ -31,7 +31,8 @@ inline constexpr std::size_t fewest_smoothed_keys = 20;
 /// Every one of the clips with its `linear` rotations smoothed, joint by joint, as smooth() does it; with a translation
 /// that has the same key times and moves, that too. All else stays as it is, and so does a rotation that smooth()
 /// refuses for its samples. Joints share the noise of one tracker where it
-/// correlates: the time of `noise_time`, or the one that is found, and σ, unless `noise` states it.
+/// correlates: the time of `noise_time`, or the one that is found, and σ, unless `noise` states it. A rotation that is
+/// too short for that time has none.
 ///
 /// On up to that many threads, 0 means one per core; the results are the same on any number of them.
 /// Errors: those of smooth() but for bad_data, with clip and joint; bad_argument for `gyro`, since clips have no rates,

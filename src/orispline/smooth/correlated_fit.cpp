@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <orispline/base/formatted.hpp>
 #include <orispline/math/median.hpp>
 #include <orispline/math/number.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double white_share = 0.03;  // of σ: white noise beside that which correlates, for the condition of the fit
 constexpr std::size_t longest_lag = 8;
+constexpr double share_of_recording = 0.25;  // over which noise may correlate
 
 /// As if all samples that count had the weight of white noise of that share of σ.
 void reweigh(StretchProblems& problems, double sigma) {
@@ -58,6 +60,19 @@ Expected<CorrelatedFit> fit_with_correlated_noise(const SmoothingSearch& white, 
   if (fit.objective.stopped()) return cancellation();
   if (!converged(fit.fits, fit.noise)) return no_end_found();
   return fit;
+}
+
+double longest_noise_time(std::span<const double> times) {
+  return times.empty() ? 0.0 : share_of_recording * (times.back() - times.front());
+}
+
+Expected<void> check_noise_time(double noise_time, std::span<const double> times) {
+  const double longest = longest_noise_time(times);
+  if (noise_time <= longest) return {};
+  return bad_option("noise_time",
+                    formatted("found {:.6g} s, wanted at most {:.6g} s, a quarter of the recording, which "
+                              "cannot tell slower noise from motion; state less, or record for longer",
+                              noise_time, longest));
 }
 
 double most_correlated_noise(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include <orispline/smooth/smoothing_search.hpp>
 
@@ -28,6 +29,11 @@ struct CorrelatedNoisePlan {
 /// Errors: not_converged; cancelled.
 [[nodiscard]] Expected<CorrelatedFit> fit_with_correlated_noise(const SmoothingSearch& white,
                                                                 const CorrelatedNoisePlan& plan);
+
+/// The longest time of correlation that a recording with samples at these times can tell of [s]: a quarter of it.
+[[nodiscard]] double longest_noise_time(std::span<const double> times);
+/// Error (bad_argument): `noise_time` is longer than that.
+[[nodiscard]] Expected<void> check_noise_time(double noise_time, std::span<const double> times);
 
 /// How large noise that correlates within `time` [s] could be at most, per axis [rad], by the distances of orientations
 /// from the middle between those before and behind them: of neighbours and of some that are farther apart. All of that

@@ -36,8 +36,8 @@ Interval smoothing_times(const Keyframes& recording, Penalty penalty) {
   return {1e-3 * interval, std::min(10.0 * span, longest * interval)};
 }
 
-/// check() of the options, and whether they suit the recording. Errors: bad_argument for a smoothing time out of range,
-/// bad_data for a noise of positions without any.
+/// check() of the options, and whether they suit the recording. Errors: bad_argument for a time of smoothing or of
+/// noise out of range, bad_data for a noise of positions without any.
 Expected<void> check_recording(const Keyframes& recording, const SmoothOptions& options) {
   if (auto checked = check(options); !checked) return checked;
   if (options.smoothing_time && recording.size() > 1) {
@@ -46,6 +46,8 @@ Expected<void> check_recording(const Keyframes& recording, const SmoothOptions& 
       return bad_option("smoothing_time", formatted("found {:.6g} s, wanted {}", *options.smoothing_time,
                                                     text_of(range, &quantities::time)));
   }
+  if (options.noise_time && recording.size() > 1)
+    if (auto checked = check_noise_time(*options.noise_time, recording.times()); !checked) return checked;
   if (options.position_noise && recording.positions().empty())
     return failure(ErrorCode::bad_data, "found no positions, wanted px,py,pz for `position_noise`");
   return {};

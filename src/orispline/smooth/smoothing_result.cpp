@@ -75,6 +75,17 @@ Warning many_rejected(std::string_view code, std::string_view what, std::size_t 
           .numbers = {{"samples", static_cast<double>(rejected)}}};
 }
 
+/// Where single samples are rejected in such numbers, some come side by side, and count as motion.
+Warning outliers_followed(const std::vector<std::size_t>& retained, std::size_t rejected) {
+  return {
+      .code = "outliers_followed",
+      .message = formatted("{} as far as the {} that are rejected {} followed as motion; if they are faults too, as "
+                           "where a tag flips now and then, set `loss` to huber",
+                           counted(retained.size(), "sample"), rejected, retained.size() == 1 ? "is" : "are"),
+      .where = {.key = retained.front()},
+      .numbers = {{"samples", static_cast<double>(retained.size())}}};
+}
+
 Warning jumps_followed_at(std::size_t first, std::size_t count) {
   return {.code = "jumps_followed",
           .message = formatted("{} turn{} by more than 90° from the one before and {} followed as motion; if they are "
@@ -251,6 +262,10 @@ SampleDistances position_distances_of(const Smoothing& smoothing, const Keyframe
 
 std::vector<Warning> warnings_of(const Smoothing& smoothing, const SmoothOptions& options) {
   std::vector<Warning> warnings;
+  const std::size_t all = smoothing.keys.size(), rejected = smoothing.rejected.size();
+  const bool rejects_many = are_many(rejected, all);
+  if (const auto& retained = smoothing.retained_outlier_runs; rejects_many && !retained.empty())
+    warnings.push_back(outliers_followed(retained, rejected));
   if (smoothing.edge == LambdaChoice::Edge::shortest)
     warnings.push_back({.code = "least_smoothing",
                         .message =
@@ -266,9 +281,7 @@ std::vector<Warning> warnings_of(const Smoothing& smoothing, const SmoothOptions
   if (smoothing.gyro && !smoothing.gyro->used) warnings.push_back(gyro_left_out(*smoothing.gyro));
   if (smoothing.gyro && smoothing.gyro->used && options.noise && contradicts(smoothing.noise, *options.noise))
     warnings.push_back(noise_contradicted(smoothing.noise, *options.noise));
-  const std::size_t all = smoothing.keys.size();
-  if (const std::size_t rejected = smoothing.rejected.size(); are_many(rejected, all))
-    warnings.push_back(many_rejected("many_rejected", "samples", rejected, all));
+  if (rejects_many) warnings.push_back(many_rejected("many_rejected", "samples", rejected, all));
   if (const auto& positions = smoothing.positions; positions && are_many(positions->rejected.size(), all))
     warnings.push_back(many_rejected("many_positions_rejected", "positions", positions->rejected.size(), all));
   if (smoothing.last_step > wanted_step)

@@ -47,34 +47,10 @@ Expected<TableLayout> layout_of_header(const TextTable& table, const ReadOptions
   return layout_of_names(table, table.cells(), options);
 }
 
-/// The cells of a comment before the first row, `# t,qw,…` or `#HEADER: "t", …`, if it has as many as the row.
-std::vector<std::string_view> cells_of_comment(const TextTable& table) {
-  constexpr std::string_view blanks = " \t", label = "HEADER:";
-  std::string_view text = table.comment();
-  const auto skip = [&text](std::string_view any) {
-    text.remove_prefix(std::min(text.find_first_not_of(any), text.size()));
-  };
-  skip("# \t");
-  if (text.starts_with(label)) text.remove_prefix(label.size());
-  const Delimiter delimiter = delimiter_of(text);
-  const std::string_view between = delimiter == Delimiter::comma       ? ","
-                                   : delimiter == Delimiter::semicolon ? ";"
-                                   : delimiter == Delimiter::tab       ? "\t"
-                                                                       : blanks;
-  std::vector<std::string_view> cells;
-  for (skip(blanks); !text.empty(); skip(blanks)) {
-    const std::string_view whole = text.substr(0, text.find_first_of(between));
-    text.remove_prefix(std::min(whole.size() + 1, text.size()));
-    const std::size_t begin = std::min(whole.find_first_not_of(" \t\""), whole.size());
-    cells.push_back(whole.substr(begin, whole.find_last_not_of(" \t\"") + 1 - begin));
-  }
-  return cells.size() == width_of(table.cells()) ? cells : std::vector<std::string_view>();
-}
-
 /// By a comment that names the columns; nothing where it is other text.
 std::optional<Expected<TableLayout>> layout_of_comment(const TextTable& table, const ReadOptions& options) {
-  const std::vector<std::string_view> cells = cells_of_comment(table);
-  if (cells.empty() || !is_header(cells)) return std::nullopt;
+  const std::vector<std::string_view> cells = table.header_in_comment();
+  if (cells.empty()) return std::nullopt;
   auto found = layout_of_names(table, cells, options);
   if (!found && (found.error().remedy.empty() || found.error().remedy == "columns")) return std::nullopt;
   if (!found) return found;

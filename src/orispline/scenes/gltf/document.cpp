@@ -136,59 +136,63 @@ struct BufferBytes {
   std::size_t beside = 0;
 };
 
+/// A buffer that the file describes, of so many bytes.
+struct DescribedBuffer {
+  const Object& json;
+  std::size_t length;
+  const io::Input& from;
+};
+
 std::string too_few(std::size_t found, std::size_t wanted) {
   return formatted("found {} bytes, wanted the {} of its byteLength", found, wanted);
 }
 
 /// A file of strangers must not make us wait for a pipe, nor carry other files of yours into what is written; no more
 /// of it is read than the buffer has.
-Expected<BufferBytes> file_in_folder(const Object& buffer, std::string_view uri, const std::string& folder,
+Expected<BufferBytes> file_in_folder(const DescribedBuffer& buffer, std::string_view uri, const std::string& folder,
                                      const std::string& name) {
   const std::string file = folder + name;
   const io::Place place = io::place_at(file);
   if (place.kind == io::PlaceKind::folder || place.kind == io::PlaceKind::other)
-    return buffer.fault(
+    return buffer.json.fault(
         formatted("found uri {}, which is a folder, a pipe or a device, wanted a file", in_quotes(uri)));
   if (!io::stays_within(folder, file))
-    return buffer.fault(formatted(
+    return buffer.json.fault(formatted(
         "found uri {}, a link to another folder, wanted a file beside the glTF file; copy it there", in_quotes(uri)));
-  const auto length = buffer.count("byteLength");
-  if (!length) return tl::unexpected(length.error());
-  if (place.size > 0 && place.size < *length) return buffer.fault(too_few(place.size, *length));
-  return bytes_of_file(file, nullptr, *length).map([&place](std::string bytes) {
+  if (place.size > 0 && place.size < buffer.length) return buffer.json.fault(too_few(place.size, buffer.length));
+  return bytes_of_file(file, nullptr, buffer.length).map([&place](std::string bytes) {
     return BufferBytes{std::move(bytes), place.size};
   });
 }
 
-Expected<BufferBytes> file_beside(const Object& buffer, std::string_view uri, const io::Input& from) {
+Expected<BufferBytes> file_beside(const DescribedBuffer& buffer, std::string_view uri) {
   const std::string name = percent_decoded(uri);
   if (!is_beside(uri) || !is_beside(name))
-    return buffer.fault(formatted("found uri {}, wanted a file beside the glTF file", in_quotes(uri)));
-  if (const io::Input* const beside = from.beside(name))
+    return buffer.json.fault(formatted("found uri {}, wanted a file beside the glTF file", in_quotes(uri)));
+  if (const io::Input* const beside = buffer.from.beside(name))
     return BufferBytes{std::string(beside->bytes()), beside->bytes().size()};
-  if (from.is_in_memory())
-    return buffer.fault(formatted(
+  if (buffer.from.is_in_memory())
+    return buffer.json.fault(formatted(
         "found uri {}, which is not given, wanted the bytes within the document, as a .glb has them", in_quotes(uri)));
-  const std::string& path = from.name();
+  const std::string& path = buffer.from.name();
   return file_in_folder(buffer, uri, path.substr(0, path.size() - file_name_of(path).size()), name);
 }
 
 bool is_data(std::string_view uri) { return uri.starts_with("data:"); }
 
-Expected<BufferBytes> data_of(const Object& buffer, std::string_view uri, const io::Input& from) {
-  if (!is_data(uri)) return file_beside(buffer, uri, from);
+Expected<BufferBytes> data_of(const DescribedBuffer& buffer, std::string_view uri) {
+  if (!is_data(uri)) return file_beside(buffer, uri);
   constexpr std::string_view mark = ";base64,";
   const std::size_t found = uri.find(mark);
   auto bytes = found == std::string_view::npos ? std::nullopt : bytes_from_base64(uri.substr(found + mark.size()));
-  if (!bytes) return buffer.fault("found a data uri that is not base64, wanted one that is");
+  if (!bytes) return buffer.json.fault("found a data uri that is not base64, wanted one that is");
   return BufferBytes{std::move(*bytes)};
 }
 
 /// The bytes of one buffer; nothing where it has none.
-Expected<std::optional<BufferBytes>> bytes_of(const Object& buffer, std::optional<std::string_view> chunk,
-                                              const io::Input& from) {
-  if (!buffer.has("uri")) return chunk ? std::optional(BufferBytes{std::string(*chunk)}) : std::nullopt;
-  return buffer.text("uri").and_then([&](const std::string& uri) { return data_of(buffer, uri, from); });
+Expected<std::optional<BufferBytes>> bytes_of(const DescribedBuffer& buffer, std::optional<std::string_view> chunk) {
+  if (!buffer.json.has("uri")) return chunk ? std::optional(BufferBytes{std::string(*chunk)}) : std::nullopt;
+  return buffer.json.text("uri").and_then([&](const std::string& uri) { return data_of(buffer, uri); });
 }
 
 /// The buffers with one more.
@@ -196,7 +200,7 @@ Expected<Buffers> with(Buffers all, const Object& buffer, std::optional<std::str
                        const io::Input& from) {
   const auto length = buffer.count("byteLength");
   if (!length) return tl::unexpected(length.error());
-  auto found = bytes_of(buffer, chunk, from);
+  auto found = bytes_of({buffer, *length, from}, chunk);
   if (!found) return tl::unexpected(std::move(found.error()));
   all.places.push_back({.offset = (all.bytes.size() + 7) / 8 * 8, .length = *length, .has_data = found->has_value()});
   const std::size_t offset = all.places.back().offset;
