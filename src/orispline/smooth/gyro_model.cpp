@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <numeric>
 
@@ -145,7 +146,9 @@ class NoiseSearch {
     constexpr double least_gain = 0.05;
     for (const double factor : {exponential(step), exponential(-step)})
       for (bool moved = false;; moved = true) {
-        const GyroNoises there = with(noises, one, std::max(noises.*one * factor, least_of(one, noises)));
+        GyroNoises there = with(noises, one, std::max(noises.*one * factor, least_of(one, noises)));
+        // By how much such noise changes within a short time is told far better than either, and stays.
+        if (one == &GyroNoises::correlation_time) there.correlated *= std::sqrt(factor);
         const double value = there.*one == noises.*one ? least : likelihood(turns_, there, change);
         if (value < least - least_gain) {
           noises = there;
