@@ -128,19 +128,40 @@ TEST(GyroModel, FindsADriftOfTheBias) {
   EXPECT_EQ(model.noises.correlated, 0.0);
 }
 
-TEST(GyroModel, FindsNoiseThatCorrelates) {
-  GyroCase made(21, 40.0);
-  const double time = 0.4, sigma = 1.5 * degree, keeps = std::exp(-0.02 / time);
+/// A first-order Markov process, in the frame of the body.
+void add_correlated(GyroCase& made, double sigma, double time) {
+  const double keeps = std::exp(-(made.data.times[1] - made.data.times[0]) / time);
   Eigen::Vector3d noise = sigma * normal_vector(made.dice);
   for (Eigen::Quaterniond& q : made.data.orientations) {
     q = q * exp<double>(noise);
     noise = keeps * noise + sigma * std::sqrt(1.0 - keeps * keeps) * normal_vector(made.dice);
   }
+}
+
+TEST(GyroModel, FindsNoiseThatCorrelates) {
+  GyroCase made(21, 40.0);
+  const double time = 0.4, sigma = 1.5 * degree;
+  add_correlated(made, sigma, time);
   made.add_noise(pose_noise, rate_noise);
   const GyroModel model = model_of(made);
   EXPECT_NEAR(std::log(model.noises.correlated / sigma), 0.0, std::log(1.4));
   EXPECT_NEAR(std::log(model.noises.correlation_time / time), 0.0, std::log(2.0));
   EXPECT_NEAR(model.noises.white, pose_noise, 0.2 * pose_noise);
+}
+
+// Of which the recording holds a few times only: it is neither taken for noise of the rates nor for one that is
+// forgotten sooner.
+TEST(GyroModel, FindsNoiseThatCorrelatesForLong) {
+  const double time = 5.0, sigma = degree;
+  for (const std::uint64_t seed : {33u, 38u}) {
+    GyroCase made(seed, 20.0, 0.01);
+    add_correlated(made, sigma, time);
+    made.add_noise(0.0, rate_noise);
+    const GyroModel model = model_of(made);
+    EXPECT_NEAR(std::log(model.noises.correlated / sigma), 0.0, std::log(2.0)) << seed;
+    EXPECT_NEAR(std::log(model.noises.correlation_time / time), 0.0, std::log(3.0)) << seed;
+    EXPECT_LT(model.noises.rate, 1.5 * rate_noise * std::sqrt(interval)) << seed;
+  }
 }
 
 }}  // namespace orispline::gyro_motion

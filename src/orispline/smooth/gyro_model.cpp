@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <numeric>
 
@@ -32,8 +33,9 @@ constexpr double offset_width = 0.02;
 constexpr double trend_width = 5e-3;  // of the bias [rad/s²]
 constexpr double sure = 3.0;          // in standard deviations: a smaller scale, mount or clock rate is not told
 
-// By so much -2 log of the likelihood has to fall for a further noise: a walk of the bias, which is usual, the others.
-constexpr double price_of_drift = 2.0, price_of_width = 6.0, price = 8.0, price_of_correlation = 16.0;
+// By so much -2 log of the likelihood has to fall for a wide prior and for a further noise; for a walk of the bias,
+// which every gyro has, it has to fall only.
+constexpr double price_of_width = 6.0, price = 8.0, price_of_correlation = 16.0;
 
 /// Whether turns jump about one axis of the body more than about the others, as those of a vehicle in its plane do.
 bool is_about_one_axis(std::span<const PathTurn> turns) {
@@ -87,7 +89,7 @@ class NoiseSearch {
     };
     if (plan_.bias != GyroBias::constant)
       for (const double drift : {plan_.rate_noise, 10.0 * plan_.rate_noise})
-        consider(from(with(plain.noises, &GyroNoises::drift, drift), {&GyroNoises::drift}), price_of_drift);
+        consider(from(with(plain.noises, &GyroNoises::drift, drift), {&GyroNoises::drift}), 0.0);
     if (plan_.finds_clock_rate && !is_about_one_axis(turns_))
       consider(from(with(plain.noises, &GyroNoises::clock, 1e-3), {&GyroNoises::clock}), price);
     const GyroNoises noisier = with(least.noises, &GyroNoises::rate, 3.0 * least.noises.rate);
@@ -119,7 +121,7 @@ class NoiseSearch {
     if (plan_.bias == GyroBias::constant) return;
     consider(from(with(correlates.noises, &GyroNoises::drift, plan_.rate_noise),
                   {&GyroNoises::correlated, &GyroNoises::correlation_time, &GyroNoises::drift}),
-             price_of_correlation + price_of_drift);
+             price_of_correlation);
   }
 
   /// From there by a compass search in logarithms; the white noise is sought too, unless it is stated. The calibration
@@ -145,7 +147,9 @@ class NoiseSearch {
     constexpr double least_gain = 0.05;
     for (const double factor : {exponential(step), exponential(-step)})
       for (bool moved = false;; moved = true) {
-        const GyroNoises there = with(noises, one, std::max(noises.*one * factor, least_of(one, noises)));
+        GyroNoises there = with(noises, one, std::max(noises.*one * factor, least_of(one, noises)));
+        // By how much such noise changes within a short time is told far better than either, and stays.
+        if (one == &GyroNoises::correlation_time) there.correlated *= std::sqrt(factor);
         const double value = there.*one == noises.*one ? least : likelihood(turns_, there, change);
         if (value < least - least_gain) {
           noises = there;
