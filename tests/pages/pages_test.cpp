@@ -140,12 +140,24 @@ TEST(SmoothPage, DrawsStandardDeviationsAsBandsThatEndAtGaps) {
   recording = recording.with_times(times).value();
   const Smoothing smoothing = smooth(recording, {.gap = 1.0, .sigma = true}).value();
   const report::Page page = pages::smooth_page(recording, smoothing, head);
-  ASSERT_EQ(page.methods[0].bands.size(), 2u);
-  const report::PageBand& turn = page.methods[0].bands.at("error");
-  ASSERT_EQ(turn.times.size(), 301u);  // the keys, and one that ends the band
-  EXPECT_TRUE(std::isnan(turn.high[150]));
-  EXPECT_DOUBLE_EQ(turn.high[0], smoothing.sigmas->orientations[0].norm() * degrees);
+  ASSERT_EQ(page.methods[0].bands.size(), 3u);
+  constexpr double radius = 2.5002777108094975;  // of 90 %, by the chi distribution of three degrees of freedom
+  const double first = std::sqrt(smoothing.sigmas->orientations[0].squaredNorm() / 3.0);
+  for (const char* const of : {"error", "angle"}) {
+    const report::PageBand& turn = page.methods[0].bands.at(of);
+    EXPECT_NEAR(turn.high[0], radius * first * degrees, 1e-9);
+    EXPECT_EQ(turn.low[0], 0.0);
+    std::size_t empty = 0;
+    for (std::size_t i = 0; i < turn.times.size(); ++i) {
+      const bool is_in_gap = times[149] < turn.times[i] && turn.times[i] < times[150];
+      EXPECT_EQ(std::isnan(turn.high[i]), is_in_gap) << of << " at " << turn.times[i];
+      empty += is_in_gap ? 1 : 0;
+    }
+    EXPECT_GT(empty, 0u);
+  }
   const report::PageBand& rate = page.methods[0].bands.at("w");
+  ASSERT_EQ(rate.times.size(), 301u);  // the keys, and one that ends the band
+  EXPECT_TRUE(std::isnan(rate.high[150]));
   const double speed = smoothing.nodes.angular_velocities[10].norm();
   EXPECT_LT(rate.low[10], speed);
   EXPECT_NEAR(rate.low[10] + rate.high[10], 2.0 * speed, 1e-12);
