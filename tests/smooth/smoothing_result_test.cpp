@@ -53,6 +53,22 @@ TEST(SmoothingResult, WarnsOfMoreThanOneRejectedSampleInAHundred) {
   EXPECT_TRUE(warnings_of(smoothing).empty());
 }
 
+TEST(SmoothingResult, WarnsOfARecordingThatIsShortForItsNoise) {
+  Smoothing smoothing{.track = Track(Keyframes::make(recorded(201, degree).noisy).value()),  // of 2 s
+                      .correlated_noise = Smoothing::CorrelatedNoise{.sigma = degree, .time = 0.11},
+                      .gyro = GyroFinding{.risk = GyroFinding::Risk{.with = 0.01, .without = 0.04}, .used = true}};
+  const auto warnings = warnings_of(smoothing);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].code, "short_for_its_noise");
+  EXPECT_EQ(warnings[0].number("least_rad"), 0.005);
+  EXPECT_EQ(warnings[0].number("most_rad"), 0.02);
+  EXPECT_EQ(warnings[0].message,
+            "the noise of the orientations correlates over 0.11 s, and the recording is 2 s long: the error may be "
+            "anything from 0.29° to 1.1°; a recording of 2.2 s would tell it");
+  smoothing.correlated_noise->time = 0.1;
+  EXPECT_TRUE(warnings_of(smoothing).empty());
+}
+
 TEST(SmoothingResult, WarnsFirstOfSamplesThatAreFollowedBesideManyThatAreRejected) {
   Smoothing smoothing{.keys = std::vector<std::size_t>(200),
                       .stretches = {{0, 200}},

@@ -143,6 +143,23 @@ void warn_of_repairs(const GyroFinding& gyro, std::vector<Warning>& warnings) {
                                              axes)});
 }
 
+/// Where a recording with a gyro is too short to tell how large noise is that keeps.
+std::optional<Warning> short_for_its_noise(const Smoothing& smoothing) {
+  constexpr double long_enough = 20.0;  // in correlation times
+  constexpr double factor = 2.0;        // by which the error may else be another, docs/gyro.md
+  if (!smoothing.correlated_noise || !smoothing.gyro->risk || smoothing.track.keys.size() == 0) return std::nullopt;
+  const auto times = smoothing.track.keys.times();
+  const double time = smoothing.correlated_noise->time, seconds = times.back() - times.front(),
+               error = smoothing.gyro->risk->with;
+  if (seconds >= long_enough * time) return std::nullopt;
+  return Warning{.code = "short_for_its_noise",
+                 .message = formatted(
+                     "the noise of the orientations correlates over {:.2g} s, and the recording is {:.3g} s long: "
+                     "the error may be anything from {:.2g}° to {:.2g}°; a recording of {:.2g} s would tell it",
+                     time, seconds, error / factor * degrees, error * factor * degrees, long_enough * time),
+                 .numbers = {{"least_rad", error / factor}, {"most_rad", error * factor}}};
+}
+
 /// Why a gyro was left out, and the cure.
 const char* reason_of(GyroFinding::Doubt doubt) {
   switch (doubt) {
@@ -278,6 +295,8 @@ std::vector<Warning> warnings_of(const Smoothing& smoothing, const SmoothOptions
   if (const SampleRun run = longest_rejected_run(smoothing); run.second >= motion_run)
     warnings.push_back(rejected_run(run));
   if (smoothing.gyro && smoothing.gyro->used) warn_of_repairs(*smoothing.gyro, warnings);
+  if (smoothing.gyro && smoothing.gyro->used)
+    if (auto warning = short_for_its_noise(smoothing)) warnings.push_back(std::move(*warning));
   if (smoothing.gyro && !smoothing.gyro->used) warnings.push_back(gyro_left_out(*smoothing.gyro));
   if (smoothing.gyro && smoothing.gyro->used && options.noise && contradicts(smoothing.noise, *options.noise))
     warnings.push_back(noise_contradicted(smoothing.noise, *options.noise));

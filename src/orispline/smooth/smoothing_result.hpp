@@ -15,8 +15,9 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// motion; `most_smoothing`: no change of the rates beside the noise; `rejected_run`: so many `samples` in a row do not
 /// count, which is rather motion than outliers; `many_rejected`: so many `samples` in all, more than one in a hundred;
 /// `many_positions_rejected`: the same of positions; `unfinished`: the last step of the iteration still moved by
-/// `step_rad`; `gyro_left_out`: the orientations come out better without the gyro; `noise_contradicted`: beside a gyro
-/// the residuals of the orientations are not those of the stated noise.
+/// `step_rad`; `short_for_its_noise`: the recording holds so few of the times over which noise correlates that the
+/// error may be anything from `least_rad` to `most_rad`; `gyro_left_out`: the orientations come out better without the
+/// gyro; `noise_contradicted`: beside a gyro the residuals of the orientations are not those of the stated noise.
 [[nodiscard]] std::vector<Warning> warnings_of(const Smoothing& smoothing, const SmoothOptions& options = {});
 
 /// `jumps_followed`: so many `samples` that are far, but were kept, turn by more than 90° from the one before.
