@@ -167,8 +167,8 @@ std::vector<std::string> notes_of(const Smoothing& smoothing) {
                               rejected > samples_of_few ? formatted(", {} of them", samples_of_few) : ""));
   if (smoothing.sigmas)
     notes.emplace_back(
-        "Bands are one standard deviation of the smoothed motion: of its angle from the truth, where "
-        "errors are plotted, and of the length of its angular velocity.");
+        "Bands of angles and errors are meant to hold 90 % of the truth; that of the angular velocity is one standard "
+        "deviation of its length.");
   if (const std::size_t kept = smoothing.retained_outlier_runs.size(); kept > 0)
     notes.push_back(formatted(
         "{} far from what the others predict, and so are the samples beside or many others: they are kept as motion.",
