@@ -90,7 +90,7 @@ def test_smoothed_keys_carry_the_band_of_their_curve(tmp_path):
     assert np.allclose(ori.read(out).curve("hermite-c2").band(t, 0.9), band, rtol=1e-12)
     assert (smoothing.curve.band(t, 0.99) > band).all()
     for curve in (ori.smooth(keys_in(noisy)).curve, smoothing.keys.curve("auto")):
-        with pytest.raises(ori.ArgumentError, match="has no band, wanted 'measured', or keys that smooth wrote with sigma"):
+        with pytest.raises(ori.ArgumentError, match="has no band, wanted 'measured', or keys that smooth wrote with `sigma`"):
             curve.band(t)
 
 
