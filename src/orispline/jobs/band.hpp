@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <variant>
 
 #include <orispline/analysis/curve_in_stretches.hpp>

@@ -218,12 +218,26 @@ void tell(const GyroModel& model, const Eigen::Matrix3d& mount, GyroFinding& fin
     finding.clock_rate = {.value = model.values[columns::clock_rate], .sigma = model.sigmas[columns::clock_rate]};
 }
 
-/// Sum of the variances of the orientations by the posterior of the fit, which takes the calibration for known.
-double posterior_variance(const GyroFit& fit) {
-  const NodeSigmas sigmas = node_sigmas(fit.problems.front(), fit.objective, fit.fits.fits.front().nodes);
+/// By the posterior of the fit, which takes the calibration for known.
+NodeSigmas posterior_of(const GyroFit& fit) {
+  return node_sigmas(fit.problems.front(), fit.objective, fit.fits.fits.front().nodes);
+}
+
+/// Sum of the variances of the orientations.
+double variance_at(const std::vector<std::size_t>& places, const NodeSigmas& sigmas) {
   double sum = 0.0;
-  for (const std::size_t place : fit.places) sum += sigmas.orientations[place].squaredNorm();
+  for (const std::size_t place : places) sum += sigmas.orientations[place].squaredNorm();
   return sum;
+}
+
+/// With a further variance of every turn per axis [rad²].
+NodeSigmas widened(NodeSigmas sigmas, double variance) {
+  const auto widen = [variance](double& sigma) { sigma = std::sqrt(sigma * sigma + variance); };
+  for (Eigen::Vector3d& sigma : sigmas.orientations)
+    for (double& of_axis : sigma) widen(of_axis);
+  for (auto& within : sigmas.to_next)
+    for (double& sigma : within) widen(sigma);
+  return sigmas;
 }
 
 /// σ of the orientations per axis [rad] by their residuals, less the freedom that the motion has.
@@ -282,7 +296,8 @@ GyroFinding::Doubt doubt_of(const GyroModel& model, bool reaches, bool is_clean,
 void judge(GyroFit& fit, const GyroModel& model, const SmoothingSearch& without, double noise,
            double local_rate_noise) {
   const auto count = static_cast<double>(fit.places.size());
-  const double posterior = posterior_variance(fit), variance = posterior + model.variance,
+  NodeSigmas sigmas = posterior_of(fit);
+  const double posterior = variance_at(fit.places, sigmas), variance = posterior + model.variance,
                with = std::sqrt(variance / count),
                without_by_gyro = std::sqrt((variance + squares_apart(fit, without)) / count),
                alone = error_alone(without, noise);
@@ -294,7 +309,7 @@ void judge(GyroFit& fit, const GyroModel& model, const SmoothingSearch& without,
   if (!fit.finding.used) fit.finding.doubt = doubt_of(model, reaches, is_clean, with < alone);
   fit.finding.risk = {.with = with, .without = fit.finding.used ? without_by_gyro : alone};
   fit.residual_noise = model.noises.correlated > 0.0 ? model.noises.white : residual_noise(fit, posterior);
-  fit.calibration_variance = std::max(0.0, model.variance) / (3.0 * count);
+  fit.sigmas = widened(std::move(sigmas), std::max(0.0, model.variance) / (3.0 * count));
 }
 
 }  // namespace
@@ -362,9 +377,10 @@ Expected<GyroFit> fit_with_counted_turns(const GyroPlan& plan) {
   }
   const SmoothingObjective objective{.penalty = plan.options.penalty.value_or(Penalty::acceleration),
                                      .work = &plan.work};
-  return fitted(plan, poses, gyro, objective, {}).map([](GyroFit fit) {
+  return fitted(plan, poses, gyro, objective, {}).map([&plan](GyroFit fit) {
     fit.finding.used = true;
     fit.residual_noise = fit.noise;
+    if (plan.options.sigma) fit.sigmas = posterior_of(fit);
     return fit;
   });
 }

@@ -18,7 +18,7 @@ struct GyroFit {
   double noise = 0.0;                               ///< of the orientations that the weights stand for [rad]
   double interval = 0.0;                            ///< median one between nodes [s]
   double residual_noise = 0.0;                      ///< of the orientations, per axis [rad]
-  double calibration_variance = 0.0;  ///< that they have since the calibration is not known for sure, per axis [rad²]
+  NodeSigmas sigmas{};  ///< of the nodes, with what the calibration is uncertain by; of counted turns where asked for
 };
 
 /// What a fit with a gyro begins with.

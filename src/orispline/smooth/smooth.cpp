@@ -164,16 +164,6 @@ std::vector<double> shares_of(const std::vector<double>& noises, double usual) {
   return shares;
 }
 
-/// With a further variance of every turn per axis [rad²].
-NodeSigmas widened(NodeSigmas sigmas, double variance) {
-  const auto widen = [variance](double& sigma) { sigma = std::sqrt(sigma * sigma + variance); };
-  for (Eigen::Vector3d& sigma : sigmas.orientations)
-    for (double& of_axis : sigma) widen(of_axis);
-  for (auto& within : sigmas.to_next)
-    for (double& sigma : within) widen(sigma);
-  return sigmas;
-}
-
 /// The times of all keys, of which some are no samples, and the rate of the gyro that each of them is of, if any. Empty
 /// where every key is a sample.
 struct KeysBetween {
@@ -344,9 +334,7 @@ class Smoother {
     result_.lambda = fit.objective.lambda;
     result_.smoothing_time = smoothing_time_of(fit.objective.lambda, fit.objective.penalty, fit.noise, fit.interval);
     result_.penalty = fit.objective.penalty;
-    if (options_.sigma)
-      result_.sigmas = widened(node_sigmas(fit.problems.front(), fit.objective, fit.fits.fits.front().nodes),
-                               fit.calibration_variance);
+    if (options_.sigma) result_.sigmas = fit.sigmas;
     take_fits(fit.fits);
     result_.noise = fit.residual_noise;
     result_.gyro = fit.finding;
