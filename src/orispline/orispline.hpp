@@ -4,6 +4,7 @@
 // The interface of the library: keyframes in, curves with exact rates out.
 
 #include <orispline/base/version.hpp>
+#include <orispline/curve/composition.hpp>
 #include <orispline/curve/extrapolation.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/path.hpp>

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/batch/pose_sampler.hpp>
 
+#include <algorithm>
+#include <array>
 #include <type_traits>
 #include <utility>
 
+#include <orispline/base/parallel.hpp>
 #include <orispline/batch/kernel/dispatch.hpp>
+#include <orispline/batch/sample_layout.hpp>
+#include <orispline/curve/composition.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -21,6 +26,87 @@ bool are_few(std::span<const double> times, const Knots& knots) {
 
 }  // namespace
 
+namespace {
+
+constexpr std::size_t samples_of_a_block = 128;  // of both factors, which stay in the cache of a thread
+
+/// Samples of a factor, with rates up to the highest order that is asked of the product.
+class Block {
+ public:
+  template <class T>
+  void fill(const PoseSampler& factor, std::span<const double> times, const Samples<T>& asked) {
+    const std::size_t count = times.size();
+    const bool third = !asked.angular_jerks.empty(), second = third || !asked.angular_accelerations.empty();
+    const auto rows = [count](std::array<double, 3 * samples_of_a_block>& room, bool are_wanted) {
+      return std::span(room).first(are_wanted ? 3 * count : 0);
+    };
+    const Samples<double> samples{.orientations = std::span(orientations_).first(4 * count),
+                                  .angular_velocities = rows(velocities_, wants_angular_rates(asked)),
+                                  .angular_accelerations = rows(accelerations_, second),
+                                  .angular_jerks = rows(jerks_, third)};
+    [[maybe_unused]] const auto done = factor.sample_at<double>(times, samples);  // has all the room that it wants
+    ORISPLINE_EXPECT(done.has_value());
+  }
+  [[nodiscard]] Motion motion(std::size_t k) const {
+    const auto at = [k](const std::array<double, 3 * samples_of_a_block>& rows) {
+      return Eigen::Vector3d(rows.data() + 3 * k);
+    };
+    return {Eigen::Quaterniond(orientations_.data() + 4 * k), at(velocities_), at(accelerations_), at(jerks_)};
+  }
+
+ private:
+  std::array<double, 4 * samples_of_a_block> orientations_;
+  std::array<double, 3 * samples_of_a_block> velocities_{}, accelerations_{}, jerks_{};
+};
+
+}  // namespace
+
+struct PoseSampler::Factors {
+  PoseSampler a, b;
+  double offset;
+
+  /// Held at rest outside the domain of the product.
+  template <class T>
+  [[nodiscard]] Expected<void> sample_at(const Domain& domain, std::span<const double> times, const Samples<T>& out,
+                                         Work work) const {
+    if (auto error = batch::check_room(out, times.size())) return tl::unexpected(std::move(*error));
+    const std::size_t blocks = (times.size() + samples_of_a_block - 1) / samples_of_a_block;
+    parallel_for(blocks, work.threads, [&](std::size_t block) {
+      const std::size_t begin = block * samples_of_a_block;
+      fill<T>(domain, times.subspan(begin, std::min(samples_of_a_block, times.size() - begin)), begin, out);
+    });
+    return {};
+  }
+
+ private:
+  template <class T>
+  void fill(const Domain& domain, std::span<const double> times, std::size_t begin, const Samples<T>& out) const {
+    std::array<double, samples_of_a_block> room_a, room_b;
+    const std::span of_a(room_a.data(), times.size()), of_b(room_b.data(), times.size());
+    const Domain second = b.curve().orientation.domain();
+    for (std::size_t k = 0; k < times.size(); ++k) {
+      of_a[k] = std::clamp(times[k], domain.start, domain.end);
+      of_b[k] = std::clamp(of_a[k] + offset, second.start, second.end);  // where rounding alone may lead out
+    }
+    Block left, right;
+    left.fill(a, of_a, out);
+    right.fill(b, of_b, out);
+    for (std::size_t k = 0; k < times.size(); ++k) {
+      const Motion motion = orispline::product(left.motion(k), right.motion(k));
+      const bool is_held = times[k] < domain.start || times[k] > domain.end;
+      batch::put(out, begin + k, is_held ? Motion{.orientation = motion.orientation} : motion);
+    }
+  }
+};
+
+Expected<PoseSampler> PoseSampler::product(const PoseSampler& a, const PoseSampler& b, double offset) {
+  return product_of(a.curve().orientation, b.curve().orientation, offset).map([&](AnyCurve curve) {
+    PoseSampler sampler(PoseCurve{std::move(curve)});
+    sampler.factors_ = std::make_shared<const Factors>(Factors{a, b, offset});
+    return sampler;
+  });
+}
+
 std::size_t samples_at_a_time(Work work) {
   if (work.threads == 1) return samples_of_a_cache;
   return samples_of_a_thread * (work.threads == 0 ? usual_threads : work.threads);
@@ -34,6 +120,7 @@ Expected<void> PoseSampler::sample_at(std::span<const double> times, const Sampl
                                       RateFrame frame, Work work) const {
   const auto made = [&]() -> Expected<void> {
     if (wants_positions(out)) return orispline::sample_at<T>(curve_, times, out, work);
+    if (factors_) return factors_->sample_at<T>(curve_.orientation.domain(), times, out, work);
     if constexpr (std::is_same_v<T, double>)
       if (!batch::kernels().are_in_order(times.data(), times.size()) || are_few(times, curve_.orientation.knots()))
         return orispline::sample_at<T>(compiled_, times, out, work);

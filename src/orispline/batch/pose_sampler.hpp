@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <span>
 
 #include <orispline/batch/sample.hpp>
@@ -19,6 +20,8 @@ enum class RateFrame { body, world };
 class ORISPLINE_EXPORT PoseSampler {
  public:
   explicit PoseSampler(PoseCurve curve);
+  /// Of the orientations a(t) b(t + offset), as product_of() has them, made of the samples of both. Errors: its own.
+  [[nodiscard]] static Expected<PoseSampler> product(const PoseSampler& a, const PoseSampler& b, double offset = 0.0);
 
   [[nodiscard]] const PoseCurve& curve() const noexcept { return curve_; }
   [[nodiscard]] const CompiledCurve<double>& compiled() const noexcept { return compiled_; }
@@ -31,8 +34,11 @@ class ORISPLINE_EXPORT PoseSampler {
                                          Work work = {}) const;
 
  private:
+  struct Factors;
+
   PoseCurve curve_;
   CompiledCurve<double> compiled_;
+  std::shared_ptr<const Factors> factors_{};
 };
 
 /// Turns rates of the body, with the orientations beside them, into those of the world.

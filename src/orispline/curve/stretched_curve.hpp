@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <orispline/curve/path.hpp>
+#include <orispline/curve/taylor.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -31,7 +32,6 @@ class StretchedCurve {
   [[nodiscard]] MotionOf<P> motion(double t, std::size_t segment) const noexcept {
     return on(t, segment, [](const auto& curve, double time, std::size_t own) { return motion_on(curve, time, own); });
   }
-  /// By the Taylor polynomial of the motion.
   [[nodiscard]] PointOver<P, Jet<double, 3>> point(const Jet<double, 3>& t, std::size_t segment) const noexcept {
     return taylor(motion(t.c[0], segment), t - t.c[0]);
   }
@@ -76,27 +76,6 @@ class StretchedCurve {
     if (!place.is_gap || t <= before.knots().back()) return of(before, t, place.segment);
     const auto& next = stretches_[place.stretch + 1];
     return of(next, t >= next.knots().front() ? t : std::numeric_limits<double>::quiet_NaN(), std::size_t{0});
-  }
-
-  [[nodiscard]] static Quaternion<Jet<double, 3>> taylor(const Motion& m, const Jet<double, 3>& h) noexcept {
-    const auto pure = [](const Eigen::Vector3d& v) { return Eigen::Quaterniond(0.0, v.x(), v.y(), v.z()); };
-    const Eigen::Quaterniond& q = m.orientation;
-    const auto w = pure(m.angular_velocity), a = pure(m.angular_acceleration), j = pure(m.angular_jerk);
-    const Eigen::Vector4d first = 0.5 * (q * w).coeffs();
-    const Eigen::Quaterniond q1(first);
-    const Eigen::Vector4d second = 0.5 * ((q1 * w).coeffs() + (q * a).coeffs());
-    const Eigen::Vector4d third =
-        0.5 * ((Eigen::Quaterniond(second) * w).coeffs() + 2.0 * (q1 * a).coeffs() + (q * j).coeffs());
-    Quaternion<Jet<double, 3>> result;
-    for (Eigen::Index i = 0; i < 4; ++i)
-      result.coeffs()[i] = q.coeffs()[i] + h * (first[i] + h * (second[i] / 2.0 + h * (third[i] / 6.0)));
-    return result;
-  }
-  [[nodiscard]] static Vector3<Jet<double, 3>> taylor(const LinearMotion& m, const Jet<double, 3>& h) noexcept {
-    Vector3<Jet<double, 3>> result;
-    for (Eigen::Index i = 0; i < 3; ++i)
-      result[i] = m.position[i] + h * (m.velocity[i] + h * (m.acceleration[i] / 2.0 + h * (m.jerk[i] / 6.0)));
-    return result;
   }
 
   static constexpr Place only_key{0, 0, false};

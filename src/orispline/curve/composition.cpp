@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/curve/composition.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/curve/taylor.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI {
+
+namespace {
+
+/// Points of a curve that states its motion.
+template <class C>
+class ByMotion {
+ public:
+  [[nodiscard]] Eigen::Quaterniond point(double t, std::size_t segment) const noexcept {
+    return itself().orientation(t, segment);
+  }
+  /// By the Taylor polynomial of the motion.
+  [[nodiscard]] Quaternion<Jet<double, 3>> point(const Jet<double, 3>& t, std::size_t segment) const noexcept {
+    return taylor(itself().motion(t.c[0], segment), t - t.c[0]);
+  }
+
+ private:
+  [[nodiscard]] const C& itself() const noexcept { return static_cast<const C&>(*this); }
+};
+
+/// (base ∏ exp(β φ))⁻¹ = base⁻¹ ∏ exp(-β base φ), the factors from the last to the first.
+CumulativeForm inverse_form(const CumulativeForm& form) {
+  CumulativeForm inverse{form.degree, form.base.conjugate(), {}, {}};
+  for (std::size_t k = 0; k < form.increments.size(); ++k) {
+    const std::size_t from = form.increments.size() - 1 - k;
+    inverse.increments[k] = -to_world<double>(form.base, form.increments[from]);
+    inverse.blending[k] = form.blending[from];
+  }
+  return inverse;
+}
+
+ChartForm inverse_form(const ChartForm& form) {
+  ChartForm inverse{form.degree, form.base.conjugate(), {}};
+  for (std::size_t i = 0; i <= form_degree; ++i) {
+    const auto coefficient = [i](auto& vector, std::size_t k) -> auto& { return vector[k].coefficients[i]; };
+    const Eigen::Vector3d turned =
+        to_world<double>(form.base, {coefficient(form.rotation_vector, 0), coefficient(form.rotation_vector, 1),
+                                     coefficient(form.rotation_vector, 2)});
+    for (std::size_t k = 0; k < 3; ++k) coefficient(inverse.rotation_vector, k) = -turned[static_cast<Eigen::Index>(k)];
+  }
+  return inverse;
+}
+
+RationalForm inverse_form(RationalForm form) {
+  for (std::size_t k = 0; k < 3; ++k)
+    for (double& coefficient : form.components[k].coefficients) coefficient = -coefficient;
+  return form;
+}
+
+SquadForm inverse_form(const SquadForm& form) {
+  return {.outer = form.outer.conjugate(),
+          .inner = form.inner.conjugate(),
+          .outer_increment = -to_world<double>(form.outer, form.outer_increment),
+          .inner_increment = -to_world<double>(form.inner, form.inner_increment)};
+}
+
+/// An aggregate: whether it is an AnyCurve itself cannot depend on a constructor that takes one.
+struct InverseCurve : ByMotion<InverseCurve> {
+  AnyCurve curve;
+
+  [[nodiscard]] const Knots& knots() const noexcept { return curve.knots(); }
+  [[nodiscard]] Eigen::Quaterniond orientation(double t, std::size_t segment) const noexcept {
+    return curve.orientation_on(segment, t).conjugate();
+  }
+  [[nodiscard]] Motion motion(double t, std::size_t segment) const noexcept {
+    return inverse(curve.motion_on(segment, t));
+  }
+  [[nodiscard]] SegmentForm form(std::size_t segment) const noexcept {
+    const auto inverted = [](const auto& form) -> SegmentForm {
+      if constexpr (std::same_as<decltype(form), const std::monostate&>) return form;
+      else return inverse_form(form);
+    };
+    return std::visit(inverted, curve.form(segment));
+  }
+};
+
+class ProductCurve : public ByMotion<ProductCurve> {
+ public:
+  ProductCurve(AnyCurve a, AnyCurve b, double offset, Knots knots)
+      : a_(std::move(a)), b_(std::move(b)), offset_(offset), knots_(std::move(knots)) {
+    for (std::size_t i = 0; i < std::max<std::size_t>(knots_.segments(), 1); ++i) {
+      const double middle = std::midpoint(knots_.times()[i], knots_.times()[std::min(i + 1, knots_.segments())]);
+      segments_.emplace_back(a_.knots().segment_at(middle), b_.knots().segment_at(middle + offset_));
+    }
+  }
+
+  [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
+  [[nodiscard]] Eigen::Quaterniond orientation(double t, std::size_t segment) const noexcept {
+    const auto [of_a, of_b] = segments_[segment];
+    return a_.orientation_on(of_a, t) * b_.orientation_on(of_b, t + offset_);
+  }
+  [[nodiscard]] Motion motion(double t, std::size_t segment) const noexcept {
+    const auto [of_a, of_b] = segments_[segment];
+    return product(a_.motion_on(of_a, t), b_.motion_on(of_b, t + offset_));
+  }
+
+ private:
+  AnyCurve a_, b_;
+  double offset_;
+  Knots knots_;
+  std::vector<std::pair<std::size_t, std::size_t>> segments_;  // of a and of b, for each of its own
+};
+
+/// The knots of both in a closed interval, with its ends; such as rounding alone tells apart are one.
+std::vector<double> common_knots(const Knots& a, const Knots& b, double offset, double start, double end) {
+  std::vector<double> all{start, end};
+  const auto add = [&](double t) {
+    if (start < t && t < end) all.push_back(t);
+  };
+  for (const double t : a.times()) add(t);
+  for (const double t : b.times()) add(t - offset);
+  std::ranges::sort(all);
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() *
+                          std::max({std::abs(start), std::abs(end), std::abs(start + offset), std::abs(end + offset)});
+  std::vector<double> knots;
+  for (const double t : all)
+    if (knots.empty() || t - knots.back() > rounding) knots.push_back(t);
+  knots.back() = end;
+  return knots;
+}
+
+}  // namespace
+
+AnyCurve inverse_of(const AnyCurve& curve) { return InverseCurve{{}, curve}; }
+
+Expected<AnyCurve> product_of(const AnyCurve& a, const AnyCurve& b, double offset) {
+  const Domain of_a = a.domain(), of_b{b.domain().start - offset, b.domain().end - offset};
+  const double start = std::max(of_a.start, of_b.start), end = std::min(of_a.end, of_b.end);
+  if (!(start <= end))
+    return failure(
+        ErrorCode::bad_argument,
+        formatted("found a curve from {:.9g} to {:.9g} s and one from {:.9g} to {:.9g} s, wanted two curves with a "
+                  "time in common",
+                  of_a.start, of_a.end, of_b.start, of_b.end));
+  return AnyCurve(ProductCurve(a, b, offset, Knots(common_knots(a.knots(), b.knots(), offset, start, end))));
+}
+
+}}  // namespace orispline
