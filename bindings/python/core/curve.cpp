@@ -118,6 +118,7 @@ void add_curve(nb::module_& module) {
       .def("rates_before", &rates_before, "t"_a, "world"_a)
       .def("many", &many<double>, "what"_a, "times"_a, "out"_a.noconvert(), "world"_a, "beyond"_a, "threads"_a)
       .def("many", &many<float>, "what"_a, "times"_a, "out"_a.noconvert(), "world"_a, "beyond"_a, "threads"_a);
+  add_compositions(module, curve_class);
   add_fills(curve_class);
 }
 

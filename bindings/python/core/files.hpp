@@ -25,6 +25,9 @@ namespace orispline::python {
 /// A format by its word; null for an empty one.
 [[nodiscard]] const io::FormatInfo* format_of(std::string_view word);
 
+/// The frames that options of reading state. Raises what they may not be.
+[[nodiscard]] FrameChange frames_of(const io::StatedOptions& stated);
+
 void add_key_origins(nanobind::module_& module);
 void add_key_writing(nanobind::module_& module);
 void add_sample_writing(nanobind::module_& module);

@@ -29,7 +29,7 @@ namespace {
 Keys shared(Track track) { return {std::make_shared<const Track>(std::move(track))}; }
 
 /// The keys at rising indices, with the signs that they have.
-Keys part_of(const Keys& keys, const std::vector<std::size_t>& indices) {
+Keys keys_at(const Keys& keys, const std::vector<std::size_t>& indices) {
   const Track& track = *keys.track;
   Keyframes some = value_of(Keyframes::make(kept_keys(track.keys.data(), indices), Signs::as_given));
   Track part = track.at(indices);
@@ -107,9 +107,7 @@ Error by_side(Error error) {
 
 /// Keys in the frames that options of reading state.
 Keys in_axes(const Keys& keys, const io::StatedOptions& stated) {
-  io::Reading reading;
-  if (auto taken = io::take_options(reading, stated); !taken) raise(by_side(std::move(taken.error())));
-  auto turned = in_frames(*keys.track, reading.options.frames);
+  auto turned = in_frames(*keys.track, frames_of(stated));
   if (!turned) raise(by_side(std::move(turned.error())));
   return shared(std::move(*turned));
 }
@@ -171,13 +169,20 @@ nb::tuple statistics_of(const Keys& keys) {
 
 }  // namespace
 
+FrameChange frames_of(const io::StatedOptions& stated) {
+  io::Reading reading;
+  if (auto taken = io::take_options(reading, stated); !taken) raise(by_side(std::move(taken.error())));
+  if (auto checked = check(reading.options.frames); !checked) raise(by_side(std::move(checked.error())));
+  return reading.options.frames;
+}
+
 Error placed(const Track& track, bool has_columns, Error error) {
   if (has_columns) error.code = ErrorCode::bad_data;
   return jobs::placed(track, std::move(error));
 }
 
 void add_key_origins(nb::module_& module) {
-  module.def("part_of_keys", &part_of, "keys"_a, "indices"_a);
+  module.def("part_of_keys", &keys_at, "keys"_a, "indices"_a);
   module.def("origin_of_keys", &origin_of, "keys"_a);
   module.def("keys_from", &from, "keys"_a, "name"_a, "epoch"_a, "lines"_a, "exact_times"_a, "as_read"_a.none(),
              "method"_a, "signs_as_given"_a, "line"_a, "is_dated"_a, "blending"_a = "", "gap"_a.none() = nb::none(),

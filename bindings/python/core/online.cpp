@@ -27,8 +27,8 @@ using Four = nb::ndarray<const double, nb::shape<4>, nb::c_contig, nb::device::c
 using Three = nb::ndarray<const double, nb::shape<3>, nb::c_contig, nb::device::cpu>;
 
 /// `with_keys`: the settings that come with the keys.
-OnlineCurve made(const MethodText& stated, const std::vector<std::string>& with_keys, std::size_t capacity,
-                 const std::string& signs) {
+OnlineCurve online_curve(const MethodText& stated, const std::vector<std::string>& with_keys, std::size_t capacity,
+                         const std::string& signs) {
   Method method = stated.method();
   for (const std::string& name : with_keys) method.options.parameters.insert({name, {}});
   return value_of(OnlineCurve::make(method, capacity, signs == "as-given" ? Signs::as_given : Signs::shortest));
@@ -86,7 +86,7 @@ void add_online(nb::module_& module) {
     return list;
   });
   nb::class_<OnlineCurve>(module, "OnlineCurve")
-      .def(nb::new_(&made), "method"_a, "with_keys"_a, "capacity"_a, "signs"_a)
+      .def(nb::new_(&online_curve), "method"_a, "with_keys"_a, "capacity"_a, "signs"_a)
       .def("append", &append, "time"_a, "orientation"_a, "position"_a.none(), "angular_velocity"_a.none(),
            "angular_acceleration"_a.none(), "angular_jerk"_a.none(), "inner_leaving"_a.none(),
            "inner_arriving"_a.none(), "settings"_a)

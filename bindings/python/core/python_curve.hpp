@@ -4,6 +4,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <nanobind/nanobind.h>
 
@@ -22,6 +23,8 @@ class PythonCurve {
  public:
   /// Raises the errors of a method that there is not, and of make_pose_curve().
   PythonCurve(Keys keys, const MethodText& stated);
+  /// A curve made of curves, on the clock of these keys; it has no method.
+  PythonCurve(Keys keys, PoseSampler sampler) : keys_(std::move(keys)), sampler_(std::move(sampler)) {}
 
   [[nodiscard]] const Keys& keys() const noexcept { return keys_; }
   [[nodiscard]] const Method& method() const noexcept { return method_; }
@@ -34,7 +37,7 @@ class PythonCurve {
 
  private:
   Keys keys_;
-  Method method_;
+  Method method_{};
   Expected<PoseSampler> sampler_;
   mutable std::once_flag travelled_once_;
   mutable std::optional<AngleTravelled> travelled_;
@@ -44,6 +47,8 @@ class PythonCurve {
 void add_grids(nanobind::module_& module, nanobind::class_<PythonCurve>& curve_class);
 /// Its samples, at those or at any times.
 void add_fills(nanobind::class_<PythonCurve>& curve_class);
+/// Curves made of curves.
+void add_compositions(nanobind::module_& module, nanobind::class_<PythonCurve>& curve_class);
 /// What it is worth: energies, peaks, distances.
 void add_analysis(nanobind::module_& module, nanobind::class_<PythonCurve>& curve_class);
 /// Curves turned into polynomials.

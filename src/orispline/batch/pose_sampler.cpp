@@ -9,7 +9,6 @@
 #include <orispline/base/parallel.hpp>
 #include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/batch/sample_layout.hpp>
-#include <orispline/curve/composition.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -63,7 +62,7 @@ class Block {
 
 struct PoseSampler::Factors {
   PoseSampler a, b;
-  double offset;
+  ClockOffsets offsets;
 
   /// Held at rest outside the domain of the product.
   template <class T>
@@ -82,15 +81,15 @@ struct PoseSampler::Factors {
   template <class T>
   void fill(const Domain& domain, std::span<const double> times, std::size_t begin, const Samples<T>& out) const {
     std::array<double, samples_of_a_block> room_a, room_b;
-    const std::span of_a(room_a.data(), times.size()), of_b(room_b.data(), times.size());
-    const Domain second = b.curve().orientation.domain();
-    for (std::size_t k = 0; k < times.size(); ++k) {
-      of_a[k] = std::clamp(times[k], domain.start, domain.end);
-      of_b[k] = std::clamp(of_a[k] + offset, second.start, second.end);  // where rounding alone may lead out
-    }
+    const auto clocked = [&](std::array<double, samples_of_a_block>& room, const PoseSampler& factor, double offset) {
+      const Domain own = factor.curve().orientation.domain();
+      for (std::size_t k = 0; k < times.size(); ++k)  // rounding alone may lead out of its own domain
+        room[k] = std::clamp(std::clamp(times[k], domain.start, domain.end) + offset, own.start, own.end);
+      return std::span<const double>(room).first(times.size());
+    };
     Block left, right;
-    left.fill(a, of_a, out);
-    right.fill(b, of_b, out);
+    left.fill(a, clocked(room_a, a, offsets.a), out);
+    right.fill(b, clocked(room_b, b, offsets.b), out);
     for (std::size_t k = 0; k < times.size(); ++k) {
       const Motion motion = orispline::product(left.motion(k), right.motion(k));
       const bool is_held = times[k] < domain.start || times[k] > domain.end;
@@ -99,10 +98,10 @@ struct PoseSampler::Factors {
   }
 };
 
-Expected<PoseSampler> PoseSampler::product(const PoseSampler& a, const PoseSampler& b, double offset) {
-  return product_of(a.curve().orientation, b.curve().orientation, offset).map([&](AnyCurve curve) {
+Expected<PoseSampler> PoseSampler::product(const PoseSampler& a, const PoseSampler& b, ClockOffsets offsets) {
+  return product_of(a.curve().orientation, b.curve().orientation, offsets).map([&](AnyCurve curve) {
     PoseSampler sampler(PoseCurve{std::move(curve)});
-    sampler.factors_ = std::make_shared<const Factors>(Factors{a, b, offset});
+    sampler.factors_ = std::make_shared<const Factors>(Factors{a, b, offsets});
     return sampler;
   });
 }

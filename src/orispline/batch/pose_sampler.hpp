@@ -7,6 +7,7 @@
 #include <span>
 
 #include <orispline/batch/sample.hpp>
+#include <orispline/curve/composition.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -20,8 +21,9 @@ enum class RateFrame { body, world };
 class ORISPLINE_EXPORT PoseSampler {
  public:
   explicit PoseSampler(PoseCurve curve);
-  /// Of the orientations a(t) b(t + offset), as product_of() has them, made of the samples of both. Errors: its own.
-  [[nodiscard]] static Expected<PoseSampler> product(const PoseSampler& a, const PoseSampler& b, double offset = 0.0);
+  /// Of the orientations of product_of(), made of the samples of both. Errors: its own.
+  [[nodiscard]] static Expected<PoseSampler> product(const PoseSampler& a, const PoseSampler& b,
+                                                     ClockOffsets offsets = {});
 
   [[nodiscard]] const PoseCurve& curve() const noexcept { return curve_; }
   [[nodiscard]] const CompiledCurve<double>& compiled() const noexcept { return compiled_; }

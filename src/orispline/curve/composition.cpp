@@ -89,48 +89,55 @@ struct InverseCurve : ByMotion<InverseCurve> {
   }
 };
 
+/// A curve on another clock.
+struct Factor {
+  AnyCurve curve;
+  double offset;  ///< the time on its own clock at 0 of the other's [s]
+
+  [[nodiscard]] std::size_t segment_at(double t) const noexcept { return curve.knots().segment_at(t + offset); }
+  [[nodiscard]] Domain domain() const noexcept { return {curve.domain().start - offset, curve.domain().end - offset}; }
+};
+
 class ProductCurve : public ByMotion<ProductCurve> {
  public:
-  ProductCurve(AnyCurve a, AnyCurve b, double offset, Knots knots)
-      : a_(std::move(a)), b_(std::move(b)), offset_(offset), knots_(std::move(knots)) {
+  ProductCurve(Factor a, Factor b, Knots knots) : a_(std::move(a)), b_(std::move(b)), knots_(std::move(knots)) {
     for (std::size_t i = 0; i < std::max<std::size_t>(knots_.segments(), 1); ++i) {
       const double middle = std::midpoint(knots_.times()[i], knots_.times()[std::min(i + 1, knots_.segments())]);
-      segments_.emplace_back(a_.knots().segment_at(middle), b_.knots().segment_at(middle + offset_));
+      segments_.emplace_back(a_.segment_at(middle), b_.segment_at(middle));
     }
   }
 
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
   [[nodiscard]] Eigen::Quaterniond orientation(double t, std::size_t segment) const noexcept {
     const auto [of_a, of_b] = segments_[segment];
-    return a_.orientation_on(of_a, t) * b_.orientation_on(of_b, t + offset_);
+    return a_.curve.orientation_on(of_a, t + a_.offset) * b_.curve.orientation_on(of_b, t + b_.offset);
   }
   [[nodiscard]] Motion motion(double t, std::size_t segment) const noexcept {
     const auto [of_a, of_b] = segments_[segment];
-    return product(a_.motion_on(of_a, t), b_.motion_on(of_b, t + offset_));
+    return product(a_.curve.motion_on(of_a, t + a_.offset), b_.curve.motion_on(of_b, t + b_.offset));
   }
 
  private:
-  AnyCurve a_, b_;
-  double offset_;
+  Factor a_, b_;
   Knots knots_;
   std::vector<std::pair<std::size_t, std::size_t>> segments_;  // of a and of b, for each of its own
 };
 
 /// The knots of both in a closed interval, with its ends; such as rounding alone tells apart are one.
-std::vector<double> common_knots(const Knots& a, const Knots& b, double offset, double start, double end) {
-  std::vector<double> all{start, end};
-  const auto add = [&](double t) {
-    if (start < t && t < end) all.push_back(t);
-  };
-  for (const double t : a.times()) add(t);
-  for (const double t : b.times()) add(t - offset);
+std::vector<double> common_knots(const Factor& a, const Factor& b, const Domain& domain) {
+  std::vector<double> all{domain.start, domain.end};
+  double largest = std::max(std::abs(domain.start), std::abs(domain.end));
+  for (const Factor* const factor : {&a, &b}) {
+    largest += std::abs(factor->offset);
+    for (const double own : factor->curve.knots().times())
+      if (const double t = own - factor->offset; domain.start < t && t < domain.end) all.push_back(t);
+  }
   std::ranges::sort(all);
-  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() *
-                          std::max({std::abs(start), std::abs(end), std::abs(start + offset), std::abs(end + offset)});
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * largest;
   std::vector<double> knots;
   for (const double t : all)
     if (knots.empty() || t - knots.back() > rounding) knots.push_back(t);
-  knots.back() = end;
+  knots.back() = domain.end;
   return knots;
 }
 
@@ -138,16 +145,17 @@ std::vector<double> common_knots(const Knots& a, const Knots& b, double offset, 
 
 AnyCurve inverse_of(const AnyCurve& curve) { return InverseCurve{{}, curve}; }
 
-Expected<AnyCurve> product_of(const AnyCurve& a, const AnyCurve& b, double offset) {
-  const Domain of_a = a.domain(), of_b{b.domain().start - offset, b.domain().end - offset};
-  const double start = std::max(of_a.start, of_b.start), end = std::min(of_a.end, of_b.end);
-  if (!(start <= end))
+Expected<AnyCurve> product_of(const AnyCurve& a, const AnyCurve& b, ClockOffsets offsets) {
+  const Factor left{a, offsets.a}, right{b, offsets.b};
+  const Domain of_a = left.domain(), of_b = right.domain();
+  const Domain common{std::max(of_a.start, of_b.start), std::min(of_a.end, of_b.end)};
+  if (!(common.start <= common.end))
     return failure(
         ErrorCode::bad_argument,
         formatted("found a curve from {:.9g} to {:.9g} s and one from {:.9g} to {:.9g} s, wanted two curves with a "
                   "time in common",
                   of_a.start, of_a.end, of_b.start, of_b.end));
-  return AnyCurve(ProductCurve(a, b, offset, Knots(common_knots(a.knots(), b.knots(), offset, start, end))));
+  return AnyCurve(ProductCurve(left, right, Knots(common_knots(left, right, common))));
 }
 
 }}  // namespace orispline

@@ -35,9 +35,15 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// The curve q(t)⁻¹, as fast as q.
 [[nodiscard]] ORISPLINE_EXPORT AnyCurve inverse_of(const AnyCurve& curve);
 
-/// The curve a(t) b(t + offset) where both are, with the knots of both.
+/// The times on the clocks of two curves at 0 of their product's [s].
+struct ClockOffsets {
+  double a = 0.0, b = 0.0;
+};
+
+/// The curve a(t + offsets.a) b(t + offsets.b) where both are, with the knots of both.
 ///
-/// `offset`: the time on b's clock at 0 of a's [s]. Error (bad_argument): curves without a time in common.
-[[nodiscard]] ORISPLINE_EXPORT Expected<AnyCurve> product_of(const AnyCurve& a, const AnyCurve& b, double offset = 0.0);
+/// Error (bad_argument): curves without a time in common.
+[[nodiscard]] ORISPLINE_EXPORT Expected<AnyCurve> product_of(const AnyCurve& a, const AnyCurve& b,
+                                                             ClockOffsets offsets = {});
 
 }}  // namespace orispline
