@@ -5,6 +5,7 @@ import pickle
 import numpy as np
 import orispline as ori
 import pytest
+from scipy.spatial.transform import Rotation
 
 
 @pytest.fixture
@@ -157,3 +158,93 @@ def test_other_lengths_times_and_questions_are_refused(figure):
         strict.angular_velocity(times, frame="sky")
     with pytest.raises(ori.ArgumentError, match="one of rate"):
         strict.sample()
+
+
+@pytest.fixture
+def tracks():
+    """Pairs of times and rotations, of 2 to 31 keys."""
+    dice, made = np.random.default_rng(12), []
+    for count in (2, 31, 5, 12):
+        q = np.cumsum(dice.normal(scale=0.25, size=(count, 4)), axis=0) + [0, 0, 0, 2]
+        made.append((dice.uniform(-3, 3) + np.cumsum(dice.uniform(0.3, 1.2, count)), q / np.linalg.norm(q, axis=1, keepdims=True)))
+    return made
+
+
+LINEAR = ("position", "velocity", "acceleration")
+
+
+@pytest.mark.parametrize("extrapolate", ["hold", "nan", "rate"])
+def test_tracks_with_clocks_of_their_own_are_their_curves_bit_for_bit(tracks, extrapolate):
+    keys = [ori.Keys(t, q, positions=q[:, :3]) for t, q in tracks]
+    stack = ori.CurveStack(keys, extrapolate=extrapolate)
+    alone = [ori.Curve(one, extrapolate=extrapolate) for one in keys]
+    dice = np.random.default_rng(2)
+    each = dice.uniform(-4, 20, (4, 300))
+    for name in ("__call__", *RATES, *LINEAR):
+        wanted = np.stack([getattr(curve, name)(row) for curve, row in zip(alone, each)])
+        found = getattr(stack, name)(each)
+        assert found.shape[:2] == (4, 300) and np.array_equal(found, wanted, equal_nan=True), name
+        assert np.array_equal(getattr(stack, name)(each, threads=3), wanted, equal_nan=True)
+        for asked in (each[0], float(each[0, 0])):
+            wanted = np.stack([np.asarray(getattr(curve, name)(asked)) for curve in alone], axis=-2)
+            assert np.array_equal(getattr(stack, name)(asked), wanted, equal_nan=True)
+    world = np.stack([curve.angular_jerk(row, frame="world") for curve, row in zip(alone, each)])
+    assert np.array_equal(stack.angular_jerk(each, frame="world"), world, equal_nan=True)
+    samples = stack.sample(rate=20, derivatives=1)
+    assert samples.times[0] == stack.domain[0] == min(t[0] for t, _ in tracks) and samples.velocities.shape == (len(samples), 4, 3)
+    again = pickle.loads(pickle.dumps(stack))
+    assert np.array_equal(again(each), stack(each), equal_nan=True) and repr(again) == repr(stack)
+    assert repr(stack).startswith("CurveStack('auto', 4 tracks, 2 to 31 keys, ")
+    assert [len(times) for times in stack.times] == [2, 31, 5, 12] and stack.rotations[1].shape == (31, 4)
+
+
+def test_tracks_are_pairs_keys_or_curves_with_dates_and_gaps(tracks):
+    start = np.datetime64("2026-11-28T10:00:00", "us")
+    dated = [(start + (1e6 * t).astype("m8[us]"), q) for t, q in tracks]
+    stack = ori.CurveStack([dated[0], ori.Keys(*dated[1]), ori.Curve(*dated[2], extrapolate="nan"), ori.Keys(*dated[3], gap=1.0)], extrapolate="nan")
+    alone = [ori.Curve(*dated[0], extrapolate="nan"), ori.Curve(*dated[1], extrapolate="nan"), ori.Curve(*dated[2], extrapolate="nan"),
+             ori.Curve(*dated[3], gap=1.0, extrapolate="nan")]
+    asked = start + (1e6 * np.random.default_rng(3).uniform(-2, 8, 50)).astype("m8[us]")
+    wanted = np.stack([curve(asked) for curve in alone], axis=1)
+    assert np.isnan(wanted[:, 3]).any() and not np.isnan(wanted[:, 3]).all()
+    assert np.array_equal(stack(asked), wanted, equal_nan=True)
+    assert np.array_equal(stack(np.tile(asked, (4, 1))), wanted.swapaxes(0, 1), equal_nan=True)
+    samples = stack.sample(times=asked[:3], derivatives=2)
+    assert np.array_equal(samples.orientations, wanted[:3], equal_nan=True) and np.array_equal(samples.times, asked[:3])
+    assert stack.domain[0] == min(t[0] for t, _ in dated)
+
+
+def test_an_array_of_rotations_of_scipy_is_a_stack(figure):
+    times, rotations = figure
+    try:
+        stacked = Rotation.from_quat(rotations)
+    except ValueError:
+        pytest.skip("SciPy has rotations of more dimensions from 1.17 on")
+    assert np.allclose(ori.CurveStack(times, stacked)(3.0), ori.CurveStack(times, rotations)(3.0))
+
+
+def test_bad_tracks_are_named(tracks):
+    falling = (np.array([0.0, 2.0, 1.0]), tracks[1][1][:3])
+    with pytest.raises(ori.DataError, match="track 1: key 2: time 1 comes after 2, wanted strictly increasing times") as raised:
+        ori.CurveStack([tracks[0], falling])
+    assert (raised.value.joint, raised.value.key) == (1, 2)
+    dated = (np.array([0, 1], "M8[s]"), tracks[0][1])
+    for wrong, message in (([], "tracks: found none"), ([tracks[0], dated], "track 1: found times that are dates, wanted numbers"),
+                           ([tracks[0], ori.Keys(*tracks[1], scalar_first=True)], "track 1: found another order of quaternions"),
+                           ([tracks[0], ori.Curve(*tracks[1], extrapolate="nan")], "track 1: found extrapolate='nan', wanted 'hold'")):
+        with pytest.raises(ori.ArgumentError, match=message):
+            ori.CurveStack(wrong)
+    with pytest.raises(TypeError, match="track 0: |wanted a pair"):
+        ori.CurveStack([5])
+    with pytest.raises(TypeError, match="in the place of both a list of tracks"):
+        ori.CurveStack(tracks[0][0])
+    with pytest.raises(ori.ArgumentError, match="positions: found it beside tracks"):
+        ori.CurveStack(tracks, positions=[[[0, 0, 0]]])
+    stack = ori.CurveStack(tracks)
+    with pytest.raises(ori.ArgumentError, match=r"t: found the shape \(3, 2\), wanted times for all tracks, \(m,\), or a row for each of them, \(4, m\)"):
+        stack(np.zeros((3, 2)))
+    with pytest.raises(ori.ArgumentError, match="no positions"):
+        stack.position(0.0)
+    strict = ori.CurveStack(tracks, extrapolate="error")
+    with pytest.raises(ori.ArgumentError, match="time 1: track 1: time -99 is outside"):
+        strict(np.array([[t[0], t[0] + 0.1] if k != 1 else [t[0], -99.0] for k, (t, _) in enumerate(tracks)]))

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 from . import _core
 from ._baked import BakedCurve
 from ._blending import Blending, BlendingFinding, blending, read_blending
+from ._composed import ComposedCurve, angle_between
 from ._curve import Curve
 from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error, ShapeWarning
 from ._files import write
@@ -37,10 +38,10 @@ if TYPE_CHECKING:
     from ._scenes import read_scene, reduce_scene, shell_distance, smooth_scene
     from ._tasks import align, reduce, reduce_tracks, retime, smooth, tune
 
-__all__ = ["AccessError", "Alignment", "ArgumentError", "BakedCurve", "Blending", "BlendingFinding", "Certificate", "Channel", "Clip", "Comparison", "ConvergenceError", "Curve",
+__all__ = ["AccessError", "Alignment", "ArgumentError", "BakedCurve", "Blending", "BlendingFinding", "Certificate", "Channel", "Clip", "Comparison", "ComposedCurve", "ConvergenceError", "Curve",
            "CurveStack", "DataError", "DistanceStatistics", "Energies", "Error", "HandleTurn", "KeyStatistics", "Keys", "Mean", "Motion", "OnlineCurve", "OpenDirection", "OpenRateDirection",
            "Peak", "Peaks", "RateAlignment", "Rates", "Reduction", "Retiming", "RotationSpline", "Samples", "Scene", "SceneReduction", "SceneSmoothing",
-           "ShapeWarning", "Skeleton", "Slerp", "SmoothedJoint", "Smoothing", "Spread", "Tuning", "View", "Worst", "align", "blending", "compare", "mean", "methods", "plot_comparison", "plot_sphere",
+           "ShapeWarning", "Skeleton", "Slerp", "SmoothedJoint", "Smoothing", "Spread", "Tuning", "View", "Worst", "align", "angle_between", "blending", "compare", "mean", "methods", "plot_comparison", "plot_sphere",
            "read", "read_blending", "read_rates", "read_scene", "reduce", "reduce_scene", "reduce_tracks", "retime", "shell_distance", "smooth", "smooth_scene",
            "tune", "write"]
 __version__: str = _core.version

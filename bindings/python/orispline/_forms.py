@@ -59,6 +59,11 @@ def rotation_text(name: str, rotation: Any, *, scalar_first: bool = False) -> st
     return ",".join(f"{component}={float(value)!r}" for component, value in zip(("qx", "qy", "qz", "qw"), found[0]))
 
 
+def inverse_text(name: str, rotation: Any) -> str | None:
+    """The inverse of a SciPy Rotation, by names."""
+    return rotation_text(name, rotation.inv())
+
+
 def of_euler(name: str, angles: Any, order: Any, unit: Any) -> Array:
     """(n, 4) quaternions of (n, 3) angles: capitals are turns about the axes of the body, small letters about those of the world."""
     check_order("euler", order)

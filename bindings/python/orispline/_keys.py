@@ -316,9 +316,7 @@ class Keys(Writable):
         >>> ros.rotations.round(6).tolist(), ros.positions.tolist(), ros.angular_velocities.tolist()
         ([[0.59397, -0.084853, 0.565685, 0.565685]], [[2.0, 1.0, -3.0]], [[0.1, -0.2, -0.3]])
         """
-        rotations = {f"{side}_rotation": rotation_text(f"{side}_rotation", given, scalar_first=self._scalar_first)
-                     for side, given in (("world", world_rotation), ("body", body_rotation))}
-        core = _core.keys_in_axes(self._core, stated({"world_axes": world, "body_axes": body, **rotations}))
+        core = _core.keys_in_axes(self._core, axes_stated(world, body, world_rotation, body_rotation, self._scalar_first))
         return Keys._of(core, self._clock, scalar_first=self._scalar_first)
 
     def write(self, path: Any, **options: Any) -> None:
@@ -393,6 +391,13 @@ class Keys(Writable):
         rows = {name: getattr(c, name) for name in PARTS}
         return _restored, (c.times, c.orientations, rows, c.settings, self._clock, self._scalar_first,
                            _core.origin_of_keys(c), getattr(self, "_source", {}))
+
+
+def axes_stated(world: str | None, body: str | None, world_rotation: Any, body_rotation: Any, scalar_first: bool) -> Options:
+    """Other axes, as options of reading state them."""
+    rotations = {f"{side}_rotation": rotation_text(f"{side}_rotation", given, scalar_first=scalar_first)
+                 for side, given in (("world", world_rotation), ("body", body_rotation))}
+    return stated({"world_axes": world, "body_axes": body, **rotations})
 
 
 def orientations_of(rotations: Any, positions: Any, scalar_first: bool, euler: Any, angle_unit: Any) -> tuple[Array, Any]:

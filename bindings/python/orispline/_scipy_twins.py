@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from ._arrays import Array, numbers
-from ._curve import ACCELERATION, ALONE, JERK, ORIENTATION, VELOCITY, Curve
+from ._curve import Curve
+from ._evaluation import ACCELERATION, ALONE, JERK, ORIENTATION, VELOCITY
 from ._errors import ArgumentError, DataError
 
 if TYPE_CHECKING:

@@ -15,7 +15,7 @@ from typing import Any, NoReturn
 from .. import _core
 from .._blending import Blending, among, read_blending
 from .._checks import FRAMES
-from .._curve import BEYOND
+from .._evaluation import BEYOND
 from .._errors import AccessError, ArgumentError, Error
 from .._options import FIELDS
 from . import _jobs

@@ -11,7 +11,7 @@ import numpy as np
 import pyarrow as pa
 
 from .._checks import FRAMES, flag, in_world, index_of, rate_text, real, text, thread_count, whole
-from .._curve import BEYOND
+from .._evaluation import BEYOND
 from .._errors import ArgumentError
 from .._methods import method_text
 from ._kinds import converted, id_type, plain_type, time_type

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Curves that are made of curves."""
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from . import _core
+from ._checks import wrong_type
+from ._errors import ArgumentError
+from ._evaluation import OrientationCurve
+from ._forms import quaternions
+
+
+class ComposedCurve(OrientationCurve):
+    """The inverse of a curve, or the product of two, with exact angular velocity, acceleration and jerk: what `curve.inv()`,
+    `curve.relative_to(other)` and `a * b` give.
+
+    It is where both curves are, and has the knots of both. It does all that a `Curve` does but for what keys and a method are
+    needed for. `Keys(composed.times, composed(composed.times))` are keys of it.
+
+    Examples
+    --------
+    >>> import numpy as np, orispline as ori
+    >>> a = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
+    >>> b = ori.Curve([0, 2, 4], [[0, 0, 0, 1], [0.6, 0, 0, 0.8], [1, 0, 0, 0]])
+    >>> (a * b).times.tolist()
+    [0.0, 1.0, 2.0, 3.0]
+    >>> bool(np.allclose((a * b).as_matrix(0.5), a.as_matrix(0.5) @ b.as_matrix(0.5)))
+    True
+    """
+
+    __slots__ = ("_factors",)
+    _factors: tuple[OrientationCurve, ...]  # one, of which it is the inverse, or two
+
+    def __init__(self, *given: Any, **options: Any) -> None:
+        raise TypeError("ComposedCurve: wanted it made of curves, such as curve.inv(), curve.relative_to(other) or a * b")
+
+    @classmethod
+    def _of(cls, factors: tuple[OrientationCurve, ...], core: Any, like: OrientationCurve) -> ComposedCurve:
+        curve = cls.__new__(cls)
+        curve._factors = factors
+        curve._set(like._keys, core, like._extrapolate)
+        return curve
+
+    @property
+    def times(self) -> np.ndarray[Any, Any]:
+        """The times of its knots, which are those of the curves that it is made of."""
+        return self._clock.back(self._core.knots)
+
+    def _turned(self, world: str | None, body: str | None) -> ComposedCurve:
+        if len(self._factors) == 1:
+            return inverse(self._factors[0]._turned(body, world))  # type: ignore[return-value]
+        left, right = self._factors
+        return product(left if world is None else left._turned(world, None), right if body is None else right._turned(None, body), self)
+
+    def __repr__(self) -> str:
+        return f"ComposedCurve({self._clock.span(np.array(self._core.domain))}, {self._order})"
+
+    def __reduce__(self) -> Any:
+        if len(self._factors) == 1:
+            return inverse, self._factors
+        return product, (*self._factors, self._factors[self._keys is not self._factors[0]._keys])
+
+
+def inverse(curve: OrientationCurve) -> OrientationCurve:
+    """The curve q(t)⁻¹: of an inverse what it is of, of a product the product of the inverses."""
+    if not isinstance(curve, ComposedCurve):
+        return ComposedCurve._of((curve,), _core.Curve(inverse_of=curve._core), curve)
+    if len(curve._factors) == 1:
+        return curve._factors[0]
+    return product(*(factor.inv() for factor in reversed(curve._factors)), curve)
+
+
+def product(left: OrientationCurve, right: OrientationCurve, like: OrientationCurve) -> ComposedCurve:
+    """The curve left(t) right(t), on the clock of `like`."""
+    if left._clock.kind != right._clock.kind:
+        found = ["dates" if side._clock.is_calendar else "durations" if side._clock.kind else "numbers" for side in (left, right)]
+        raise ArgumentError(f"found a curve whose times are {found[0]} and one whose times are {found[1]}, wanted the same of both")
+    offsets = [float(like._keys.epoch - side._keys.epoch) for side in (left, right)]
+    return ComposedCurve._of((left, right), _core.Curve(left._core, right._core, like._core, *offsets), like)
+
+
+def angle_between(a: Any, b: Any, t: Any) -> Any:
+    """The angle [rad] of the turn from one orientation to the other over time, 0 to π: a float for one time, else an array of the
+    shape of `t`.
+
+    `a` is a curve, `b` another one or one fixed rotation (a SciPy Rotation, a quaternion in the order of `a`, or a matrix). Outside
+    its domain each curve is what its `extrapolate` says. Raises ArgumentError where one has dates and the other has numbers.
+
+    >>> import numpy as np, orispline as ori
+    >>> fast = ori.Curve([0, 1], [[0, 0, 0, 1], [0, 0, 1, 0]], "slerp")
+    >>> slow = ori.Curve([0, 2], [[0, 0, 0, 1], [0, 0, 1, 0]], "slerp")
+    >>> bool(np.allclose(ori.angle_between(fast, slow, [0.0, 0.5, 1.0]), [0, np.pi / 4, np.pi / 2]))
+    True
+    """
+    if not isinstance(a, OrientationCurve):
+        raise wrong_type("a", a, "a curve")
+    if not isinstance(b, OrientationCurve):
+        is_scipy = hasattr(b, "as_quat")
+        given = np.asarray(b.as_quat() if is_scipy else b)
+        q = quaternions("b", given[None] if given.shape in ((4,), (3, 3)) else given, scalar_first=a._scalar_first and not is_scipy)
+        if len(q) != 1:
+            raise ArgumentError(f"b: found {len(q)} rotations, wanted one, or a curve")
+        return _angle(a._quaternions(t), q[0])
+    if a._clock.kind == b._clock.kind and (a._clock.kind or a._keys.epoch == b._keys.epoch):
+        return _angle(a._quaternions(t), b._quaternions(t))
+    return _angle(a.relative_to(b)._quaternions(t), np.array([0.0, 0.0, 0.0, 1.0]))
+
+
+def _angle(p: Any, q: Any) -> Any:
+    """By both halves, so that it is right near 0 and near π."""
+    vector = p[..., 3:] * q[..., :3] - q[..., 3:] * p[..., :3] - np.cross(p[..., :3], q[..., :3])
+    angle = 2.0 * np.arctan2(np.linalg.norm(vector, axis=-1), np.abs(np.sum(p * q, axis=-1)))
+    return angle if angle.ndim else float(angle)
