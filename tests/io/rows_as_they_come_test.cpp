@@ -22,8 +22,10 @@ Expected<KeyFile> keys_in(const std::string& text, const StatedOptions& stated =
 }
 
 TEST(CommentedHeader, NamesTheColumnsWhereNoRowDoes) {
-  for (const char* header : {"# t,qw,qx,qy,qz\n", "#t, qw, qx, qy, qz\n", "# made by a program\n# t;qw;qx;qy;qz\n",
-                             "# t qw qx qy qz\n", "#timestamp [s],qw,qx,qy,qz\n"}) {
+  for (const char* header :
+       {"# t,qw,qx,qy,qz\n", "#t, qw, qx, qy, qz\n", "# made by a program\n# t;qw;qx;qy;qz\n", "# t qw qx qy qz\n",
+        "#timestamp [s],qw,qx,qy,qz\n", "# t,qw,qx,qy,qz\n# orispline: method=slerp\n",
+        "# orispline: method=slerp\n# t,qw,qx,qy,qz\n"}) {
     const auto file = keys_in(std::string(header) + "0,1,0,0,0\n0.5,0.8,0,0,0.6\n");
     ASSERT_TRUE(file) << header << describe(file.error());
     EXPECT_EQ(file->data.times, (std::vector<double>{0, 0.5})) << header;

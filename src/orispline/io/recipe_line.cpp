@@ -43,6 +43,10 @@ tl::unexpected<Error> not_understood(std::string_view word) {
 
 }  // namespace
 
+bool is_recipe_line(std::string_view comment) noexcept {
+  return comment.starts_with('#') && without_blanks_before(comment.substr(1)).starts_with(label);
+}
+
 std::string recipe_line(const Recipe& recipe) {
   if (recipe.is_empty() && !recipe.counts_turns && !recipe.gap) return {};
   std::string line = formatted("# {}", label);
@@ -54,8 +58,8 @@ std::string recipe_line(const Recipe& recipe) {
 }
 
 Expected<std::optional<Recipe>> recipe_in(std::string_view comment) {
+  if (!is_recipe_line(comment)) return std::nullopt;
   const std::string_view text = without_blanks_before(comment.substr(1));
-  if (!text.starts_with(label)) return std::nullopt;
   std::optional<std::string_view> named, signed_as;
   std::string_view words = text.substr(label.size());
   std::shared_ptr<const BlendingData> blending;

@@ -10,6 +10,9 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
+/// Whether a comment is one that states a recipe.
+[[nodiscard]] bool is_recipe_line(std::string_view comment) noexcept;
+
 /// The comment that states a recipe, with the end of its line: `# orispline: method=timed-c2:ends=rest`, and
 /// `signs=as-given` where the signs of the keys mean something, `gap=0.5` where longer intervals are gaps, and
 /// `blending={…}` with the blending functions of a method of one's own. Nothing for an empty recipe.

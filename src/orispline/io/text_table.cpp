@@ -9,6 +9,7 @@
 #include <fast_float/fast_float.h>
 
 #include <orispline/base/quoted.hpp>
+#include <orispline/io/recipe_line.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
@@ -116,7 +117,7 @@ Expected<bool> TextTable::next() {
     if (!line) return tl::unexpected(line.error());
     if (!*line) return false;
     const std::string_view text = without_leading_blanks(**line);
-    if (cells_.empty() && text.starts_with('#')) comment_ = text;
+    if (cells_.empty() && text.starts_with('#') && !is_recipe_line(text)) comment_ = text;
     if (text.empty() || text.starts_with('#')) continue;
     if (!delimiter_) delimiter_ = delimiter_of(text);
     return split(**line);

@@ -55,7 +55,7 @@ class TextTable {
   /// Cells of the row, without the blanks and the quotes around them; valid until the next call of `next`.
   [[nodiscard]] std::span<const std::string_view> cells() const noexcept { return cells_; }
   [[nodiscard]] std::optional<Delimiter> delimiter() const noexcept { return delimiter_; }
-  /// The last comment before the first row, with its `#`; empty if there is none.
+  /// The last comment before the first row that states no recipe, with its `#`; empty if there is none.
   [[nodiscard]] std::string_view comment() const noexcept { return comment_; }
   /// Its cells, `# t,qw,…` or `#HEADER: "t", …`, if they name as many columns as the row has cells; else none. At the
   /// first row only, and where that names no columns itself.
