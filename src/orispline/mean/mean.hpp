@@ -15,8 +15,9 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Which middle of many orientations; that of positions is the like of it.
 enum class MeanKind {
-  mean,    ///< the sum of the squared angles to it is least; the arithmetic mean of positions
-  median,  ///< the sum of the angles to it is least; the geometric median of positions
+  mean,     ///< the sum of the squared angles to it is least; the arithmetic mean of positions
+  median,   ///< the sum of the angles to it is least; the geometric median of positions
+  chordal,  ///< the sum of the squared chords to it is least, as SciPy has it; the arithmetic mean of positions
 };
 
 struct MeanOptions {
@@ -90,7 +91,8 @@ struct MeanWindow {
 template <>
 inline constexpr std::array words<MeanKind>{
     word("mean", MeanKind::mean, "the sum of the squared angles to it is least"),
-    word("median", MeanKind::median, "the sum of the angles to it is least, which bad rows hardly move")};
+    word("median", MeanKind::median, "the sum of the angles to it is least, which bad rows hardly move"),
+    word("chordal", MeanKind::chordal, "the sum of the squared chords to it is least, as SciPy's Rotation.mean has it")};
 
 template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<MeanOptions>() noexcept;
