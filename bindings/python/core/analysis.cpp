@@ -13,6 +13,7 @@
 #include <orispline/curve/motion.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/jobs.hpp>
+#include <orispline/math/so3.hpp>
 
 #include "arrays.hpp"
 #include "errors.hpp"
@@ -32,6 +33,7 @@ namespace {
 
 using MutableNumbers = nb::ndarray<double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 using MutableRows3 = nb::ndarray<double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
+using MutableMatrices = nb::ndarray<double, nb::shape<-1, 3, 3>, nb::c_contig, nb::device::cpu>;
 using Inertia = nb::ndarray<const double, nb::shape<3, 3>, nb::c_contig, nb::device::cpu>;
 
 Eigen::Matrix3d matrix_of(const std::optional<Inertia>& inertia) {
@@ -134,6 +136,28 @@ void map_numbers(const Numbers& from, const MutableNumbers& to, Of of) {
   }
 }
 
+/// What `form` makes of each quaternion, which needs not be quite a unit one, into rows of `out`.
+template <class Rows>
+void each_in_form(const Rows4& quaternions, const Rows& out, auto form) {
+  const nb::gil_scoped_release release;
+  for (std::size_t i = 0; i < quaternions.shape(0); ++i)
+    form(Eigen::Map<const Eigen::Quaterniond>(quaternions.data() + 4 * i).normalized(),
+         out.data() + out.size() / out.shape(0) * i);
+}
+
+void matrices(const Rows4& quaternions, const MutableMatrices& out) {
+  each_in_form(quaternions, out, [](const Eigen::Quaterniond& q, double* place) {
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{place} = q.toRotationMatrix();
+  });
+}
+
+/// Up to half a turn long.
+void rotation_vectors(const Rows4& quaternions, const MutableRows3& out) {
+  each_in_form(quaternions, out, [](const Eigen::Quaterniond& q, double* place) {
+    Eigen::Map<Eigen::Vector3d>{place} = log<double>(q.w() < 0.0 ? Eigen::Quaterniond(-q.coeffs()) : q);
+  });
+}
+
 /// What turns a body with these rates, into `out`.
 void torques(const Rows3& angular_velocities, const Rows3& angular_accelerations, const Inertia& inertia,
              const MutableRows3& out) {
@@ -180,6 +204,8 @@ void bands_at(const PythonCurve& curve, double share, const Numbers& times, cons
 
 void add_analysis(nb::module_& module, nb::class_<PythonCurve>& curve_class) {
   module.def("check_inertia", &check_inertia, "inertia"_a);
+  module.def("matrices", &matrices, "quaternions"_a, "out"_a.noconvert());
+  module.def("rotation_vectors", &rotation_vectors, "quaternions"_a, "out"_a.noconvert());
   module.def("torques", &torques, "angular_velocities"_a, "angular_accelerations"_a, "inertia"_a, "out"_a.noconvert());
   curve_class.def_prop_ro("settings", &settings_of)
       .def("energies", &energies_of, "inertia"_a.none())

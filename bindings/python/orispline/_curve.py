@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import Array, inertia_tensor, numbers, output, sample_rows
+from ._arrays import Array, array_of, as_given, inertia_tensor, numbers, output, sample_rows
 from ._baked import BakedCurve, baked
 from ._blending import Blending
 from ._checks import check_number, flag, in_world, index_of, rate_text, real, thread_count, whole
@@ -41,8 +41,8 @@ class Curve(Looks, Orienting):
     """A smooth curve through keyframes, with exact angular velocity, acceleration and jerk.
 
     Functions of time take a time or an array of times of any shape, in any order; what they give has that shape and one
-    axis more. Angular rates are in the body frame unless `frame="world"`. A curve never changes, and threads may share
-    it.
+    axis more, and is a tensor or another library's array where the times are. Angular rates are in the body frame unless
+    `frame="world"`. A curve never changes, and threads may share it.
 
     Parameters
     ----------
@@ -195,10 +195,10 @@ class Curve(Looks, Orienting):
             return self._core.one(ORIENTATION, t, False, self._beyond)  # type: ignore[no-any-return]
         if not self._scalar_first:
             return self._at(ORIENTATION, t, "body", out, dtype, threads)
-        q = self._at(ORIENTATION, t, "body", None, dtype, threads)
+        q = self._at(ORIENTATION, array_of("t", t), "body", None, dtype, threads)
         result = output("out", out, q.shape, q.dtype)
         result[...] = q[..., [3, 0, 1, 2]]
-        return result
+        return as_given(t, result)  # type: ignore[no-any-return]
 
     @rate
     def angular_velocity(self, t: Any, frame: str = "body", out: Any = None, *, dtype: Any = np.float64,
@@ -342,7 +342,7 @@ class Curve(Looks, Orienting):
         seconds = self._clock.seconds("t", t)
         angles = np.empty(seconds.shape)
         self._core.angles_at(seconds.reshape(-1), angles.reshape(-1))
-        return angles if angles.ndim else float(angles)
+        return as_given(t, angles) if angles.ndim else float(angles)
 
     @overload
     def time_at_angle(self, angle: float) -> Any: ...
@@ -361,7 +361,7 @@ class Curve(Looks, Orienting):
         angles = numbers("angle", angle, (None,) * np.ndim(angle))
         seconds = np.empty(np.shape(angle))
         self._core.times_at(angles.reshape(-1), seconds.reshape(-1))
-        return self._clock.back(seconds) if seconds.ndim else self._clock.time(float(seconds))
+        return as_given(angle, self._clock.back(seconds)) if seconds.ndim else self._clock.time(float(seconds))
 
     def at_angle(self, angle: ArrayLike) -> Array:
         """(..., 4) unit quaternions where the curve has travelled these angles [rad], as of `time_at_angle`: at even angles
@@ -398,7 +398,7 @@ class Curve(Looks, Orienting):
         seconds = self._clock.seconds("t", t)
         bands = np.empty(seconds.shape)
         self._core.bands_at(real("share", share), seconds.reshape(-1), bands.reshape(-1))
-        return bands if bands.ndim else float(bands)
+        return as_given(t, bands) if bands.ndim else float(bands)
 
     def torque(self, t: Any, inertia: Any) -> NDArray[np.float64]:
         """(..., 3) J α + ω × J ω [N m], body frame: what turns a free rigid body so. Errors as of `energies`.
@@ -408,11 +408,11 @@ class Curve(Looks, Orienting):
         >>> curve.torque([0.5, 1.5], [1.0, 2.0, 2.5]).shape
         (2, 3)
         """
-        tensor = inertia_tensor(inertia)
-        rates = self.angular_velocity(t)
+        tensor, times = inertia_tensor(inertia), array_of("t", t)
+        rates = self.angular_velocity(times)
         result = np.empty(rates.shape)
-        _core.torques(rates.reshape(-1, 3), self.angular_acceleration(t).reshape(-1, 3), tensor, result.reshape(-1, 3))
-        return result
+        _core.torques(rates.reshape(-1, 3), self.angular_acceleration(times).reshape(-1, 3), tensor, result.reshape(-1, 3))
+        return as_given(t, result)  # type: ignore[no-any-return]
 
     def distance(self, times: Any, rotations: Any) -> DistanceStatistics:
         """How far the curve is from orientations at times: the full angle from one to the other [rad], at those times that
@@ -563,7 +563,7 @@ class Curve(Looks, Orienting):
         result = output("out", out, (*seconds.shape, 4 if what == ORIENTATION else 3), dtype, seconds)
         self._core.many(what, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), world, self._beyond,
                         thread_count(threads))
-        return result
+        return as_given(t, result)  # type: ignore[no-any-return]
 
     def _as_key(self, seconds: float) -> dict[str, Any]:
         """What a key has at a time of the library, beyond the ends what they have."""

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import array_of, numbers, output, sample_rows
+from ._arrays import array_of, as_given, numbers, output, sample_rows
 from ._checks import flag, in_world, thread_count, wrong_type
 from ._columns import PARTS
 from ._curve import Curve
@@ -180,7 +180,7 @@ class CurveStack:
         self._fill(seconds.reshape(-1), [*[None] * order, room.reshape(-1, len(self), width)], frame, threads)
         if reordered:
             result[...] = room[..., [3, 0, 1, 2]]
-        return result
+        return as_given(t, result)  # type: ignore[no-any-return]
 
     def _fill(self, seconds: NDArray[np.float64], rows: list[Any], frame: str, threads: int) -> None:
         _core.fill_stack(self._cores, seconds, *rows, world=in_world(frame),

@@ -28,6 +28,8 @@ constexpr std::size_t keys_near = 2;       // so many spans away a fast step sha
 constexpr std::size_t keys_around = 16;    // those of the curve that is made, on either side
 constexpr std::size_t most_looked_at = 8;  // spans
 constexpr int steps = 256;                 // of a span, for how far the curve turns
+constexpr int rough_steps = 16;            // for whether that is worth to know
+constexpr double far_too_little = 0.75;    // of what is worth saying, by those
 
 struct Span {
   std::size_t start, fast;  ///< the keys that it and the fast step beside it begin with
@@ -63,6 +65,18 @@ std::vector<Span> suspicious_spans(const Keyframes& keys) {
   return worst;
 }
 
+/// How far a curve turns in a segment [rad].
+double turn_in(const AnyCurve& curve, std::size_t segment, int parts) {
+  const KnotSpan knots = curve.knots().span(segment);
+  double turn = 0.0;
+  for (int i = 0; i < parts; ++i)
+    turn += curve.motion_on(segment, knots.start() + (i + 0.5) / parts * knots.step()).angular_velocity.norm();
+  return turn / parts * knots.step();
+}
+
+/// What is worth saying of a span whose keys turn so far [rad].
+double least_turn(double of_keys) { return std::max(much_farther * of_keys, of_keys + worth_saying); }
+
 /// How far the curve of the keys around a span turns there [rad]; 0 where there is none.
 double turn_of_curve(const Method& method, const Keyframes& keys, std::size_t span) {
   const std::size_t first = span - std::min(span, keys_around), last = std::min(keys.size(), span + 2 + keys_around);
@@ -72,12 +86,7 @@ double turn_of_curve(const Method& method, const Keyframes& keys, std::size_t sp
   around.options.loop.reset();
   const auto curve = make_curve(around, keys.at(indices));
   if (!curve || curve->knots().times().size() != indices.size()) return 0.0;
-  const std::size_t segment = span - first;
-  const KnotSpan knots = curve->knots().span(segment);
-  double turn = 0.0;
-  for (int i = 0; i < steps; ++i)
-    turn += curve->motion_on(segment, knots.start() + (i + 0.5) / steps * knots.step()).angular_velocity.norm();
-  return turn / steps * knots.step();
+  return turn_in(*curve, span - first, steps);
 }
 
 /// In words: how far the curve turns, and what cures it.
@@ -101,15 +110,19 @@ std::string said(const Span& span, const Method& method, double turn, double of_
 
 }  // namespace
 
-std::optional<Warning> overturned_span(const Method& method, const FamilyInfo& family, const Track& track) {
+std::optional<Warning> overturned_span(const Method& method, const FamilyInfo& family, const Track& track,
+                                       const AnyCurve* made) {
   const Keyframes& keys = track.keys;
   if (!family.interpolates || family.key_use.stride > 1 || keys.size() < 3) return std::nullopt;
   std::optional<Span> found;
   double farthest = 0.0, of_keys = 0.0;
   for (const Span& span : suspicious_spans(keys)) {
     const double own = increment<double>(keys.orientations()[span.start], keys.orientations()[span.start + 1]).norm();
+    if (made && made->knots().segments() + 1 >= keys.size() &&
+        turn_in(*made, span.start, rough_steps) <= far_too_little * least_turn(own))
+      continue;
     const double turn = turn_of_curve(method, keys, span.start);
-    if (turn <= much_farther * own || turn <= own + worth_saying || turn - own <= farthest - of_keys) continue;
+    if (turn <= least_turn(own) || turn - own <= farthest - of_keys) continue;
     found = span;
     farthest = turn;
     of_keys = own;

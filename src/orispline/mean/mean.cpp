@@ -297,24 +297,43 @@ std::optional<Eigen::Vector3d> deviations(const std::optional<Eigen::Matrix3d>& 
   return Eigen::Vector3d(covariance->diagonal().cwiseMax(0.0).cwiseSqrt());
 }
 
+Eigen::Quaterniond with_positive_scalar(const Eigen::Quaterniond& q) {
+  const Eigen::Vector4d zero = Eigen::Vector4d::Zero();
+  return Eigen::Quaterniond(q.w() < 0.0 ? Eigen::Vector4d(zero - q.coeffs()) : Eigen::Vector4d(zero + q.coeffs()));  // no -0
+}
+
+/// What a search begins with.
+struct Beginning {
+  WithWeight heavy;
+  Weighted<Eigen::Quaterniond> orientations;
+  Eigen::Quaterniond start;
+};
+
+Expected<Beginning> beginning_of(const OrientationSet& given, MeanKind kind) {
+  if (auto checked = check(given); !checked) return tl::unexpected(std::move(checked.error()));
+  auto heavy = with_weight_in(given);
+  if (!heavy) return tl::unexpected(heavy.error());
+  auto orientations = weighted(given.orientations, *heavy);
+  const auto start = start_of(orientations);
+  if (!start) return tl::unexpected(cancelling(kind));
+  return Beginning{std::move(*heavy), std::move(orientations), *start};
+}
+
 }  // namespace
 
 std::optional<Eigen::Vector3d> sigma_of(const Mean& mean) { return deviations(mean.covariance); }
 std::optional<Eigen::Vector3d> position_sigma_of(const Mean& mean) { return deviations(mean.position_covariance); }
 
 Expected<Mean> mean(const OrientationSet& given, const MeanOptions& options) {
-  if (auto checked = check(given); !checked) return tl::unexpected(std::move(checked.error()));
-  const auto heavy = with_weight_in(given);
-  if (!heavy) return tl::unexpected(heavy.error());
-  const auto orientations = weighted(given.orientations, *heavy);
-  const auto start = start_of(orientations);
-  if (!start) return tl::unexpected(cancelling(options.kind));
+  const auto beginning = beginning_of(given, options.kind);
+  if (!beginning) return tl::unexpected(beginning.error());
+  const auto& [heavy, orientations, start] = *beginning;
   const Ball ball = mean_of::smallest_ball(orientations.points);
-  const auto [middle, others] = judged_middle(options.kind, orientations, *start, ball);
+  const auto [middle, others] = judged_middle(options.kind, orientations, start, ball);
   const Distances distances = distances_from(options.kind, orientations, middle);
-  Mean found{.orientation = middle.found.place.point,
+  Mean found{.orientation = with_positive_scalar(middle.found.place.point),
              .count = orientations.size(),
-             .weight = heavy->sum,
+             .weight = heavy.sum,
              .certified = others == 0.0,
              .ball_radius = std::min(ball.radius, distances.largest),
              .others_within = others,
@@ -322,16 +341,19 @@ Expected<Mean> mean(const OrientationSet& given, const MeanOptions& options) {
              .iterations = middle.found.iterations,
              .rms_distance = distances.rms,
              .largest_distance = distances.largest,
-             .farthest = heavy->indices[distances.farthest],
+             .farthest = heavy.indices[distances.farthest],
              .spread = distances.spread,
              .covariance = distances.covariance};
-  const Eigen::Vector4d coeffs = found.orientation.coeffs(), zero = Eigen::Vector4d::Zero();
-  found.orientation.coeffs() =
-      coeffs[3] < 0.0 ? Eigen::Vector4d(zero - coeffs) : Eigen::Vector4d(zero + coeffs);  // no -0
   if (middle.half_range > 0.0) found.warnings.push_back(of_a_range(middle.half_range));
   else if (!found.certified) found.warnings.push_back(not_certified(found, options.kind));
-  if (!given.positions.empty()) add_positions(found, options.kind, given, *heavy);
+  if (!given.positions.empty()) add_positions(found, options.kind, given, heavy);
   return found;
+}
+
+Expected<Eigen::Quaterniond> chordal_mean(const OrientationSet& given) {
+  return beginning_of(given, MeanKind::chordal).map([](const Beginning& beginning) {
+    return with_positive_scalar(beginning.start);
+  });
 }
 
 }}  // namespace orispline

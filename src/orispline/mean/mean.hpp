@@ -70,6 +70,9 @@ struct Mean {
 /// below 0 or not finite, no weight above 0; orientations that cancel, such as two that are 180° apart.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Mean> mean(const OrientationSet& given, const MeanOptions& options = {});
 
+/// The chordal mean alone, with its bits in mean(), in a fifth of the time. Errors: as of mean().
+[[nodiscard]] ORISPLINE_EXPORT Expected<Eigen::Quaterniond> chordal_mean(const OrientationSet& given);
+
 /// A window in time, and the mean of what is in it.
 struct MeanWindow {
   double time = 0.0;      ///< its middle, or that of all times [s]
