@@ -188,7 +188,8 @@ TEST(Mean, OfBoundsIsBelowWhatTheyBound) {
     const double apart = 3.14 * up_to_one(random), from = 0.01 + 3.1 * up_to_one(random),
                  to = std::min(3.14, from + 0.25 * up_to_one(random)), away = from + (to - from) * up_to_one(random);
     const Eigen::Vector3d v = normal_vector(random, 1.0).normalized(), u = normal_vector(random, 1.0).normalized();
-    const double distance = angular_distance(exp<double>(Eigen::Vector3d(away * v)), exp<double>(Eigen::Vector3d(apart * u)));
+    const double distance =
+        angular_distance(exp<double>(Eigen::Vector3d(away * v)), exp<double>(Eigen::Vector3d(apart * u)));
     const double rise = 0.5 * (distance * distance - apart * apart) + away * apart * v.dot(u);
     EXPECT_LE(mean_of::least_rise(mean_of::HalvedAngle(apart), mean_of::HalvedAngle(from), to), rise + 1e-12);
   }

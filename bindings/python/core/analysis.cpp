@@ -136,26 +136,26 @@ void map_numbers(const Numbers& from, const MutableNumbers& to, Of of) {
   }
 }
 
-/// What `form` makes of each quaternion, which needs not be quite a unit one, into rows of `out`.
-template <class Rows>
-void each_in_form(const Rows4& quaternions, const Rows& out, auto form) {
-  const nb::gil_scoped_release release;
-  for (std::size_t i = 0; i < quaternions.shape(0); ++i)
-    form(Eigen::Map<const Eigen::Quaterniond>(quaternions.data() + 4 * i).normalized(),
-         out.data() + out.size() / out.shape(0) * i);
-}
-
+/// Of quaternions of any norm, row by row into `out`.
 void matrices(const Rows4& quaternions, const MutableMatrices& out) {
-  each_in_form(quaternions, out, [](const Eigen::Quaterniond& q, double* place) {
-    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{place} = q.toRotationMatrix();
-  });
+  const nb::gil_scoped_release release;
+  double* row = out.data();
+  for (const double* q = quaternions.data(); q != quaternions.data() + quaternions.size(); q += 4, row += 9) {
+    const double x = q[0], y = q[1], z = q[2], w = q[3], scale = 2.0 / (x * x + y * y + z * z + w * w);
+    row[0] = 1.0 - scale * (y * y + z * z), row[1] = scale * (x * y - z * w), row[2] = scale * (x * z + y * w);
+    row[3] = scale * (x * y + z * w), row[4] = 1.0 - scale * (x * x + z * z), row[5] = scale * (y * z - x * w);
+    row[6] = scale * (x * z - y * w), row[7] = scale * (y * z + x * w), row[8] = 1.0 - scale * (x * x + y * y);
+  }
 }
 
-/// Up to half a turn long.
+/// The same as rotation vectors, up to half a turn long.
 void rotation_vectors(const Rows4& quaternions, const MutableRows3& out) {
-  each_in_form(quaternions, out, [](const Eigen::Quaterniond& q, double* place) {
-    Eigen::Map<Eigen::Vector3d>{place} = log<double>(q.w() < 0.0 ? Eigen::Quaterniond(-q.coeffs()) : q);
-  });
+  const nb::gil_scoped_release release;
+  for (std::size_t i = 0; i < quaternions.shape(0); ++i) {
+    const Eigen::Map<const Eigen::Quaterniond> q(quaternions.data() + 4 * i);
+    Eigen::Map<Eigen::Vector3d>(out.data() + 3 * i) =
+        log<double>(q.w() < 0.0 ? Eigen::Quaterniond(-q.coeffs()) : Eigen::Quaterniond(q));
+  }
 }
 
 /// What turns a body with these rates, into `out`.

@@ -69,8 +69,8 @@ Keys weighted(const Keys& keys, const Numbers& weights) {
 /// The chordal mean alone; no weights are the same for all.
 FloatArray chordal_mean_of(const Rows4& rotations, const std::optional<Numbers>& weights) {
   const std::vector<Eigen::Quaterniond> orientations = rows_of<Eigen::Quaterniond>(rotations);
-  const Eigen::Quaterniond mean = value_of(chordal_mean(
-      {.orientations = orientations, .weights = weights ? span_of(*weights) : std::span<const double>()}));
+  const Eigen::Quaterniond mean = value_of(
+      chordal_mean({.orientations = orientations, .weights = weights ? span_of(*weights) : std::span<const double>()}));
   return array_of(mean.coeffs().data(), 4, 0);
 }
 

@@ -124,7 +124,8 @@ def output(name: str, out: Any, shape: tuple[int, ...], dtype: Any, times: Array
 def _dtype_of(dtype: Any) -> np.dtype[Any]:
     """NumPy's, of other libraries too, whose `torch.float32` and the like NumPy does not know."""
     try:
-        return np.dtype(dtype)
+        kind: np.dtype[Any] = np.dtype(dtype)
+        return kind
     except (TypeError, ValueError):
         name = str(dtype).rpartition(".")[2]
         if name in ("float64", "float32"):

@@ -150,6 +150,7 @@ def mean(rotations: Any, *, every: float | str | None = None, weights: Any = Non
     >>> ori.mean([[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 0.6, 0.8]], kind="median").orientation.tolist()
     [0.0, 0.0, 0.6, 0.8]
     """
+    weights = None if weights is None else numbers("weights", weights, (None,))
     several = _several(rotations)
     if several:
         _check_none_beside_keys(positions=positions, scalar_first=scalar_first, normalize=normalize, normalise=normalise, euler=euler,
@@ -160,9 +161,9 @@ def mean(rotations: Any, *, every: float | str | None = None, weights: Any = Non
     else:
         orientations, positions = orientations_of(rotations, positions, flag("scalar_first", scalar_first), euler, angle_unit)
         if options == {"kind": "chordal"} and positions is None and not flag("normalize", normalize) and not flag("normalise", normalise):
-            return _at_once(orientations, None if weights is None else numbers("weights", weights, (None,)), scalar_first)
+            return _at_once(orientations, weights, scalar_first)
         several = [_set_of(orientations, positions, normalize=normalize, normalise=normalise)]
-    return _found(several, None if weights is None else numbers("weights", weights, (None,)), scalar_first, plain({"every": every, **options}))
+    return _found(several, weights, scalar_first, plain({"every": every, **options}))
 
 
 def _at_once(orientations: Vector, weights: Vector | None, scalar_first: bool) -> Mean:
@@ -175,7 +176,7 @@ def _at_once(orientations: Vector, weights: Vector | None, scalar_first: bool) -
     return mean
 
 
-def _found(several: list[Keys], weights: Vector | None, scalar_first: bool, options: dict[str, Any]) -> Any:
+def _found(several: list[Keys], weights: Vector | None, scalar_first: bool, options: dict[str, Any]) -> Mean | list[Mean]:
     """By the task of the library."""
     rows = several if weights is None else _weighted(several, weights)
     core, = Request("mean", {"rows": list(rows)}, options).told()

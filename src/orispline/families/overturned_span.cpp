@@ -28,7 +28,7 @@ constexpr std::size_t keys_near = 2;       // so many spans away a fast step sha
 constexpr std::size_t keys_around = 16;    // those of the curve that is made, on either side
 constexpr std::size_t most_looked_at = 8;  // spans
 constexpr int steps = 256;                 // of a span, for how far the curve turns
-constexpr int rough_steps = 16;            // for whether that is worth to know
+constexpr int chords = 16;                 // of a span, for whether that is worth to know
 constexpr double far_too_little = 0.75;    // of what is worth saying, by those
 
 struct Span {
@@ -65,13 +65,18 @@ std::vector<Span> suspicious_spans(const Keyframes& keys) {
   return worst;
 }
 
-/// How far a curve turns in a segment [rad].
-double turn_in(const AnyCurve& curve, std::size_t segment, int parts) {
+/// About how far a curve turns in a segment [rad], by chords.
+double rough_turn(const AnyCurve& curve, std::size_t segment) {
   const KnotSpan knots = curve.knots().span(segment);
   double turn = 0.0;
-  for (int i = 0; i < parts; ++i)
-    turn += curve.motion_on(segment, knots.start() + (i + 0.5) / parts * knots.step()).angular_velocity.norm();
-  return turn / parts * knots.step();
+  Eigen::Quaterniond before = curve.orientation_on(segment, knots.start());
+  for (int i = 1; i <= chords; ++i) {
+    const Eigen::Quaterniond here =
+        curve.orientation_on(segment, knots.start() + static_cast<double>(i) / chords * knots.step());
+    turn += angular_distance(before, here);
+    before = here;
+  }
+  return turn;
 }
 
 /// What is worth saying of a span whose keys turn so far [rad].
@@ -86,7 +91,12 @@ double turn_of_curve(const Method& method, const Keyframes& keys, std::size_t sp
   around.options.loop.reset();
   const auto curve = make_curve(around, keys.at(indices));
   if (!curve || curve->knots().times().size() != indices.size()) return 0.0;
-  return turn_in(*curve, span - first, steps);
+  const std::size_t segment = span - first;
+  const KnotSpan knots = curve->knots().span(segment);
+  double turn = 0.0;
+  for (int i = 0; i < steps; ++i)
+    turn += curve->motion_on(segment, knots.start() + (i + 0.5) / steps * knots.step()).angular_velocity.norm();
+  return turn / steps * knots.step();
 }
 
 /// In words: how far the curve turns, and what cures it.
@@ -119,7 +129,7 @@ std::optional<Warning> overturned_span(const Method& method, const FamilyInfo& f
   for (const Span& span : suspicious_spans(keys)) {
     const double own = increment<double>(keys.orientations()[span.start], keys.orientations()[span.start + 1]).norm();
     if (made && made->knots().segments() + 1 >= keys.size() &&
-        turn_in(*made, span.start, rough_steps) <= far_too_little * least_turn(own))
+        rough_turn(*made, span.start) <= far_too_little * least_turn(own))
       continue;
     const double turn = turn_of_curve(method, keys, span.start);
     if (turn <= least_turn(own) || turn - own <= farthest - of_keys) continue;

@@ -80,9 +80,7 @@ std::size_t BandedLu::last_row(std::size_t column) const noexcept {
   return std::min(column + matrix_.band(), matrix_.size() - 1);
 }
 
-std::size_t BandedLu::end_column(std::size_t row) const noexcept {
-  return std::min(row + reach_ + 1, matrix_.size());
-}
+std::size_t BandedLu::end_column(std::size_t row) const noexcept { return std::min(row + reach_ + 1, matrix_.size()); }
 
 /// The largest entry of column k, of those not yet eliminated.
 void BandedLu::bring_up_pivot(std::size_t k) {

@@ -11,8 +11,8 @@
 #include <orispline/mean/mean.hpp>
 #include <orispline/mean/weighted.hpp>
 
-// The point that makes a sum over weighted points least: ½ Σ w d² for the mean, Σ w d for the median, Σ w (1 − cos d) for
-// the chordal mean. Written once for orientations and for positions. Proofs: docs/mean.md.
+// The point that makes a sum over weighted points least: ½ Σ w d² for the mean, Σ w d for the median, Σ w (1 − cos d)
+// for the chordal mean. Written once for orientations and for positions. Proofs: docs/mean.md.
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace mean_of {
 

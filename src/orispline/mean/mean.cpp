@@ -299,7 +299,8 @@ std::optional<Eigen::Vector3d> deviations(const std::optional<Eigen::Matrix3d>& 
 
 Eigen::Quaterniond with_positive_scalar(const Eigen::Quaterniond& q) {
   const Eigen::Vector4d zero = Eigen::Vector4d::Zero();
-  return Eigen::Quaterniond(q.w() < 0.0 ? Eigen::Vector4d(zero - q.coeffs()) : Eigen::Vector4d(zero + q.coeffs()));  // no -0
+  return Eigen::Quaterniond(q.w() < 0.0 ? Eigen::Vector4d(zero - q.coeffs())
+                                        : Eigen::Vector4d(zero + q.coeffs()));  // no -0
 }
 
 /// What a search begins with.

@@ -95,7 +95,8 @@ template <>
 inline constexpr std::array words<MeanKind>{
     word("mean", MeanKind::mean, "the sum of the squared angles to it is least"),
     word("median", MeanKind::median, "the sum of the angles to it is least, which bad rows hardly move"),
-    word("chordal", MeanKind::chordal, "the sum of the squared chords to it is least, as SciPy's Rotation.mean has it")};
+    word("chordal", MeanKind::chordal,
+         "the sum of the squared chords to it is least, as SciPy's Rotation.mean has it")};
 
 template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<MeanOptions>() noexcept;

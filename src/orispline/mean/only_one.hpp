@@ -19,8 +19,8 @@ struct HalvedAngle {
   explicit HalvedAngle(double whole) : angle(whole) { sin_cos(0.5 * whole, sine, cosine); }
 };
 
-/// By how much ½ d² to an orientation at the angle `apart` from the mean rises at least, beside what its slope at the mean
-/// says, from there to any point that is `from` to `to` away.
+/// By how much ½ d² to an orientation at the angle `apart` from the mean rises at least, beside what its slope at the
+/// mean says, from there to any point that is `from` to `to` away.
 [[nodiscard]] inline double least_rise(const HalvedAngle& apart, const HalvedAngle& from, double to) {
   using std::numbers::pi;
   const double cosine = from.cosine * apart.cosine, sine = std::sqrt(1.0 - cosine * cosine);

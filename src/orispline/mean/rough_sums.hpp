@@ -11,8 +11,8 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace mean_of {
 
-/// The sums that a mean or a median makes least, to about 1e-6 of them but at a small part of their cost: enough to choose
-/// where to begin. The bits are the same on every processor.
+/// The sums that a mean or a median makes least, to about 1e-6 of them but at a small part of their cost: enough to
+/// choose where to begin. The bits are the same on every processor.
 class RoughSums {
  public:
   RoughSums(MeanKind kind, const Weighted<Eigen::Quaterniond>& given) : kind_(kind), rows_((given.size() + 3) / 4) {
@@ -37,7 +37,8 @@ class RoughSums {
       Four series = Four::Constant(a.back());
       for (std::size_t i = a.size() - 1; i-- > 0;) series = series * cosine + a[i];
       const Four versine = 1.0f - cosine;
-      if (kind_ == MeanKind::median) sums += rows.weights * series * versine.unaryExpr([](float v) { return std::sqrt(v); });
+      if (kind_ == MeanKind::median)
+        sums += rows.weights * series * versine.unaryExpr([](float v) { return std::sqrt(v); });
       else sums += rows.weights * versine * series * series;
     }
     return 2.0 * static_cast<double>((sums[0] + sums[1]) + (sums[2] + sums[3]));
