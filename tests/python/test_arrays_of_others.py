@@ -2,6 +2,7 @@
 """Arrays of other libraries: they come in as they are, and results are of the library and on the device of the times."""
 import pickle
 import sys
+import types
 
 import numpy as np
 import orispline as ori
@@ -13,6 +14,10 @@ CURVE = ori.Curve(TIMES, ROTATIONS, "timed-c2", positions=np.eye(4)[:, :3])
 FIRST = ori.Curve(TIMES, ROTATIONS[:, [3, 0, 1, 2]], "timed-c2", scalar_first=True)
 STACK = ori.CurveStack(TIMES, ROTATIONS[:, None], "timed-c2", scalar_first=True)
 BAKED = CURVE.bake(1e-9)
+ONLINE = ori.OnlineCurve("timed-c2", scalar_first=True)
+for key in zip(TIMES, ROTATIONS[:, [3, 0, 1, 2]]):
+    ONLINE.append(*key)
+ONLINE.finish()
 FUNCTIONS = {
     "curve": CURVE, "scalar first": FIRST, "rate": CURVE.angular_velocity, "acceleration": CURVE.angular_acceleration,
     "jerk": CURVE.angular_jerk, "world": lambda t: CURVE.angular_velocity(t, "world"), "position": CURVE.position,
@@ -20,6 +25,7 @@ FUNCTIONS = {
     "angle travelled": CURVE.angle_travelled, "time at angle": CURVE.time_at_angle, "at angle": CURVE.at_angle, "derivative": CURVE.derivative(2),
     "matrix": CURVE.as_matrix, "rotation vector": CURVE.as_rotvec, "Euler": lambda t: CURVE.as_euler(t, "ZYX"),
     "stack": STACK, "stack's rate": STACK.angular_velocity, "baked": BAKED, "baked, scalar first": FIRST.bake(1e-9), "baked rate": BAKED.angular_velocity,
+    "online": ONLINE,
     "twin's rate": lambda t: ori.RotationSpline(TIMES, CURVE.rotation(TIMES))(t, 1),
 }
 
@@ -99,7 +105,7 @@ def test_keys_and_samples_take_them(made):
     assert ori.Curve(made(TIMES), made(ROTATIONS.tolist()))(0.0).shape == (4,)
     samples = CURVE.sample(times=made([0.5, 1.5]))
     assert type(samples.times) is type(samples.orientations) is np.ndarray
-    assert ori.mean(made(ROTATIONS[:3].tolist())).count == 3
+    assert ori.mean(made(ROTATIONS[:2].tolist())).count == 2
     assert ori.CurveStack(made(TIMES), made(ROTATIONS[:, None].tolist()))(1.0).shape == (1, 4)
 
 
@@ -112,6 +118,28 @@ def test_what_stays_on_its_device_is_said_with_its_cure():
         ori.Keys(Elsewhere(), ROTATIONS)
     with pytest.raises(ori.ArgumentError, match="^rotations: found an array of type Elsewhere"):
         ori.Keys(TIMES, Elsewhere())
+
+
+class Tensor:
+    """As PyTorch has it: no array API, but DLPack, a device and a function of the module that makes one."""
+
+    def __init__(self, array, device="cpu"):
+        self.array, self.device = np.asarray(array), device
+        self.shape = self.array.shape
+
+    def __dlpack__(self, **options):
+        return self.array.__dlpack__(**options)
+
+    def __dlpack_device__(self):
+        return self.array.__dlpack_device__()
+
+
+def test_a_tensor_goes_in_and_a_tensor_comes_out(monkeypatch):
+    monkeypatch.setitem(sys.modules, "torch", types.SimpleNamespace(Tensor=Tensor, asarray=Tensor, float32="torch.float32"))
+    t = Tensor([0.5, 1.5])
+    found = CURVE(t)
+    assert type(found) is Tensor and np.array_equal(found.array, CURVE(t.array))
+    assert CURVE.angular_velocity(t, dtype="torch.float32").array.dtype == np.float32
 
 
 def test_a_tensor_that_wants_a_gradient_is_refused():
