@@ -14,7 +14,7 @@ from ._errors import ArgumentError, tell
 from ._stamps import of_objects
 
 Array = NDArray[np.float64]
-OURS = (np.ndarray, np.generic, float, int, list, tuple)  # what is no array of another library
+OURS = frozenset([np.ndarray, np.float64, float, int, list, tuple])  # no arrays of other libraries: what is asked with most
 
 
 def array_of(name: str, values: Any) -> np.ndarray[Any, Any]:
@@ -39,13 +39,13 @@ def array_of(name: str, values: Any) -> np.ndarray[Any, Any]:
 
 def as_given(given: Any, result: Any) -> Any:
     """A result as an array of the library that `given` is of, on its device; NumPy's as it is."""
-    library = None if type(given) is np.ndarray else _library_of(given)
+    library = _library_of(given)
     return result if library is None else library.asarray(result, device=getattr(given, "device", None))
 
 
 def _library_of(values: Any) -> Any:
     """The other library whose array it is, by the standard of the array API or PyTorch's; None for all else."""
-    if isinstance(values, OURS):
+    if type(values) in OURS or isinstance(values, (np.ndarray, np.generic)):
         return None
     if hasattr(values, "__array_namespace__"):
         return values.__array_namespace__()
