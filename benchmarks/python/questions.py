@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is measured: the same job for orispline and for SciPy, on the same keys, with the results compared before."""
 import dataclasses
+import warnings
 from collections.abc import Callable
 
 import numpy as np
@@ -88,13 +89,17 @@ def sampling(track: Track, wanted: dict[str, float]) -> list[Question]:
 def single(track: Track, calls: int) -> list[Question]:
     """What is asked of a track of a thousand keys only."""
     curve, spline, many, t = track.curves["auto"], track.spline, len(track.even), float(track.rising[0])
+    few, q = np.linspace(*track.times[[0, -1]], 1000), curve(t)
     twin = ori.RotationSpline(track.times, track.rotations)
     return [
         Question("q, ω and α, even times, 1000 keys, `auto`", 90, lambda: curve.sample(count=many, derivatives=2),
                  lambda: (spline(track.even).as_quat(), spline(track.even, 1), spline(track.even, 2))),
         Question("`curve(t)`, times in no order, 1000 keys, `auto`", 12, lambda: curve(track.no_order),
                  lambda: spline(track.no_order).as_quat()),
-        Question("`RotationSpline` of ours, one time as a `Rotation`, 1000 keys", 5, lambda: twin(t), lambda: spline(t), (5 * calls, calls)),
+        Question("`RotationSpline` of ours, one time as a `Rotation`, 1000 keys", 3, lambda: twin(t), lambda: spline(t), (5 * calls, calls)),
+        Question("… beside SciPy's making of that `Rotation` alone", 1 / 1.5, lambda: twin(t), lambda: Rotation.from_quat(q), (5 * calls, 5 * calls)),
+        Question("`as_matrix(t)`, 1000 times, 1000 keys, `rotation-spline`", 15, lambda: track.curves["rotation-spline"].as_matrix(few),
+                 lambda: spline(few).as_matrix(), (calls, max(1, calls // 5))),
         Question("`curve(t)`, one time, 1000 keys, `auto`", 50, lambda: curve(t), lambda: spline(t).as_quat(), (20 * calls, calls)),
     ]
 
@@ -131,6 +136,34 @@ def making(count: int, wanted: dict[str, float], calls: int) -> list[Question]:
                      lambda: RotationSpline(times, rotations), (calls, max(1, calls // 5))) for method, ratio in wanted.items()]
 
 
+def twins(count: int, calls: int) -> list[Question]:
+    """The twins made, against what they are twins of."""
+    times, rotations = keys_of(count)
+    calls = max(1, calls // count)
+    return [Question(f"making `{ours.__name__}` of ours, {count} keys", ratio, lambda ours=ours: ours(times, rotations),
+                     lambda theirs=theirs: theirs(times, rotations), (calls, max(1, calls // 5)))
+            for ours, theirs, ratio in ((ori.RotationSpline, RotationSpline, 10), (ori.Slerp, Slerp, 15))]
+
+
+def means(calls: int) -> list[Question]:
+    """Of a thousand rotations, near to each other and all over, beside SciPy's, which is the chordal one."""
+    dice = np.random.default_rng(10)
+    near, wide = (Rotation.from_rotvec(dice.normal(scale=scale, size=(1000, 3))) for scale in (0.05, 1.0))
+    calls = max(1, calls // 20)
+    turn = Rotation.from_quat(ori.mean(wide, kind="chordal").orientation).inv() * wide.mean()
+    _hold("the chordal mean beside Rotation.mean", np.array([turn.magnitude()]), LARGEST_KEY_ERROR)
+    return [Question(title, ratio, lambda rows=rows, kind=kind: quiet_mean(rows, kind), lambda rows=rows: rows.mean(), (calls, calls))
+            for title, ratio, rows, kind in (("`mean` of 1000 near rotations", 0.05, near, "mean"), ("`mean` of 1000 wide ones", 0.01, wide, "mean"),
+                                             ("… `kind=\"chordal\"`", 1, wide, "chordal"))]
+
+
+def quiet_mean(rows: Rotation, kind: str) -> ori.Mean:
+    """Without the warning that it may not be the only one."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return ori.mean(rows, kind=kind)
+
+
 def questions(sizes: str) -> tuple[list[Question], int]:
     """All rows, and the rounds in which they are measured."""
     samples, rounds, calls = SIZES[sizes]
@@ -138,7 +171,7 @@ def questions(sizes: str) -> tuple[list[Question], int]:
     rows = [*sampling(short, {"rising": 80, "even": 110, "slerp": 55}), *sampling(long, {"rising": 60, "even": 75, "slerp": 35}),
             *grids(short), *sparse(1000, calls), *([] if sizes == "smoke" else [*sparse(10_000, calls), *sparse(100_000, calls)]),
             *single(short, calls), *making(10, {"rotation-spline": 20}, calls * 5),
-            *making(1000, {"auto": 11, "timed-c2": 100, "rotation-spline": 3}, calls * 5)]
+            *making(1000, {"auto": 11, "timed-c2": 100, "rotation-spline": 3}, calls * 5), *twins(1000, calls * 5), *means(calls)]
     if sizes != "smoke":
         rows += making(10_000, {"rotation-spline": 3}, calls)
     return rows, rounds

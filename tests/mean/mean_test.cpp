@@ -2,7 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numbers>
 
+#include <orispline/mean/descent.hpp>
+#include <orispline/mean/only_one.hpp>
+#include <orispline/mean/rough_sums.hpp>
 #include <support/data_table.hpp>
 #include <support/near.hpp>
 
@@ -158,6 +162,76 @@ TEST(Mean, SaysWhereItMayNotBeTheOnlyOne) {
   EXPECT_EQ(found->warnings[0].code, "mean_not_certified");
   EXPECT_NE(found->warnings[0].message.find("there may be another that is as good or better"), std::string::npos);
   EXPECT_NEAR(found->warnings[0].number("largest_distance_deg"), 119.0, 1e-9);
+}
+
+TEST(Mean, IsProvedTheOnlyOneBeyondABallToo) {
+  std::mt19937_64 random(13);
+  SetOf set;
+  for (int k = 0; k < 300; ++k) set.orientations.push_back(base_pose * exp<double>(normal_vector(random, 0.6)));
+  const auto found = set.mean();
+  ASSERT_TRUE(found);
+  EXPECT_GT(found->ball_radius, std::numbers::pi / 2.0);
+  EXPECT_TRUE(found->certified && found->others_within == 0.0 && found->warnings.empty());
+  const auto sum_at = [&](const Eigen::Quaterniond& q) {
+    double sum = 0.0;
+    for (const auto& p : set.orientations) sum += std::pow(angular_distance(q, p), 2);
+    return sum;
+  };
+  const double least = sum_at(found->orientation);
+  for (int k = 0; k < 2000; ++k) EXPECT_GT(sum_at(any_orientation(random)), least);
+}
+
+TEST(Mean, OfBoundsIsBelowWhatTheyBound) {
+  std::mt19937_64 random(14);
+  std::uniform_real_distribution<double> up_to_one(0.0, 1.0);
+  for (int run = 0; run < 20000; ++run) {
+    const double apart = 3.14 * up_to_one(random), from = 0.01 + 3.1 * up_to_one(random),
+                 to = std::min(3.14, from + 0.25 * up_to_one(random)), away = from + (to - from) * up_to_one(random);
+    const Eigen::Vector3d v = normal_vector(random, 1.0).normalized(), u = normal_vector(random, 1.0).normalized();
+    const double distance =
+        angular_distance(exp<double>(Eigen::Vector3d(away * v)), exp<double>(Eigen::Vector3d(apart * u)));
+    const double rise = 0.5 * (distance * distance - apart * apart) + away * apart * v.dot(u);
+    EXPECT_LE(mean_of::least_rise(mean_of::HalvedAngle(apart), mean_of::HalvedAngle(from), to), rise + 1e-12);
+  }
+}
+
+TEST(Mean, OfRoughSumsIsNearTheExactOnes) {
+  std::mt19937_64 random(15);
+  mean_of::Weighted<Eigen::Quaterniond> given;
+  for (int k = 0; k < 37; ++k) given.points.push_back(any_orientation(random)), given.weights.push_back(1.0 / 37.0);
+  for (const MeanKind kind : {MeanKind::mean, MeanKind::median}) {
+    const mean_of::RoughSums rough(kind, given);
+    for (int k = 0; k < 100; ++k) {
+      const Eigen::Quaterniond q = any_orientation(random);
+      EXPECT_NEAR(rough.at(q), mean_of::pull_at(kind, given, q).sum, 2e-6);
+    }
+  }
+}
+
+TEST(Mean, OfChordsIsWhereTheirSquaresAreLeast) {
+  std::mt19937_64 random(16);
+  SetOf set;
+  for (int k = 0; k < 40; ++k) {
+    set.orientations.push_back(base_pose * exp<double>(normal_vector(random, 0.7)));
+    set.weights.push_back(1.0 + k % 3);
+  }
+  const auto found = mean(set.view(), {.kind = MeanKind::chordal});
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->certified);
+  EXPECT_LT(found->residual, 1e-14);
+  EXPECT_TRUE(near(found->orientation, *chordal_mean(set.view()), 0.0));
+  const auto sum_at = [&](const Eigen::Quaterniond& q) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < set.orientations.size(); ++k)
+      sum += set.weights[k] * std::pow(std::sin(0.5 * angular_distance(q, set.orientations[k])), 2);
+    return sum;
+  };
+  for (int k = 0; k < 200; ++k)
+    EXPECT_LE(sum_at(found->orientation), sum_at(found->orientation * exp<double>(normal_vector(random, 0.01))));
+  const auto mean = set.mean();
+  EXPECT_LT((*found->spread - *mean->spread).norm(), 0.2 * mean->spread->norm());
+  EXPECT_TRUE(found->covariance && found->covariance->diagonal().minCoeff() > 0.0);
+  EXPECT_FALSE(chordal_mean(turned(base_pose, {{0, 0, 0}, {0, 0, 180}}).view()));
 }
 
 TEST(Mean, IsNoWorseThanAnyOfTheRowsOrWhatLiesBelowThem) {

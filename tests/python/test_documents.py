@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The Python of the documents runs as printed, and the examples print what their twins in C++ print."""
+import importlib.util
 import os
 import pathlib
 import re
@@ -25,6 +26,7 @@ GIVEN = {  # what the blocks of a page take as the reader's own
     "README.md": "",
     "docs/align.md": OWN + "estimate, truth = ori.read('estimate.csv'), ori.read('truth.csv')\nother = estimate\n",
     "docs/c.md": "",
+    "docs/coming-from.md": "",
     "docs/files.md": OWN + "import numpy\nori.read('keys.csv').curve().sample(rate=100).write('motion.npy')\n",
     "docs/mean.md": OWN + """
 import pyarrow, pyarrow.parquet
@@ -38,12 +40,15 @@ pyarrow.parquet.write_table(pyarrow.table(columns), "shots.parquet")
     "docs/python.md": "",
     "docs/scale.md": "",
 }
-WARNS = {"docs/scale.md"}  # for Spark has warnings of its own
+WARNS = {"docs/coming-from.md", "docs/scale.md"}  # for other libraries and Spark have warnings of their own
 
 
 def runnable(page):
-    """The blocks of Python of a page that run here, as one program: those of Spark only where there is Java, PGF where there is LaTeX."""
+    """The blocks of Python of a page that run here, as one program: those of Spark only where there is Java, PGF where there is LaTeX, and
+    those with the libraries of others where these are installed."""
     code = [block.text for block in blocks(page) if block.use == "python" and not NOT_RUN.search(block.text)]
+    if page == "docs/coming-from.md":
+        code = [text for text in code if all(map(importlib.util.find_spec, re.findall(r"^(?:import|from) (\w+)", text, re.M)))]
     if shutil.which("java") is None:
         code = [text for text in code if "spark" not in text]
     text = "\n".join(code)

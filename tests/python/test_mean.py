@@ -2,6 +2,7 @@
 """The mean and the median of orientations: of arrays, of keys and of tables."""
 import math
 import pickle
+import warnings
 
 import numpy as np
 import orispline as ori
@@ -141,7 +142,7 @@ def test_warns_where_it_may_not_be_the_only_one():
     (lambda: ori.mean(SHOTS, every="1s"), ori.ArgumentError, "every: found orientations without times, wanted Keys"),
     (lambda: ori.mean(ori.Keys([0, 1], SHOTS[:2]), every=0), ori.ArgumentError, "every: found 0"),
     (lambda: ori.mean(ori.Keys([0, 1], SHOTS[:2]), positions=np.zeros((2, 3))), ori.ArgumentError, "positions: found it beside Keys"),
-    (lambda: ori.mean(SHOTS, kind="mode"), ori.ArgumentError, "kind: found 'mode', wanted mean|median"),
+    (lambda: ori.mean(SHOTS, kind="mode"), ori.ArgumentError, "kind: found 'mode', wanted mean|median|chordal"),
     (lambda: ori.mean(SHOTS, sort=True), ori.ArgumentError, "sort"),
 ])
 def test_bad_input_is_said_in_one_line(call, error, words):
@@ -213,3 +214,47 @@ def test_rows_of_a_table_may_be_in_order_already():
     table = table_of({"a": SHOTS, "b": about(BASE, 3)})
     assert tables.mean(table, by="camera", assume_sorted=True).read_all()["count"].to_pylist() == [6, 1]
     assert tables.mean(table.to_reader(), by="camera").read_all()["count"].to_pylist() == [6, 1]
+
+
+def test_the_chordal_mean_is_scipys():
+    dice = np.random.default_rng(5)
+    for scale in (0.05, 0.5, 1.5):
+        rotations = BASE * Rotation.from_rotvec(dice.normal(0, scale, (200, 3)))
+        weights = dice.uniform(0.5, 2, 200)
+        found = ori.mean(rotations, kind="chordal")
+        assert distance(found.orientation, rotations.mean()) < 1e-14
+        assert distance(ori.mean(rotations, weights=weights, kind="chordal").orientation, rotations.mean(weights)) < 1e-14
+        first = ori.mean(rotations.as_quat()[:, [3, 0, 1, 2]], kind="chordal", scalar_first=True)
+        assert np.array_equal(first.orientation[[1, 2, 3, 0]], found.orientation)
+        assert found.certified and found.count == 200 and found.kind == "chordal" and found.residual < 1e-14
+        of_keys = ori.mean(ori.Keys(np.arange(200), rotations), kind="chordal")
+        assert distance(found.orientation, Rotation.from_quat(of_keys.orientation)) < 1e-14 and found.as_dict().keys() == of_keys.as_dict().keys()
+        assert found.rms_distance == pytest.approx(of_keys.rms_distance, rel=1e-12)
+
+
+def test_what_else_there_is_of_a_chordal_mean_is_found_later():
+    q = SHOTS.as_quat()
+    found, weighted = ori.mean(q, kind="chordal"), ori.mean(q, kind="chordal", weights=[1, 2, 1, 1, 0, 1])
+    assert set(vars(found)) == {"orientation", "kind", "_find"}
+    orientation, q[:] = found.orientation.copy(), [0, 0, 0, 1]  # what becomes of the caller's array is no matter
+    assert found.largest_distance == pytest.approx(2 * DEGREE) and np.array_equal(found.orientation, orientation)
+    assert "_find" not in vars(found) and weighted.weight == 6 and weighted.count == 5
+    assert "chordal of 6" in repr(found) and str(found).startswith("6 rows\norientation chordal\n")
+    again = pickle.loads(pickle.dumps(ori.mean(SHOTS, kind="chordal")))
+    assert again.count == 6 and not hasattr(again, "nothing_of_the_kind")
+    assert ori.mean(SHOTS, kind="chordal", positions=np.zeros((6, 3))).position.tolist() == [0, 0, 0]
+    assert ori.mean(2 * SHOTS.as_quat(), kind="chordal", normalize=True).count == 6
+    with pytest.raises(ori.DataError, match="found orientations that cancel"):
+        ori.mean(about(BASE, 0, 180), kind="chordal")
+    with pytest.raises(ori.DataError, match="found no orientations, wanted one at least"):
+        ori.mean(np.empty((0, 4)), kind="chordal")
+    with pytest.raises(ori.DataError, match="key 1: the quaternion has norm 2, wanted 1 within 0.001"):
+        ori.mean([[0, 0, 0, 1], [0, 0, 0, 2]], kind="chordal")
+
+
+def test_a_wide_mean_is_proved_the_only_one():
+    dice = np.random.default_rng(6)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = ori.mean(BASE * Rotation.from_rotvec(dice.normal(0, 0.6, (1000, 3))))
+    assert found.certified and found.ball_radius > math.pi / 2

@@ -17,7 +17,7 @@ INSTALLS = "installs packages from elsewhere"
 TESTS = "is a run of tests itself"
 NOT_RUN = {  # how a line begins, and why it is not run here
     r"make ": BUILDS,
-    r"(pip|npm) install ": INSTALLS,
+    r"((uv )?pip|npm) install |pipx run ": INSTALLS,
     r"spark-submit ": "wants a cluster; tests/python/test_spark.py has one of its own",
     r"orispline-tables ": "is in the Python package; tests/python/test_documents.py runs it",
     r"cmake |export PKG_CONFIG_PATH|cc program\.c ": "builds and installs; tests/package/c_program_test.py builds a program so",

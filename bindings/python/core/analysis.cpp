@@ -13,6 +13,7 @@
 #include <orispline/curve/motion.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/jobs.hpp>
+#include <orispline/math/so3.hpp>
 
 #include "arrays.hpp"
 #include "errors.hpp"
@@ -32,6 +33,7 @@ namespace {
 
 using MutableNumbers = nb::ndarray<double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 using MutableRows3 = nb::ndarray<double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
+using MutableMatrices = nb::ndarray<double, nb::shape<-1, 3, 3>, nb::c_contig, nb::device::cpu>;
 using Inertia = nb::ndarray<const double, nb::shape<3, 3>, nb::c_contig, nb::device::cpu>;
 
 Eigen::Matrix3d matrix_of(const std::optional<Inertia>& inertia) {
@@ -134,6 +136,28 @@ void map_numbers(const Numbers& from, const MutableNumbers& to, Of of) {
   }
 }
 
+/// Of quaternions of any norm, row by row into `out`.
+void matrices(const Rows4& quaternions, const MutableMatrices& out) {
+  const nb::gil_scoped_release release;
+  double* row = out.data();
+  for (const double* q = quaternions.data(); q != quaternions.data() + quaternions.size(); q += 4, row += 9) {
+    const double x = q[0], y = q[1], z = q[2], w = q[3], scale = 2.0 / (x * x + y * y + z * z + w * w);
+    row[0] = 1.0 - scale * (y * y + z * z), row[1] = scale * (x * y - z * w), row[2] = scale * (x * z + y * w);
+    row[3] = scale * (x * y + z * w), row[4] = 1.0 - scale * (x * x + z * z), row[5] = scale * (y * z - x * w);
+    row[6] = scale * (x * z - y * w), row[7] = scale * (y * z + x * w), row[8] = 1.0 - scale * (x * x + y * y);
+  }
+}
+
+/// The same as rotation vectors, up to half a turn long.
+void rotation_vectors(const Rows4& quaternions, const MutableRows3& out) {
+  const nb::gil_scoped_release release;
+  for (std::size_t i = 0; i < quaternions.shape(0); ++i) {
+    const Eigen::Map<const Eigen::Quaterniond> q(quaternions.data() + 4 * i);
+    Eigen::Map<Eigen::Vector3d>(out.data() + 3 * i) =
+        log<double>(q.w() < 0.0 ? Eigen::Quaterniond(-q.coeffs()) : Eigen::Quaterniond(q));
+  }
+}
+
 /// What turns a body with these rates, into `out`.
 void torques(const Rows3& angular_velocities, const Rows3& angular_accelerations, const Inertia& inertia,
              const MutableRows3& out) {
@@ -180,6 +204,8 @@ void bands_at(const PythonCurve& curve, double share, const Numbers& times, cons
 
 void add_analysis(nb::module_& module, nb::class_<PythonCurve>& curve_class) {
   module.def("check_inertia", &check_inertia, "inertia"_a);
+  module.def("matrices", &matrices, "quaternions"_a, "out"_a.noconvert());
+  module.def("rotation_vectors", &rotation_vectors, "quaternions"_a, "out"_a.noconvert());
   module.def("torques", &torques, "angular_velocities"_a, "angular_accelerations"_a, "inertia"_a, "out"_a.noconvert());
   curve_class.def_prop_ro("settings", &settings_of)
       .def("energies", &energies_of, "inertia"_a.none())

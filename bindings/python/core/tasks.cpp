@@ -66,6 +66,14 @@ Keys weighted(const Keys& keys, const Numbers& weights) {
   return {std::make_shared<const Track>(std::move(track))};
 }
 
+/// The chordal mean alone; no weights are the same for all.
+FloatArray chordal_mean_of(const Rows4& rotations, const std::optional<Numbers>& weights) {
+  const std::vector<Eigen::Quaterniond> orientations = rows_of<Eigen::Quaterniond>(rotations);
+  const Eigen::Quaterniond mean = value_of(
+      chordal_mean({.orientations = orientations, .weights = weights ? span_of(*weights) : std::span<const double>()}));
+  return array_of(mean.coeffs().data(), 4, 0);
+}
+
 struct ValueOfInput {
   jobs::TaskValue operator()(const Keys& keys) const { return keys.track; }
   jobs::TaskValue operator()(const Gyro& gyro) const { return gyro.track; }
@@ -368,6 +376,7 @@ void add_tasks(nb::module_& module) {
       .def("keys_of", &compared_keys, "row"_a)
       .def("scene", &scene_of, "before"_a);
   module.def("weighted", &weighted, "keys"_a, "weights"_a);
+  module.def("chordal_mean", &chordal_mean_of, "rotations"_a, "weights"_a.none());
   module.def("run", &run, "task"_a, "inputs"_a, "options"_a = nb::dict(), "settings"_a = nb::dict(),
              "method"_a = nb::none(), "methods"_a = nb::list(), "decimations"_a = nb::list());
 }

@@ -2,6 +2,7 @@
 """Arguments as the arrays that the library takes: C-contiguous float64, without a copy where they are that already."""
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable
 from typing import Any
 
@@ -13,13 +14,16 @@ from ._errors import ArgumentError, tell
 from ._stamps import of_objects
 
 Array = NDArray[np.float64]
+OURS = frozenset([np.ndarray, np.float64, float, int, list, tuple])  # no arrays of other libraries: what is asked with most
 
 
 def array_of(name: str, values: Any) -> np.ndarray[Any, Any]:
     """What NumPy makes of them, of dates and durations datetime64 and timedelta64, of pandas' own types plain ones; nothing of
-    what is masked or of no shape."""
+    what is masked or of no shape. Arrays of other libraries come through DLPack, from the host without a copy."""
     if type(values) is np.ndarray and values.dtype.kind != "O":
         return values
+    if _library_of(values) is not None:
+        return _on_host(name, values)
     if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
         raise ArgumentError(f"{name}: found masked values, wanted a value everywhere, such as of .filled(numpy.nan)")
     try:
@@ -31,6 +35,33 @@ def array_of(name: str, values: Any) -> np.ndarray[Any, Any]:
     except ValueError:
         raise ArgumentError(f"{name}: found rows of different lengths, wanted an array") from None
     return of_objects(name, array) if array.dtype.kind == "O" else array
+
+
+def as_given(given: Any, result: Any) -> Any:
+    """A result as an array of the library that `given` is of, on its device; NumPy's as it is."""
+    library = _library_of(given)
+    return result if library is None else library.asarray(result, device=getattr(given, "device", None))
+
+
+def _library_of(values: Any) -> Any:
+    """The other library whose array it is, by the standard of the array API or PyTorch's; None for all else."""
+    if type(values) in OURS or isinstance(values, (np.ndarray, np.generic)):
+        return None
+    if hasattr(values, "__array_namespace__"):
+        return values.__array_namespace__()
+    torch = sys.modules.get("torch")
+    return torch if torch is not None and isinstance(values, torch.Tensor) else None
+
+
+def _on_host(name: str, values: Any) -> np.ndarray[Any, Any]:
+    """An array of another library as one of NumPy, a copy where it is on a device."""
+    for read in (np.from_dlpack, lambda array: np.from_dlpack(array, device="cpu"), np.asarray):
+        try:
+            return np.asarray(read(values))
+        except (AttributeError, BufferError, RuntimeError, TypeError, ValueError):  # each library has its own
+            pass
+    raise ArgumentError(f"{name}: found an array of type {type(values).__name__} on {getattr(values, 'device', 'a device')} that cannot be "
+                        "copied to the host, wanted one there: t.detach().cpu() of PyTorch, t.get() of CuPy, jax.device_get(t)")
 
 
 def _without_extensions(values: Any) -> Any:
@@ -74,10 +105,7 @@ def numbers(name: str, values: Any, shape: tuple[int | None, ...], wanted: str |
 
 def output(name: str, out: Any, shape: tuple[int, ...], dtype: Any, times: Array | None = None) -> NDArray[Any]:
     """The array to fill: `out` if it fits and has none of the memory of `times`, else a new one."""
-    try:
-        dtype = np.dtype(dtype)
-    except (TypeError, ValueError):
-        raise TypeError(f"dtype: found {dtype!r} of type {type(dtype).__name__}, wanted float64 or float32") from None
+    dtype = _dtype_of(dtype)
     if dtype not in (np.dtype("float64"), np.dtype("float32")):
         raise ArgumentError(f"dtype: found {dtype}, wanted float64 or float32")
     if out is None:
@@ -91,6 +119,18 @@ def output(name: str, out: Any, shape: tuple[int, ...], dtype: Any, times: Array
     if times is not None and np.may_share_memory(out, times):
         raise ArgumentError(f"{name}: found the memory of the times, wanted an array of its own")
     return out
+
+
+def _dtype_of(dtype: Any) -> np.dtype[Any]:
+    """NumPy's, of other libraries too, whose `torch.float32` and the like NumPy does not know."""
+    try:
+        kind: np.dtype[Any] = np.dtype(dtype)
+        return kind
+    except (TypeError, ValueError):
+        name = str(dtype).rpartition(".")[2]
+        if name in ("float64", "float32"):
+            return np.dtype(name)
+        raise TypeError(f"dtype: found {dtype!r} of type {type(dtype).__name__}, wanted float64 or float32") from None
 
 
 def sample_rows(out: Any, lead: tuple[int, ...], derivatives: int, linear: int, dtype: Any, times: Array) -> list[Any]:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import output
+from ._arrays import array_of, as_given, output
 from ._checks import in_world
 from ._clock import Clock
 from ._errors import ArgumentError
@@ -69,12 +69,12 @@ class BakedCurve(Orienting):
     @baked_quantity
     def __call__(self, t: Any, *, out: Any = None) -> NDArray[Any]:
         """(..., 4) orientations, in the order of the curve's keys."""
-        result = self._at(0, t, "body", None if self._scalar_first else out)
         if not self._scalar_first:
-            return result
-        turned = output("out", out, result.shape, self._dtype)
-        turned[...] = result[..., [3, 0, 1, 2]]
-        return turned
+            return self._at(0, t, "body", out)
+        q = self._at(0, array_of("t", t), "body", None)
+        turned = output("out", out, q.shape, self._dtype)
+        turned[...] = q[..., [3, 0, 1, 2]]
+        return as_given(t, turned)  # type: ignore[no-any-return]
 
     @baked_rate
     def angular_velocity(self, t: Any, frame: str = "body", out: Any = None) -> NDArray[Any]:
@@ -99,7 +99,7 @@ class BakedCurve(Orienting):
         seconds = self._clock.seconds("t", t)
         result = output("out", out, (*seconds.shape, 3 if order else 4), self._dtype, seconds)
         self._core.many(order, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), world)
-        return result
+        return as_given(t, result)  # type: ignore[no-any-return]
 
     def __repr__(self) -> str:
         count = len(self)

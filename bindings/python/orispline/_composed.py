@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from . import _core
+from ._arrays import array_of, as_given
 from ._checks import wrong_type
 from ._errors import ArgumentError
 from ._evaluation import OrientationCurve
@@ -97,16 +98,17 @@ def angle_between(a: Any, b: Any, t: Any) -> Any:
     """
     if not isinstance(a, OrientationCurve):
         raise wrong_type("a", a, "a curve")
+    times = array_of("t", t)
     if not isinstance(b, OrientationCurve):
         is_scipy = hasattr(b, "as_quat")
         given = np.asarray(b.as_quat() if is_scipy else b)
         q = quaternions("b", given[None] if given.shape in ((4,), (3, 3)) else given, scalar_first=a._scalar_first and not is_scipy)
         if len(q) != 1:
             raise ArgumentError(f"b: found {len(q)} rotations, wanted one, or a curve")
-        return _angle(a._quaternions(t), q[0])
+        return as_given(t, _angle(a._quaternions(times), q[0]))
     if a._clock.kind == b._clock.kind and (a._clock.kind or a._keys.epoch == b._keys.epoch):
-        return _angle(a._quaternions(t), b._quaternions(t))
-    return _angle(a.relative_to(b)._quaternions(t), np.array([0.0, 0.0, 0.0, 1.0]))
+        return as_given(t, _angle(a._quaternions(times), b._quaternions(times)))
+    return as_given(t, _angle(a.relative_to(b)._quaternions(times), np.array([0.0, 0.0, 0.0, 1.0])))
 
 
 def _angle(p: Any, q: Any) -> Any:

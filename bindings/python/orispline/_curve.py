@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from . import _core
-from ._arrays import Array
+from ._arrays import Array, as_given
 from ._blending import Blending
 from ._checks import real
 from ._errors import tell
@@ -27,8 +27,8 @@ class Curve(Looks, OrientationCurve):
     """A smooth curve through keyframes, with exact angular velocity, acceleration and jerk.
 
     Functions of time take a time or an array of times of any shape, in any order; what they give has that shape and one
-    axis more. Angular rates are in the body frame unless `frame="world"`. A curve never changes, and threads may share
-    it.
+    axis more, and is a tensor or another library's array where the times are. Angular rates are in the body frame unless
+    `frame="world"`. A curve never changes, and threads may share it.
 
     Parameters
     ----------
@@ -187,7 +187,7 @@ class Curve(Looks, OrientationCurve):
         seconds = self._clock.seconds("t", t)
         bands = np.empty(seconds.shape)
         self._core.bands_at(real("share", share), seconds.reshape(-1), bands.reshape(-1))
-        return bands if bands.ndim else float(bands)
+        return as_given(t, bands) if bands.ndim else float(bands)
 
     def leave_out(self) -> DistanceStatistics:
         """How far the method misses keys that it is not given [rad]: each inner key is left out once, with every 4th. It

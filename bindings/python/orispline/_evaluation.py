@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import Array, inertia_tensor, numbers, output, sample_rows
+from ._arrays import Array, array_of, as_given, inertia_tensor, numbers, output, sample_rows
 from ._baked import BakedCurve, baked
 from ._checks import check_number, flag, in_world, index_of, rate_text, thread_count, whole, wrong_type
 from ._clock import Clock
@@ -40,7 +40,8 @@ class OrientationCurve(Orienting):
     """A curve of orientations over time, with exact angular velocity, acceleration and jerk.
 
     Functions of time take a time or an array of times of any shape, in any order; what they give has that shape and one
-    axis more. Angular rates are in the body frame unless `frame="world"`. A curve never changes, and threads may share it.
+    axis more, and is a tensor or another library's array where the times are. Angular rates are in the body frame unless
+    `frame="world"`. A curve never changes, and threads may share it.
     """
 
     __slots__ = ("_beyond", "_clock", "_core", "_keys", "_leaves_out", "_plain", "_scalar_first")
@@ -84,10 +85,10 @@ class OrientationCurve(Orienting):
             return self._core.one(ORIENTATION, t, False, self._beyond)  # type: ignore[no-any-return]
         if not self._scalar_first:
             return self._at(ORIENTATION, t, "body", out, dtype, threads)
-        q = self._at(ORIENTATION, t, "body", None, dtype, threads)
+        q = self._at(ORIENTATION, array_of("t", t), "body", None, dtype, threads)
         result = output("out", out, q.shape, q.dtype)
         result[...] = q[..., [3, 0, 1, 2]]
-        return result
+        return as_given(t, result)  # type: ignore[no-any-return]
 
     @rate
     def angular_velocity(self, t: Any, frame: str = "body", out: Any = None, *, dtype: Any = np.float64,
@@ -231,7 +232,7 @@ class OrientationCurve(Orienting):
         seconds = self._clock.seconds("t", t)
         angles = np.empty(seconds.shape)
         self._core.angles_at(seconds.reshape(-1), angles.reshape(-1))
-        return angles if angles.ndim else float(angles)
+        return as_given(t, angles) if angles.ndim else float(angles)
 
     @overload
     def time_at_angle(self, angle: float) -> Any: ...
@@ -250,7 +251,7 @@ class OrientationCurve(Orienting):
         angles = numbers("angle", angle, (None,) * np.ndim(angle))
         seconds = np.empty(np.shape(angle))
         self._core.times_at(angles.reshape(-1), seconds.reshape(-1))
-        return self._clock.back(seconds) if seconds.ndim else self._clock.time(float(seconds))
+        return as_given(angle, self._clock.back(seconds)) if seconds.ndim else self._clock.time(float(seconds))
 
     def at_angle(self, angle: ArrayLike) -> Array:
         """(..., 4) unit quaternions where the curve has travelled these angles [rad], as of `time_at_angle`: at even angles
@@ -272,11 +273,11 @@ class OrientationCurve(Orienting):
         >>> curve.torque([0.5, 1.5], [1.0, 2.0, 2.5]).shape
         (2, 3)
         """
-        tensor = inertia_tensor(inertia)
-        rates = self.angular_velocity(t)
+        tensor, times = inertia_tensor(inertia), array_of("t", t)
+        rates = self.angular_velocity(times)
         result = np.empty(rates.shape)
-        _core.torques(rates.reshape(-1, 3), self.angular_acceleration(t).reshape(-1, 3), tensor, result.reshape(-1, 3))
-        return result
+        _core.torques(rates.reshape(-1, 3), self.angular_acceleration(times).reshape(-1, 3), tensor, result.reshape(-1, 3))
+        return as_given(t, result)  # type: ignore[no-any-return]
 
     def distance(self, times: Any, rotations: Any) -> DistanceStatistics:
         """How far the curve is from orientations at times: the full angle from one to the other [rad], at those times that
@@ -460,7 +461,7 @@ class OrientationCurve(Orienting):
         result = output("out", out, (*seconds.shape, 4 if what == ORIENTATION else 3), dtype, seconds)
         self._core.many(what, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), world, self._beyond,
                         thread_count(threads))
-        return result
+        return as_given(t, result)  # type: ignore[no-any-return]
 
     def _series(self, times: Any, rows: Array, name: str) -> tuple[Array, Array]:
         seconds = self._clock.seconds("times", times)

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from ._types import AngleUnit
 
 Vector = NDArray[np.float64]
+SCALAR_FIRST = [3, 0, 1, 2]
 MATRICES = ("covariance", "spread", "position_covariance", "position_spread")
 VECTORS = ("sigma", "position_sigma")
 
@@ -38,7 +39,7 @@ class Mean(Told):
     position
         (3,) arithmetic mean or geometric median of the positions [m], world frame; None without any.
     kind
-        `"mean"` or `"median"`.
+        `"mean"`, `"median"` or `"chordal"`.
     time
         Of a window in time its middle, as the times of the keys are; else None.
     farthest, farthest_position
@@ -72,6 +73,18 @@ class Mean(Told):
     _members: dict[str, Any]
     _summary: str
 
+    def __getattr__(self, name: str) -> Any:
+        """Of a chordal mean what is found only when it is asked for: all but the orientation and the kind."""
+        find = self.__dict__.pop("_find", None)
+        if find is None:
+            raise AttributeError(f"'Mean' object has no attribute {name!r}")
+        self.__dict__.update({**find().__dict__, **self.__dict__})
+        return getattr(self, name)
+
+    def __getstate__(self) -> dict[str, Any]:
+        _ = self.count  # which finds all
+        return self.__dict__
+
     def __repr__(self) -> str:
         q = ", ".join(f"{x:.6g}" for x in self.orientation)
         return f"Mean([{q}], {self.kind} of {self.count}, rms_distance={self.rms_distance:.6g}, certified={self.certified})"
@@ -94,7 +107,8 @@ def mean(rotations: Any, *, every: float | str | None = None, weights: Any = Non
          **options: Any) -> Mean | list[Mean]:
     """The mean or the median of many orientations, with its covariance and whether it is the only one.
 
-    Neither the order nor the signs of quaternions count.
+    Neither the order nor the signs of quaternions count. `kind="chordal"` is SciPy's `Rotation.mean`, in its time: what else
+    there is of it is found when it is first asked for.
 
     Parameters
     ----------
@@ -136,6 +150,7 @@ def mean(rotations: Any, *, every: float | str | None = None, weights: Any = Non
     >>> ori.mean([[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 0.6, 0.8]], kind="median").orientation.tolist()
     [0.0, 0.0, 0.6, 0.8]
     """
+    weights = None if weights is None else numbers("weights", weights, (None,))
     several = _several(rotations)
     if several:
         _check_none_beside_keys(positions=positions, scalar_first=scalar_first, normalize=normalize, normalise=normalise, euler=euler,
@@ -145,9 +160,26 @@ def mean(rotations: Any, *, every: float | str | None = None, weights: Any = Non
         raise ArgumentError("every: found orientations without times, wanted Keys, whose times make windows")
     else:
         orientations, positions = orientations_of(rotations, positions, flag("scalar_first", scalar_first), euler, angle_unit)
+        if options == {"kind": "chordal"} and positions is None and not flag("normalize", normalize) and not flag("normalise", normalise):
+            return _at_once(orientations, weights, scalar_first)
         several = [_set_of(orientations, positions, normalize=normalize, normalise=normalise)]
-    rows = several if weights is None else _weighted(several, numbers("weights", weights, (None,)))
-    core, = Request("mean", {"rows": list(rows)}, plain({"every": every, **options})).told()
+    return _found(several, weights, scalar_first, plain({"every": every, **options}))
+
+
+def _at_once(orientations: Vector, weights: Vector | None, scalar_first: bool) -> Mean:
+    """The chordal mean, with what it takes to find all else of it: that takes several times as long."""
+    q = _core.chordal_mean(orientations, weights)
+    rows, weights = orientations.copy(), None if weights is None else weights.copy()
+    mean = Mean.__new__(Mean)
+    mean.__dict__.update(orientation=q[SCALAR_FIRST] if scalar_first else q, kind="chordal",
+                         _find=lambda: _found([_set_of(rows, None)], weights, scalar_first, {"kind": "chordal"}))
+    return mean
+
+
+def _found(several: list[Keys], weights: Vector | None, scalar_first: bool, options: dict[str, Any]) -> Mean | list[Mean]:
+    """By the task of the library."""
+    rows = several if weights is None else _weighted(several, weights)
+    core, = Request("mean", {"rows": list(rows)}, options).told()
     members = core.members()
     found = core.attributes()["windows"]
     windows = members.get("windows", [members])
@@ -190,7 +222,7 @@ def _weighted(several: list[Keys], weights: Vector) -> list[_core.Keys]:
 
 def _made(found: dict[str, Any], scalar_first: bool, kind: str, time: Any, members: dict[str, Any], summary: str) -> Mean:
     q = found["orientation"]
-    values = {**found, "orientation": q[[3, 0, 1, 2]] if scalar_first else q, "kind": kind, "time": time}
+    values = {**found, "orientation": q[SCALAR_FIRST] if scalar_first else q, "kind": kind, "time": time}
     for name in MATRICES:
         values[name] = None if found[name] is None else _matrix(*found[name])
     for name in VECTORS:

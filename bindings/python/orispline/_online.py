@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from . import _core
-from ._arrays import Array, array_of, numbers
+from ._arrays import Array, array_of, as_given, numbers
 from ._checks import flag, index_of, real
 from ._clock import Clock, times_of_keys
 from ._errors import ArgumentError
@@ -155,7 +155,7 @@ class OnlineCurve:
             seconds = self._seconds(t)
             q = np.empty((*seconds.shape, 4))
             self._core.fill(seconds.reshape(-1), q.reshape(-1, 4))
-        return self._ordered(q)
+        return as_given(t, self._ordered(q))
 
     def motion(self, t: Time) -> Motion:
         """Orientation and position with their rates at one time; angular rates in the body frame."""

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
-from ._arrays import Array, numbers
+from ._arrays import Array, as_given, numbers
 from ._curve import Curve
 from ._evaluation import ACCELERATION, ALONE, JERK, ORIENTATION, VELOCITY
 from ._errors import ArgumentError, DataError
@@ -72,8 +72,9 @@ class _Twin:
             t = self._curve._clock.seconds("times", times)
             if t.ndim > 1:
                 raise ArgumentError(f"times: found the shape {t.shape}, wanted a time or (k,)")
+            t = t if t.ndim else float(t)
         rows = self._curve._at(ORDERS[order], t, "body", None, np.float64, ALONE)
-        return self._rotation_of(rows, normalize=False, copy=False) if order == 0 else rows
+        return self._rotation_of(rows, normalize=False, copy=False) if order == 0 else as_given(times, rows)
 
 
 class RotationSpline(_Twin):

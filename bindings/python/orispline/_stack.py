@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import Array, array_of, numbers, output, sample_rows
+from ._arrays import Array, array_of, as_given, numbers, output, sample_rows
 from ._checks import flag, in_world, thread_count, wrong_type
 from ._columns import PARTS
 from ._curve import Curve
@@ -228,7 +228,7 @@ class CurveStack:
             self._fill(seconds, rows, frame, threads, each=each)
         if reordered:
             result[...] = room[..., [3, 0, 1, 2]]
-        return result
+        return as_given(t, result)  # type: ignore[no-any-return]
 
     def _of_each(self, t: Any) -> Array:
         """(n, m) times [s] of n tracks, each by its own clock."""

@@ -223,7 +223,7 @@ std::vector<Warning> warnings_of(const Method& method, const Track& track, const
        {contradicting_rates(**family, track.keys), contradicting_accelerations(**family, track.keys),
         closing_step(shaped, track.keys), overwound(shaped, track.keys),
         moving_rests(shaped, **family, track.keys, curve), jumps_at_keys(shaped, curve),
-        corners_at_keys(shaped, track.keys), overturned_span(shaped, **family, track)})
+        corners_at_keys(shaped, track.keys), overturned_span(shaped, **family, track, made)})
     if (warning) warnings.push_back(track.located(*warning));
   return warnings;
 }

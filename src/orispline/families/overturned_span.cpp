@@ -28,6 +28,8 @@ constexpr std::size_t keys_near = 2;       // so many spans away a fast step sha
 constexpr std::size_t keys_around = 16;    // those of the curve that is made, on either side
 constexpr std::size_t most_looked_at = 8;  // spans
 constexpr int steps = 256;                 // of a span, for how far the curve turns
+constexpr int chords = 16;                 // of a span, for whether that is worth to know
+constexpr double far_too_little = 0.75;    // of what is worth saying, by those
 
 struct Span {
   std::size_t start, fast;  ///< the keys that it and the fast step beside it begin with
@@ -62,6 +64,23 @@ std::vector<Span> suspicious_spans(const Keyframes& keys) {
   worst.resize(kept);
   return worst;
 }
+
+/// About how far a curve turns in a segment [rad], by chords.
+double rough_turn(const AnyCurve& curve, std::size_t segment) {
+  const KnotSpan knots = curve.knots().span(segment);
+  double turn = 0.0;
+  Eigen::Quaterniond before = curve.orientation_on(segment, knots.start());
+  for (int i = 1; i <= chords; ++i) {
+    const Eigen::Quaterniond here =
+        curve.orientation_on(segment, knots.start() + static_cast<double>(i) / chords * knots.step());
+    turn += angular_distance(before, here);
+    before = here;
+  }
+  return turn;
+}
+
+/// What is worth saying of a span whose keys turn so far [rad].
+double least_turn(double of_keys) { return std::max(much_farther * of_keys, of_keys + worth_saying); }
 
 /// How far the curve of the keys around a span turns there [rad]; 0 where there is none.
 double turn_of_curve(const Method& method, const Keyframes& keys, std::size_t span) {
@@ -101,15 +120,19 @@ std::string said(const Span& span, const Method& method, double turn, double of_
 
 }  // namespace
 
-std::optional<Warning> overturned_span(const Method& method, const FamilyInfo& family, const Track& track) {
+std::optional<Warning> overturned_span(const Method& method, const FamilyInfo& family, const Track& track,
+                                       const AnyCurve* made) {
   const Keyframes& keys = track.keys;
   if (!family.interpolates || family.key_use.stride > 1 || keys.size() < 3) return std::nullopt;
   std::optional<Span> found;
   double farthest = 0.0, of_keys = 0.0;
   for (const Span& span : suspicious_spans(keys)) {
     const double own = increment<double>(keys.orientations()[span.start], keys.orientations()[span.start + 1]).norm();
+    if (made && made->knots().segments() + 1 >= keys.size() &&
+        rough_turn(*made, span.start) <= far_too_little * least_turn(own))
+      continue;
     const double turn = turn_of_curve(method, keys, span.start);
-    if (turn <= much_farther * own || turn <= own + worth_saying || turn - own <= farthest - of_keys) continue;
+    if (turn <= least_turn(own) || turn - own <= farthest - of_keys) continue;
     found = span;
     farthest = turn;
     of_keys = own;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <orispline/base/warning.hpp>
+#include <orispline/curve/curve.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/track.hpp>
 
@@ -13,8 +14,9 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// keys that stand far apart in time, beside two that are too near for how far they turn.
 ///
 /// Only spans beside keys that turn so much faster are looked at, the worst few of them, by curves of the keys around
-/// them: that takes a few nanoseconds a key. `method` is completed with the settings of the track.
-[[nodiscard]] std::optional<Warning> overturned_span(const Method& method, const FamilyInfo& family,
-                                                     const Track& track);
+/// them: that takes a few nanoseconds a key. `method` is completed with the settings of the track. `made` is the curve,
+/// or null: where that turns by far too little in a span, no other is made.
+[[nodiscard]] std::optional<Warning> overturned_span(const Method& method, const FamilyInfo& family, const Track& track,
+                                                     const AnyCurve* made);
 
 }}  // namespace orispline

@@ -40,7 +40,8 @@ Eigen::VectorXd transposed_product(const BandedMatrix& a, const Eigen::VectorXd&
   return product;
 }
 
-BandedLu::BandedLu(BandedMatrix matrix) : matrix_(std::move(matrix)), exchanged_with_(matrix_.size()) {
+BandedLu::BandedLu(BandedMatrix matrix)
+    : matrix_(std::move(matrix)), exchanged_with_(matrix_.size()), reach_(matrix_.band()) {
   for (std::size_t k = 0; k < matrix_.size(); ++k) {
     bring_up_pivot(k);
     double* const pivot = &matrix_(k, k);
@@ -79,9 +80,7 @@ std::size_t BandedLu::last_row(std::size_t column) const noexcept {
   return std::min(column + matrix_.band(), matrix_.size() - 1);
 }
 
-std::size_t BandedLu::end_column(std::size_t row) const noexcept {
-  return std::min(row + 2 * matrix_.band() + 1, matrix_.size());
-}
+std::size_t BandedLu::end_column(std::size_t row) const noexcept { return std::min(row + reach_ + 1, matrix_.size()); }
 
 /// The largest entry of column k, of those not yet eliminated.
 void BandedLu::bring_up_pivot(std::size_t k) {
@@ -90,6 +89,7 @@ void BandedLu::bring_up_pivot(std::size_t k) {
     if (std::abs(matrix_(i, k)) > std::abs(matrix_(pivot, k))) pivot = i;
   exchanged_with_[k] = pivot;
   if (pivot == k) return;
+  reach_ = 2 * matrix_.band();
   double* const row = &matrix_(k, k);
   std::swap_ranges(row, row + (end_column(k) - k), &matrix_(pivot, k));
 }

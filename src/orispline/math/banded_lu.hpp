@@ -64,6 +64,7 @@ class BandedLu {
 
   BandedMatrix matrix_;  ///< the pivots, above them U with 1 for each, below the factors that eliminated the columns
   std::vector<std::size_t> exchanged_with_;
+  std::size_t reach_;  ///< of rows of U beyond the diagonal: the band, twice that once rows were exchanged
   bool regular_ = true;
 };
 

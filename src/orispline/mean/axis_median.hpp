@@ -25,7 +25,7 @@ template <CurvePoint P>
 [[nodiscard]] std::optional<Eigen::Vector3d> common_axis(const Weighted<P>& given, const P& beside) {
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   for (std::size_t k = 0; k < given.size(); ++k) {
-    const Eigen::Vector3d way = shortest_way(beside, given.points[k]);
+    const Eigen::Vector3d way = way_to(beside, given.points[k]).vector;
     moments += given.weights[k] * way * way.transpose();
   }
   const Eigensystem<3> axes = eigensystem<3>(moments);
@@ -40,7 +40,7 @@ template <CurvePoint P>
   std::vector<std::size_t> order(given.size());
   std::vector<double> places(given.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  for (std::size_t k = 0; k < given.size(); ++k) places[k] = axis.dot(shortest_way(beside, given.points[k]));
+  for (std::size_t k = 0; k < given.size(); ++k) places[k] = axis.dot(way_to(beside, given.points[k]).vector);
   std::ranges::sort(order, {}, [&](std::size_t k) { return places[k]; });
   double below = 0.0;
   std::size_t i = 0;
@@ -48,7 +48,7 @@ template <CurvePoint P>
   const P& lower = given.points[order[i]];
   const bool is_range = i + 1 < order.size() && below + given.weights[order[i]] <= 0.5 + 1e-12;
   if (!is_range) return {lower};
-  const Eigen::Vector3d half = 0.5 * shortest_way(lower, given.points[order[i + 1]]);
+  const Eigen::Vector3d half = 0.5 * way_to(lower, given.points[order[i + 1]]).vector;
   return {moved(lower, half), norm_of<double>(half)};
 }
 

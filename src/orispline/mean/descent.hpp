@@ -11,8 +11,8 @@
 #include <orispline/mean/mean.hpp>
 #include <orispline/mean/weighted.hpp>
 
-// The point that makes a sum over weighted points least: ½ Σ w d² for the mean, Σ w d for the median. Written once for
-// orientations and for positions. Proofs: docs/mean.md.
+// The point that makes a sum over weighted points least: ½ Σ w d² for the mean, Σ w d for the median, Σ w (1 − cos d)
+// for the chordal mean. Written once for orientations and for positions. Proofs: docs/mean.md.
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace mean_of {
 
@@ -34,13 +34,6 @@ struct Pull {
   [[nodiscard]] double promised() const { return 0.5 * slope() * residual(); }
 };
 
-/// The Hessian of ½ d² at the end of the way to a point: (θ/2) cot(θ/2) across it, 1 along it, of positions 1.
-template <CurvePoint P>
-[[nodiscard]] Eigen::Matrix3d hessian_of_half_square(const Eigen::Vector3d& way) {
-  if constexpr (std::same_as<P, Eigen::Vector3d>) return Eigen::Matrix3d::Identity();
-  else return jacobian::rodrigues<double>(way, 0.0, series::cotangent_defect_ratio(way.squaredNorm()));
-}
-
 /// Points nearer than this are the same.
 [[nodiscard]] inline double rounding_of(const Eigen::Quaterniond&) { return 1e-15; }
 [[nodiscard]] inline double rounding_of(const Eigen::Vector3d& point) { return 4e-16 * norm_of<double>(point); }
@@ -49,25 +42,49 @@ template <CurvePoint P>
 [[nodiscard]] Pull pull_at(MeanKind kind, const Weighted<P>& given, const P& point) {
   Pull pull;
   VectorSum towards;
+  double across = 0.0;  // what the Hessian is in every direction, beside what it is along the ways
   for (std::size_t k = 0; k < given.size(); ++k) {
-    const Eigen::Vector3d way = shortest_way(point, given.points[k]);
-    const double distance = norm_of<double>(way), weight = given.weights[k];
-    if (distance < pull.nearest_distance) pull.nearest = k, pull.nearest_distance = distance;
-    if (kind == MeanKind::mean) {
-      pull.sum += 0.5 * weight * distance * distance;
+    const Way way = way_to(point, given.points[k]);
+    const double weight = given.weights[k];
+    if (way.length < pull.nearest_distance) pull.nearest = k, pull.nearest_distance = way.length;
+    const Eigen::Vector3d direction = way.length > 0.0 ? Eigen::Vector3d(way.vector / way.length) : way.vector;
+    if (kind != MeanKind::median) {
+      pull.sum += 0.5 * weight * way.length * way.length;
       pull.bound += weight;
-      pull.hessian += weight * hessian_of_half_square<P>(way);
-      towards.add(weight * way);
-    } else if (distance <= rounding_of(point)) {
+      across += weight * way.across;
+      pull.hessian += weight * (1.0 - way.across) * direction * direction.transpose();
+      towards.add(weight * way.vector);
+    } else if (way.length <= rounding_of(point)) {
       pull.weight_here += weight;
     } else {
-      const Eigen::Vector3d direction = way / distance;
-      pull.sum += weight * distance;
-      pull.bound += weight / distance;
-      pull.hessian += weight / distance * (hessian_of_half_square<P>(way) - direction * direction.transpose());
+      const double curvature = weight / way.length * way.across;
+      pull.sum += weight * way.length;
+      pull.bound += weight / way.length;
+      across += curvature;
+      pull.hessian -= curvature * direction * direction.transpose();
       towards.add(weight * direction);
     }
   }
+  pull.hessian.diagonal().array() += across;
+  pull.towards = towards.value();
+  return pull;
+}
+
+/// The same of the chordal mean, whose term is 2 sin²(θ/2) with the Hessian cos²(θ/2) across the way, cos θ along it.
+[[nodiscard]] inline Pull chordal_pull_at(const Weighted<Eigen::Quaterniond>& given, const Eigen::Quaterniond& point) {
+  Pull pull;
+  VectorSum towards;
+  double across = 0.0;
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    const Eigen::Quaterniond turn = shortest_turn(point, given.points[k]);
+    const double weight = given.weights[k];
+    pull.sum += 2.0 * weight * turn.vec().squaredNorm();
+    pull.bound += weight;
+    across += weight * turn.w() * turn.w();
+    pull.hessian -= weight * turn.vec() * turn.vec().transpose();
+    towards.add(2.0 * weight * turn.w() * turn.vec());
+  }
+  pull.hessian.diagonal().array() += across;
   pull.towards = towards.value();
   return pull;
 }
@@ -111,7 +128,7 @@ class Descent {
 
   /// The nearest point of those given if it is the median, since its weight there holds against all others.
   [[nodiscard]] std::optional<Place<P>> nearest_if_least(const Pull& pull, double share) const {
-    if (kind_ == MeanKind::mean) return std::nullopt;
+    if (kind_ != MeanKind::median) return std::nullopt;
     const Place<P> sample = at(given_.points[pull.nearest]);
     const bool is_least = share * sample.pull.towards.norm() <= sample.pull.weight_here;
     return is_least ? std::optional(sample) : std::nullopt;

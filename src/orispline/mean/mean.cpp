@@ -16,6 +16,8 @@
 #include <orispline/math/eigensystem.hpp>
 #include <orispline/mean/axis_median.hpp>
 #include <orispline/mean/descent.hpp>
+#include <orispline/mean/only_one.hpp>
+#include <orispline/mean/rough_sums.hpp>
 #include <orispline/mean/smallest_ball.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -109,16 +111,16 @@ std::optional<Eigen::Vector3d> start_of(const Weighted<Eigen::Vector3d>& given) 
 
 /// The best place to begin where there may be several valleys: some of the points themselves are tried beside their
 /// middle, which bad points, half of all, may have drawn far away.
-template <CurvePoint P>
-P best_start(MeanKind kind, const Weighted<P>& given, const P& middle) {
+Eigen::Quaterniond best_start(MeanKind kind, const Weighted<Eigen::Quaterniond>& given,
+                              const Eigen::Quaterniond& middle) {
   constexpr std::size_t most_ways = 1000000, fewest_tried = 20;
   const std::size_t tried = std::min(given.size(), std::max(fewest_tried, most_ways / given.size()));
-  P best = middle;
-  double least = mean_of::pull_at(kind, given, middle).sum * (1.0 - 1e-12);
+  const mean_of::RoughSums sums(kind, given);
+  Eigen::Quaterniond best = middle;
+  double least = sums.at(middle);
   for (std::size_t i = 0; i < tried; ++i) {
-    const P& point = given.points[i * given.size() / tried];
-    const double sum = mean_of::pull_at(kind, given, point).sum;
-    if (sum < least) least = sum, best = point;
+    const Eigen::Quaterniond& point = given.points[i * given.size() / tried];
+    if (const double sum = sums.at(point); sum < least) least = sum, best = point;
   }
   return best;
 }
@@ -132,18 +134,29 @@ struct Middle {
 
 template <CurvePoint P>
 Middle<P> middle_of(MeanKind kind, const Weighted<P>& given, const P& start) {
-  const Descent<P> descent(kind, given);
-  if (kind == MeanKind::mean) return {descent.from(start)};
-  if (const auto axis = mean_of::common_axis(given, start)) {
-    const AxisMedian<P> median = mean_of::median_on_axis(given, start, *axis);
-    return {{{median.point, mean_of::pull_at(kind, given, median.point)}}, median.half_range};
-  }
-  return {descent.from(start)};
+  if constexpr (std::same_as<P, Eigen::Quaterniond>)
+    if (kind == MeanKind::chordal) return {{{start, mean_of::chordal_pull_at(given, start)}}};
+  if (kind == MeanKind::median)
+    if (const auto axis = mean_of::common_axis(given, start)) {
+      const AxisMedian<P> median = mean_of::median_on_axis(given, start, *axis);
+      return {{{median.point, mean_of::pull_at(kind, given, median.point)}}, median.half_range};
+    }
+  return {Descent<P>(kind, given).from(start)};
 }
 
 /// How many equal weights say as much.
 double effective_count(const std::vector<double>& weights) {
   return 1.0 / std::inner_product(weights.begin(), weights.end(), weights.begin(), 0.0);
+}
+
+/// What a point at that distance pulls at the middle, over the distance and squared.
+template <CurvePoint P>
+double score_of(MeanKind kind, double distance) {
+  if (kind == MeanKind::median) return 1.0 / (distance * distance);
+  if (kind == MeanKind::mean || std::same_as<P, Eigen::Vector3d>) return 1.0;
+  double sine, cosine;
+  sin_cos(distance, sine, cosine);
+  return sine * sine / (distance * distance);
 }
 
 /// How far points are from their middle.
@@ -160,25 +173,25 @@ Distances distances_from(MeanKind kind, const Weighted<P>& given, const Middle<P
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero(), scores = Eigen::Matrix3d::Zero();
   double squares = 0.0;
   for (std::size_t k = 0; k < given.size(); ++k) {
-    const Eigen::Vector3d way = mean_of::shortest_way(point, given.points[k]);
-    const double distance = norm_of<double>(way), weight = given.weights[k];
-    if (distance > found.largest) found.largest = distance, found.farthest = k;
-    squares += weight * distance * distance;
-    moments += weight * way * way.transpose();
-    if (distance > mean_of::rounding_of(point)) scores += weight / (distance * distance) * way * way.transpose();
+    const mean_of::Way way = mean_of::way_to(point, given.points[k]);
+    const double weight = given.weights[k], square = way.length * way.length;
+    if (way.length > found.largest) found.largest = way.length, found.farthest = k;
+    squares += weight * square;
+    const Eigen::Matrix3d products = weight * way.vector * way.vector.transpose();
+    moments += products;
+    if (way.length > mean_of::rounding_of(point)) scores += score_of<P>(kind, way.length) * products;
   }
   found.rms = std::sqrt(squares);
   const double count = effective_count(given.weights);
   if (!(count > 1.0 + 1e-9)) return found;
   found.spread = count / (count - 1.0) * moments;
-  const bool is_mean = kind == MeanKind::mean;
   const Eigen::Matrix3d& hessian = middle.found.place.pull.hessian;
   const Eigen::Vector3d curvatures = eigensystem<3>(hessian).values;
   const bool is_flat = middle.half_range > 0.0 || !(curvatures[0] > least_curvature * curvatures[2]);
   if (found.largest == 0.0) found.covariance = Eigen::Matrix3d::Zero();
   else if (!is_flat) {
     const Eigen::Matrix3d inverse = hessian.inverse();
-    const Eigen::Matrix3d covariance = inverse * (is_mean ? moments : scores) * inverse / (count - 1.0);
+    const Eigen::Matrix3d covariance = inverse * scores * inverse / (count - 1.0);
     found.covariance = 0.5 * (covariance + covariance.transpose());
   }
   return found;
@@ -203,20 +216,41 @@ std::optional<double> others_within(const Weighted<Eigen::Quaterniond>& given, c
   return least && *least < std::numbers::pi ? least : std::nullopt;
 }
 
-/// What is proved of the orientation that was found: docs/mean.md.
-void certify(Mean& found, MeanKind kind, const Weighted<Eigen::Quaterniond>& given,
-             const Middle<Eigen::Quaterniond>& middle, const Ball& ball) {
-  const Eigen::Quaterniond& q = found.orientation;
-  const bool is_at_rest = found.residual <= at_rest;
-  const bool is_in_ball = ball.radius < half_pi && angular_distance(ball.centre, q) <= ball.radius + at_rest;
-  if (is_at_rest && is_in_ball) found.others_within = middle.half_range;
-  else if (is_at_rest && kind == MeanKind::median && middle.half_range == 0.0) {
-    found.others_within = others_within(given, q);
-    // The sum is convex as far as that: the median that was found is the only one.
-    const double reach = found.others_within.value_or(std::numbers::pi);
-    if (reach < half_pi && reach + found.largest_distance < std::numbers::pi) found.others_within = 0.0;
-  }
-  found.certified = found.others_within == 0.0;
+/// What is proved of a middle that is at rest: how far others are that are as good. Nothing where that is not known.
+/// Proofs: docs/mean.md.
+std::optional<double> proved_within(MeanKind kind, const Weighted<Eigen::Quaterniond>& given,
+                                    const Eigen::Quaterniond& q, double half_range, const Ball& ball) {
+  if (kind == MeanKind::chordal) return 0.0;  // for one eigenvalue is larger than all others
+  if (ball.radius < half_pi && angular_distance(ball.centre, q) <= ball.radius + at_rest) return half_range;
+  if (kind == MeanKind::mean) return mean_of::is_only_mean(given, q) ? std::optional(0.0) : std::nullopt;
+  if (half_range != 0.0) return std::nullopt;
+  const auto within = others_within(given, q);
+  // The sum is convex as far as that: the median that was found is the only one.
+  const double reach = within.value_or(std::numbers::pi);
+  const double largest = mean_of::ball_round(q, given.points).radius;
+  return reach < half_pi && reach + largest < std::numbers::pi ? std::optional(0.0) : within;
+}
+
+/// A middle, and how far others are that are as good, as far as that is known.
+struct Judged {
+  Middle<Eigen::Quaterniond> middle;
+  std::optional<double> others_within;
+};
+
+/// The middle below a start where it can be proved to be the best; else that below the best start.
+Judged judged_middle(MeanKind kind, const Weighted<Eigen::Quaterniond>& given, const Eigen::Quaterniond& start,
+                     const Ball& ball) {
+  const auto below = [&](const Eigen::Quaterniond& beginning) {
+    Judged found{middle_of(kind, given, beginning), {}};
+    const auto& [q, pull] = found.middle.found.place;
+    if (kind == MeanKind::chordal || pull.residual() <= at_rest)
+      found.others_within = proved_within(kind, given, q, found.middle.half_range, ball);
+    return found;
+  };
+  const bool is_hopeful = proved_within(kind, given, start, 0.0, ball) == 0.0;  // for the middle is not far from it
+  if (is_hopeful)
+    if (Judged found = below(start); found.others_within == found.middle.half_range) return found;
+  return below(best_start(kind, given, start));
 }
 
 Warning not_certified(const Mean& found, MeanKind kind) {
@@ -248,8 +282,7 @@ Error cancelling(MeanKind kind) {
 
 void add_positions(Mean& found, MeanKind kind, const OrientationSet& given, const WithWeight& heavy) {
   const auto positions = weighted(given.positions, heavy);
-  const Eigen::Vector3d centre = *start_of(positions);
-  const auto middle = middle_of(kind, positions, kind == MeanKind::mean ? centre : best_start(kind, positions, centre));
+  const auto middle = middle_of(kind, positions, *start_of(positions));
   const Distances distances = distances_from(kind, positions, middle);
   found.position = middle.found.place.point;
   found.position_rms_distance = distances.rms;
@@ -264,42 +297,64 @@ std::optional<Eigen::Vector3d> deviations(const std::optional<Eigen::Matrix3d>& 
   return Eigen::Vector3d(covariance->diagonal().cwiseMax(0.0).cwiseSqrt());
 }
 
+Eigen::Quaterniond with_positive_scalar(const Eigen::Quaterniond& q) {
+  const Eigen::Vector4d zero = Eigen::Vector4d::Zero();
+  return Eigen::Quaterniond(q.w() < 0.0 ? Eigen::Vector4d(zero - q.coeffs())
+                                        : Eigen::Vector4d(zero + q.coeffs()));  // no -0
+}
+
+/// What a search begins with.
+struct Beginning {
+  WithWeight heavy;
+  Weighted<Eigen::Quaterniond> orientations;
+  Eigen::Quaterniond start;
+};
+
+Expected<Beginning> beginning_of(const OrientationSet& given, MeanKind kind) {
+  if (auto checked = check(given); !checked) return tl::unexpected(std::move(checked.error()));
+  auto heavy = with_weight_in(given);
+  if (!heavy) return tl::unexpected(heavy.error());
+  auto orientations = weighted(given.orientations, *heavy);
+  const auto start = start_of(orientations);
+  if (!start) return tl::unexpected(cancelling(kind));
+  return Beginning{std::move(*heavy), std::move(orientations), *start};
+}
+
 }  // namespace
 
 std::optional<Eigen::Vector3d> sigma_of(const Mean& mean) { return deviations(mean.covariance); }
 std::optional<Eigen::Vector3d> position_sigma_of(const Mean& mean) { return deviations(mean.position_covariance); }
 
 Expected<Mean> mean(const OrientationSet& given, const MeanOptions& options) {
-  if (auto checked = check(given); !checked) return tl::unexpected(std::move(checked.error()));
-  const auto heavy = with_weight_in(given);
-  if (!heavy) return tl::unexpected(heavy.error());
-  const auto orientations = weighted(given.orientations, *heavy);
-  const auto start = start_of(orientations);
-  if (!start) return tl::unexpected(cancelling(options.kind));
+  const auto beginning = beginning_of(given, options.kind);
+  if (!beginning) return tl::unexpected(beginning.error());
+  const auto& [heavy, orientations, start] = *beginning;
   const Ball ball = mean_of::smallest_ball(orientations.points);
-  const bool has_one_valley = options.kind == MeanKind::mean && ball.radius < half_pi;  // the start is in the ball
-  const auto middle =
-      middle_of(options.kind, orientations, has_one_valley ? *start : best_start(options.kind, orientations, *start));
+  const auto [middle, others] = judged_middle(options.kind, orientations, start, ball);
   const Distances distances = distances_from(options.kind, orientations, middle);
-  Mean found{.orientation = middle.found.place.point,
+  Mean found{.orientation = with_positive_scalar(middle.found.place.point),
              .count = orientations.size(),
-             .weight = heavy->sum,
+             .weight = heavy.sum,
+             .certified = others == 0.0,
              .ball_radius = std::min(ball.radius, distances.largest),
+             .others_within = others,
              .residual = middle.found.place.pull.residual(),
              .iterations = middle.found.iterations,
              .rms_distance = distances.rms,
              .largest_distance = distances.largest,
-             .farthest = heavy->indices[distances.farthest],
+             .farthest = heavy.indices[distances.farthest],
              .spread = distances.spread,
              .covariance = distances.covariance};
-  const Eigen::Vector4d coeffs = found.orientation.coeffs(), zero = Eigen::Vector4d::Zero();
-  found.orientation.coeffs() =
-      coeffs[3] < 0.0 ? Eigen::Vector4d(zero - coeffs) : Eigen::Vector4d(zero + coeffs);  // no -0
-  certify(found, options.kind, orientations, middle, ball);
   if (middle.half_range > 0.0) found.warnings.push_back(of_a_range(middle.half_range));
   else if (!found.certified) found.warnings.push_back(not_certified(found, options.kind));
-  if (!given.positions.empty()) add_positions(found, options.kind, given, *heavy);
+  if (!given.positions.empty()) add_positions(found, options.kind, given, heavy);
   return found;
+}
+
+Expected<Eigen::Quaterniond> chordal_mean(const OrientationSet& given) {
+  return beginning_of(given, MeanKind::chordal).map([](const Beginning& beginning) {
+    return with_positive_scalar(beginning.start);
+  });
 }
 
 }}  // namespace orispline

@@ -18,7 +18,8 @@ template <>
 std::span<const FieldInfo> fields_of<MeanOptions>() noexcept {
   static constexpr std::array fields{
       field<&MeanOptions::kind>(
-          {.name = "kind", .sentence = "Which middle: the mean, or the median, which bad rows hardly move"}),
+          {.name = "kind",
+           .sentence = "Which middle: the mean, the median, which bad rows hardly move, or the chordal mean"}),
       field<&MeanOptions::every>({.name = "every",
                                   .sentence = "Length of windows in time, each with a mean of its own",
                                   .quantity = &quantities::duration,
@@ -52,8 +53,9 @@ constexpr std::array mean_fields{
                                     .sentence = "Largest angle from the mean to an orientation",
                                     .quantity = &quantities::angle}),
     field<&Mean::certified>({.name = "certified",
-                             .sentence = "It is proved that no other orientation is as good: all lie in a ball of "
-                                         "less than 90°, or more than half are near the median"}),
+                             .sentence =
+                                 "It is proved that no other orientation is as good: by a ball of less than 90° "
+                                 "that holds all, or by how far from it they are"}),
     field<&Mean::ball_radius>(
         {.name = "ball_radius",
          .sentence = "Angle round some orientation that holds all of them, the smallest if it is below 90°",

@@ -76,8 +76,12 @@ Point centre_of(const std::vector<Point>& points) {
 }  // namespace
 
 Ball ball_round(const Eigen::Quaterniond& centre, std::span<const Eigen::Quaterniond> orientations) {
+  constexpr double rounding = 1e-15;
   Ball ball{centre, 0.0};
-  for (const Eigen::Quaterniond& q : orientations) ball.radius = std::max(ball.radius, angular_distance(centre, q));
+  double least = 1.0;
+  for (const Eigen::Quaterniond& q : orientations) least = std::min(least, std::abs(q.dot(centre)));
+  for (const Eigen::Quaterniond& q : orientations)
+    if (std::abs(q.dot(centre)) <= least + rounding) ball.radius = std::max(ball.radius, angular_distance(centre, q));
   return ball;
 }
 

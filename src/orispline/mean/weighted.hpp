@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <orispline/math/geodesic.hpp>
@@ -17,14 +18,29 @@ struct Weighted {
   [[nodiscard]] std::size_t size() const noexcept { return points.size(); }
 };
 
-/// The shortest way to a point: a rotation vector of at most π in the body frame of `from`, whatever the signs, or a
-/// difference of positions.
-[[nodiscard]] inline Eigen::Vector3d shortest_way(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
-  const bool is_long = from.dot(to) < 0.0;
-  return displacement<double>(from, is_long ? Eigen::Quaterniond(-to.coeffs()) : to);
+/// The shortest way to a point.
+struct Way {
+  Eigen::Vector3d vector;  ///< of at most π in the body frame of where it begins, whatever the signs, or a difference
+  double length;           ///< [rad] or [m]
+  double across = 1.0;     ///< the curvature of ½ d² across it, (θ/2) cot(θ/2), of positions 1; along it that is 1
+};
+
+/// The turn that leads to an orientation, by at most π.
+[[nodiscard]] inline Eigen::Quaterniond shortest_turn(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
+  const Eigen::Quaterniond turn = from.conjugate() * to;
+  return turn.w() < 0.0 ? Eigen::Quaterniond(-turn.coeffs()) : turn;
 }
-[[nodiscard]] inline Eigen::Vector3d shortest_way(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  return displacement<double>(from, to);
+
+[[nodiscard]] inline Way way_to(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
+  const Eigen::Quaterniond turn = shortest_turn(from, to);
+  const double sine = norm_of<double>(turn.vec());
+  if (sine < 4 * std::numeric_limits<double>::min()) return {2.0 * turn.vec(), 2.0 * sine};
+  const double angle = 2.0 * atan2_of(sine, turn.w());
+  return {angle / sine * turn.vec(), angle, 0.5 * angle * turn.w() / sine};
+}
+[[nodiscard]] inline Way way_to(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  const Eigen::Vector3d way = displacement<double>(from, to);
+  return {way, norm_of<double>(way)};
 }
 
 /// A point moved by a vector, of unit norm where it is an orientation.

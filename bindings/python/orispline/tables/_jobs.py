@@ -194,7 +194,7 @@ def mean(source: Any, *, by: str | Sequence[str] = "track", every: Any = None, k
     every : number or str, optional
         Length of windows in time, such as `"0.5s"`; the first one begins at the first row of its group. Without it each group has one
         mean, and a column of times is not needed.
-    kind : {"mean", "median"}
+    kind : {"mean", "median", "chordal"}
         Which middle.
     weight : str, optional
         The column of weights, 0 or more.
