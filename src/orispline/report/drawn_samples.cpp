@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include <orispline/curve/stretched_curve.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/report/drawing_error.hpp>
 #include <orispline/report/rate_extremes.hpp>
@@ -58,8 +59,7 @@ class NodesOfCurve {
     const Knots& knots = curve.knots();
     std::vector<SegmentRun> runs;
     for (std::size_t i = 0; i < knots.segments(); ++i) {
-      const double middle = std::midpoint(knots.times()[i], knots.times()[i + 1]);
-      if ((covers && !covers(middle)) || curve(middle).coeffs().hasNaN()) continue;
+      if ((covers && !covers(middle_of(knots, i))) || is_gap(curve, i)) continue;
       if (runs.empty() || runs.back().end < i) runs.push_back({i, i});
       runs.back().end = i + 1;
     }
