@@ -142,7 +142,7 @@ class Reports(Recordings):
         self.assertEqual([row[0] for row in rows], list(range(31)))
         for found, key in ((rows[0], keys[0]), (rows[10], keys[2]), (rows[20], keys[3]), (rows[30], keys[4])):
             for one, other in zip(found, key, strict=True):
-                self.assertAlmostEqual(one, other, delta=1e-9)
+                self.assertAlmostEqual(one, other, delta=1e-8)
         alone = rows_of(self.output_of("sample r22_jump.csv --session 1 --rate 1 --derivatives 0"))
         self.assertEqual(rows[:10], alone[:10])
         report = self.summary("inspect r22_jump.csv --jumps --method slerp")

@@ -96,7 +96,7 @@ class NodesOfCurve {
   [[nodiscard]] CurveNode gap_node(std::size_t first, std::size_t end) const {
     const auto knots = source_.knots().times();
     const double middle = std::midpoint(knots[first], knots[end]);
-    CurveNode node = source_.node({middle, source_.knots().segment_at(middle)});
+    CurveNode node = source_.node({middle, std::min(source_.knots().segment_at(middle), end - 1)});
     const Eigen::Vector3d none = Eigen::Vector3d::Constant(std::nan(""));
     node.motion = {{none.x(), none.x(), none.x(), none.x()}, none, none, none};
     node.is_in_gap = true;
