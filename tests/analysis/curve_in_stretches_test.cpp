@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -68,6 +70,34 @@ TEST(CurveInStretches, IsMeasuredWithoutItsGaps) {
   const std::vector<double> times{1.0, 3.0, 7.5};
   const std::vector<Eigen::Quaterniond> truth(3, Eigen::Quaterniond::Identity());
   EXPECT_EQ(distance_to_reference(joined.orientation, {times, truth}).count, 2u);
+}
+
+/// The keys above, but for a jump at 1.5 s in place of the first gap and one at the end.
+Keyframes keys_that_jump() {
+  KeyframeData data = keys_with_gaps().data();
+  data.times = {0.0, 0.5, 1.0, 1.5, 1.5, 7.0, 7.5, 7.5};
+  data.jumps = true;
+  return Keyframes::make(std::move(data)).value();
+}
+
+TEST(CurveInStretches, HasTheLaterStretchWhereTheMotionJumps) {
+  const Keyframes keys = keys_that_jump();
+  const PoseCurve joined = curve_beside_gaps("auto", keys, std::nullopt).value();
+  for (const auto& [t, before] : {std::pair{1.5, 3u}, {7.5, 6u}}) {
+    const auto is_key = [&](const AnyCurve& curve, Side side, std::size_t key) {
+      return angular_distance(curve.motion(t, side).orientation, keys.orientations()[key]) <= 1e-12;
+    };
+    EXPECT_TRUE(is_key(joined.orientation, Side::left, before) && is_key(joined.orientation, Side::right, before + 1));
+    EXPECT_LE((joined.position->linear_motion(t).position - keys.positions()[before + 1]).norm(), 1e-12);
+    EXPECT_TRUE(is_gap(joined.orientation, before) && is_gap(*joined.position, before));
+  }
+  EXPECT_FALSE(joined.orientation(4.0).coeffs().hasNaN());
+  EXPECT_EQ(curve_beside_gaps("auto", keys, 3.0).value().orientation(4.0).coeffs().hasNaN(), true);
+  const DistanceStatistics distance = distance_to_reference(joined.orientation, {keys.times(), keys.orientations()});
+  EXPECT_EQ(distance.count, keys.size());
+  EXPECT_LE(distance.largest, 1e-12);
+  EXPECT_TRUE(std::isfinite(energies(joined.orientation).acceleration));
+  EXPECT_EQ(make_pose_curve("auto", keys).error().option, "jumps");
 }
 
 TEST(CurveInStretches, HasTheTaylorSeriesOfItsMotion) {

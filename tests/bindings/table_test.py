@@ -46,6 +46,14 @@ def orientations(times, size):
     return "\n".join(rows) + "\n"
 
 
+def jumping(times, size):
+    """The motion to the half of the times, where it begins anew."""
+    half = len(times) // 2
+    rows = orientations(times, size).splitlines()[:half + 2]
+    again = [f"{t:.12g}{row[row.index(','):]}" for t, row in zip(times[half:], rows[1:])]
+    return "\n".join(["# orispline: jumps", *rows, *again]) + "\n"
+
+
 def rates(times, late):
     """[rad/s], from differences of the motion."""
     rows, h = ["t,wx,wy,wz"], 1e-5
@@ -62,7 +70,7 @@ def write_files(folder, command):
     shutil.copy(DATA / "camera_keys.csv", folder / "camera.csv")
     shutil.copy(DATA / "walking.bvh", folder / "walk.bvh")
     every = [k / 50 for k in range(150)]
-    texts = {"poses.csv": orientations(every, 0.004), "few.csv": orientations(every[::10], 0.0), "one.csv": orientations([0.0], 0.0),
+    texts = {"poses.csv": orientations(every, 0.004), "few.csv": orientations(every[::10], 0.0), "jump.csv": jumping(every, 0.004), "one.csv": orientations([0.0], 0.0),
              "bad.csv": "t,qw,qx,qy,qz\n0,1,0,0,0\n0,1,0,0,0\n", "bad.bvh": "HIERARCHY\nROOT\n",
              "gyro.csv": rates([k / 200 for k in range(600)], 0.0), "late.csv": rates([k / 200 for k in range(600)], 0.03), "short.csv": rates([0.0, 0.01], 0.0)}
     for name, text in texts.items():

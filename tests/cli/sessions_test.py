@@ -131,9 +131,56 @@ class Reports(Recordings):
         self.use("r22_jump.csv")
         done = self.run_command("convert r22_jump.csv")
         self.assertNotIn("--drop-duplicates", done.stderr)
-        self.assertIn("the orientation jumps there by", done.stderr)
+        self.assertIn("the orientation jumps there by 90.1° (--jumps cuts the motion there)", done.stderr)
         first, second = (rows_of(self.output_of(f"convert r22_jump.csv --session {k}")) for k in (1, 2))
         self.assertEqual((first[0][0], first[-1][0], second[0][0], second[-1][0]), (0, 10, 10, 30))
+
+    def test_jumps_make_two_stretches(self):
+        self.use("r22_jump.csv")
+        keys = rows_of(self.read("r22_jump.csv"))
+        rows = rows_of(self.output_of("sample r22_jump.csv --jumps --rate 1 --derivatives 0"))
+        self.assertEqual([row[0] for row in rows], list(range(31)))
+        for found, key in ((rows[0], keys[0]), (rows[10], keys[2]), (rows[20], keys[3]), (rows[30], keys[4])):
+            for one, other in zip(found, key, strict=True):
+                self.assertAlmostEqual(one, other, delta=1e-8)
+        alone = rows_of(self.output_of("sample r22_jump.csv --session 1 --rate 1 --derivatives 0"))
+        self.assertEqual(rows[:10], alone[:10])
+        report = self.summary("inspect r22_jump.csv --jumps --method slerp")
+        self.assertEqual((report["jumps"], report["stretches"], report["duplicate_times"], report["defect"]), (True, 2, 0, None))
+        self.assertEqual(report["methods"][0]["orientation_jump_max_deg"], 0)
+        self.assertIn("stretches     2 by jumps, begun at key 2 (line 4, 10 s)", self.output_of("inspect r22_jump.csv --jumps"))
+
+    def test_written_keys_say_that_they_jump(self):
+        self.use("r22_jump.csv")
+        self.output_of("convert r22_jump.csv --jumps -o stated.csv")
+        self.assertEqual(self.read("stated.csv").splitlines()[0], "# orispline: jumps")
+        self.assertEqual(self.output_of("sample stated.csv --rate 3"), self.output_of("sample r22_jump.csv --jumps --rate 3"))
+        for task in ("tune", "retime --max-rate 10deg/s"):
+            self.assert_fails(f"{task} r22_jump.csv --jumps -o out.csv", BAD_USAGE,
+                              "--jumps: found two orientations at one time, wanted one curve through all keys")
+        self.assert_fails("convert stated.csv -o out.glb", BAD_USAGE,
+                          "--jumps: found two orientations at one time, as line 1 of the keys says, wanted one curve through all keys")
+        self.assert_fails("sample r22_jump.csv --jumps --rate 1 --closed --method timed-c2", BAD_USAGE,
+                          "--jumps: found gaps in the keys of a closed curve, wanted one of the two")
+
+    @with_pages
+    def test_tasks_keep_to_both_sides_of_a_jump(self):
+        def angle(t):
+            return 0.5 * math.sin(t) + (1.5 if t > 3 else 0)
+        times = [k / 100 for k in range(301)] + [3 + k / 100 for k in range(301)]
+        angles = [angle(min(t, 3)) for t in times[:301]] + [angle(t + 1e-12) for t in times[301:]]
+        self.write("kick.csv", "t,qw,qx,qy,qz\n" + "".join(f"{t},{math.cos(a / 2)!r},0,0,{math.sin(a / 2)!r}\n" for t, a in zip(times, angles)))
+        for task in ("reduce kick.csv --jumps --tolerance 0.05deg -o keys.csv", "smooth kick.csv --jumps -o keys.csv"):
+            self.output_of(f"{task} --report page.html --quiet")
+            self.assertIn(" jumps", self.read("keys.csv").splitlines()[0], task)
+            sampled = rows_of(self.output_of("sample keys.csv --rate 100 --derivatives 0"))
+            for t, w, *_, z in sampled:
+                self.assertLess(abs(2 * math.atan2(z, w) - angle(t if t < 3 else t + 1e-12)), math.radians(0.06), (task, t))
+            self.assertIn(None, self.page("page.html")["methods"][0]["samples"]["q"], task)
+        compared = json.loads(self.output_of("compare kick.csv --jumps --keep-every 7 --methods timed-c2 --json --report page.html"))[0]
+        self.assertLess(compared["max_deg"], 0.05)
+        self.output_of("plot kick.csv --jumps -o out.svg")
+        self.assertNotIn("nan", self.read("out.svg").lower())
 
     def test_names_in_a_comment_are_read_and_said(self):
         for name, options in (("r04_ns.csv", ""), ("r04_savetxt.csv", ""), ("r09_helios.trj", " --angle-unit deg")):

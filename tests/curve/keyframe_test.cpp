@@ -52,6 +52,42 @@ TEST_P(KeyframesRefuse, WithTheKeyAndWhatWasWanted) {
   EXPECT_EQ(describe(keys.error()), GetParam().message);
 }
 
+/// Two stretches of two keys, with half a turn at once between them.
+KeyframeData keys_that_jump() {
+  const auto turned = [](double angle) { return exp<double>(Eigen::Vector3d(angle, 0, 0)); };
+  return {.times = {0.0, 1.0, 1.0, 2.5},
+          .orientations = {turned(0.0), turned(0.5), turned(pi + 0.5), turned(pi + 1.0)},
+          .jumps = true};
+}
+
+TEST(KeyframesThatJump, MayHaveTwoAtOneTime) {
+  const auto keys = Keyframes::make(keys_that_jump());
+  ASSERT_TRUE(keys) << describe(keys.error());
+  EXPECT_TRUE(keys->data().jumps);
+  EXPECT_TRUE(keys->with_times({0.0, 2.0, 2.0, 3.0})->data().jumps);
+  EXPECT_FALSE(keys->with_times({0.0, 2.0, 2.5, 3.0})->data().jumps);
+  EXPECT_FALSE(keys->first(2).data().jumps);
+  EXPECT_EQ(keys->report().sign_flips + keys->report().near_half_turns, 0u);
+  KeyframeData without = three_keys();
+  without.jumps = true;
+  EXPECT_FALSE(Keyframes::make(without)->data().jumps);
+}
+
+TEST(KeyframesThatJump, AreRefusedWithoutLeaveAndWithThreeAtOneTime) {
+  KeyframeData data = keys_that_jump();
+  data.jumps = false;
+  EXPECT_EQ(describe(Keyframes::make(data).error()), "key 2: duplicate time 1, wanted strictly increasing times");
+  data.jumps = true;
+  data.times = {0.0, 1.0, 1.0, 1.0};
+  EXPECT_EQ(describe(Keyframes::make(data).error()), "key 3: duplicate time 1, wanted strictly increasing times");
+}
+
+TEST(KeyframesThatJump, MayHaveStepsOfOtherSizesInEachStretch) {
+  KeyframeData data = keys_that_jump();
+  data.times = {0.0, 1.0, 1.0, 1.0 + 1e15};
+  EXPECT_TRUE(Keyframes::make(data));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Bad, KeyframesRefuse,
     testing::Values(BadKeys{"NoKeys", [](KeyframeData& d) { d = {}; }, "empty: no keys"},

@@ -21,7 +21,7 @@ using test::TextFile;
 constexpr std::string_view recipe_rows = "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.6,0,0.8,0\n";
 constexpr std::string_view what_is_wanted =
     " in the comment that names the method of the keys, wanted method=NAME, and signs=as-given or signs=shortest, "
-    "and gap=SECONDS, each once";
+    "gap=SECONDS and jumps, each once";
 
 TEST(RecipeLine, IsReadAsItWasWritten) {
   for (const Signs signs : {Signs::shortest, Signs::as_given}) {
@@ -38,6 +38,8 @@ TEST(RecipeLine, IsReadAsItWasWritten) {
   EXPECT_EQ(recipe_line({.signs = Signs::as_given, .counts_turns = true}), "# orispline: signs=as-given\n");
   EXPECT_EQ(recipe_line({.method = "slerp", .gap = 0.5}), "# orispline: method=slerp gap=0.5\n");
   EXPECT_EQ(recipe_in("# orispline: gap=0.5 method=slerp").value()->gap, 0.5);
+  EXPECT_EQ(recipe_line({.method = "slerp", .jumps = true}), "# orispline: method=slerp jumps\n");
+  EXPECT_TRUE(recipe_in("# orispline: jumps").value()->jumps);
   EXPECT_EQ(recipe_in("# orispline: signs=as-given").value()->signs, Signs::as_given);
 }
 
@@ -50,7 +52,7 @@ TEST(RecipeLine, LeavesCommentsOfOthersAlone) {
 TEST(RecipeLine, RefusesWordsThatItDoesNotKnow) {
   const auto refused = [](std::string_view words) { return recipe_in("# orispline: " + std::string(words)).error(); };
   for (const std::string_view word :
-       {"method=", "signs=", "signs=both", "gap=", "gap=0", "gap=-1", "band=0.9", "slerp"})
+       {"method=", "signs=", "signs=both", "gap=", "gap=0", "gap=-1", "band=0.9", "slerp", "jumps=1"})
     EXPECT_EQ(refused("method=auto " + std::string(word)).message,
               "found '" + std::string(word) + "'" + std::string(what_is_wanted));
   EXPECT_EQ(refused("method=auto method=auto").message, "found 'method=auto'" + std::string(what_is_wanted));

@@ -77,7 +77,7 @@ TEST(TwoOrientationsAtOneInstant, AreAJumpOrWrittenTwice) {
   for (const StatedOptions& stated : {StatedOptions{}, StatedOptions{{"sort", ""}}}) {
     const auto file = keys_in(jump, stated);
     ASSERT_FALSE(file);
-    EXPECT_EQ(file.error().remedy, "session");
+    EXPECT_EQ(file.error().remedy, "jumps");
     EXPECT_NE(file.error().message.find("the orientation jumps there by 73.7°"), std::string::npos)
         << file.error().message;
   }
@@ -89,6 +89,33 @@ TEST(TwoOrientationsAtOneInstant, AreAJumpOrWrittenTwice) {
   EXPECT_EQ(keys_in(jump, {{"session", "1"}})->lines, (std::vector<std::uint32_t>{2, 3}));
   EXPECT_EQ(keys_in(jump, {{"session", "2"}})->lines, (std::vector<std::uint32_t>{4, 5}));
   EXPECT_EQ(keys_in(jump, {{"drop_duplicates", ""}})->lines, (std::vector<std::uint32_t>{2, 3, 5}));
+}
+
+TEST(TwoOrientationsAtOneInstant, AreBothKeysWhereTheyMayJump) {
+  const std::string header = "t,qw,qx,qy,qz,wx,wy,wz\n", before = "0,1,0,0,0,0,0,0\n1,1,0,0,0,0,0,0\n";
+  const std::string reset = "1.0,0.8,0,0,0.6,0,0,0\n", kick = "1,1,0,0,0,0,0,2\n", after = "2,0.8,0,0,0.6,0,0,0\n";
+  for (const std::string& second : {reset, kick})
+    for (const StatedOptions& stated :
+         {StatedOptions{{"jumps", ""}}, StatedOptions{{"jumps", ""}, {"sort", ""}},
+          StatedOptions{{"jumps", ""}, {"session", "1"}}, StatedOptions{{"jumps", ""}, {"drop_duplicates", ""}}}) {
+      const auto file = keys_in(header + before + second + after, stated);
+      ASSERT_TRUE(file) << describe(file.error());
+      EXPECT_EQ(file->data.times, (std::vector<double>{0, 1, 1, 2}));
+      EXPECT_TRUE(file->data.jumps && file->recipe.jumps);
+    }
+  const auto stated = keys_in("# orispline: jumps\n" + header + before + reset + after);
+  ASSERT_TRUE(stated) << describe(stated.error());
+  EXPECT_TRUE(stated->data.jumps && stated->recipe.jumps);
+}
+
+TEST(TwoOrientationsAtOneInstant, AreNoJumpWhereTheyAreAlikeOrOneOfThree) {
+  const std::string before = "t,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n", twice = before + "1,-1,0,0,0\n2,1,0,0,0\n";
+  EXPECT_EQ(keys_in(twice, {{"jumps", ""}}).error().remedy, "drop_duplicates");
+  EXPECT_EQ(keys_in(twice, {{"jumps", ""}, {"drop_duplicates", ""}})->lines, (std::vector<std::uint32_t>{2, 3, 5}));
+  const auto third = keys_in(before + "1,0.8,0,0,0.6\n1,0,0,0,1\n2,1,0,0,0\n", {{"jumps", ""}});
+  ASSERT_FALSE(third);
+  EXPECT_NE(third.error().message.find("a third row has this time, and a jump has two"), std::string::npos)
+      << third.error().message;
 }
 
 TEST(TwoOrientationsAtOneInstant, AreNoJumpWhereStampsAreCoarserThanTheRows) {

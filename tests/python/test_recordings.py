@@ -107,6 +107,28 @@ def test_numpy_files_take_the_options_of_reading_that_mean_something_there(file,
             ori.read(tmp_path / "keys.npy", columns=names, **options)
 
 
+def test_keys_may_jump_where_that_is_asked_for(file, tmp_path):
+    t, z = np.array([0, 10, 10, 20]), np.array([0, 0.1, 0.6, 0.6])
+    q = np.column_stack([np.zeros(4), np.zeros(4), z, np.sqrt(1 - z**2)])
+    path = file("t,qx,qy,qz,qw\n" + "".join(",".join(map(str, [time, *row])) + "\n" for time, row in zip(t, q)))
+    with pytest.raises(ori.DataError, match="the orientation jumps there by .* \\(jumps=True cuts the motion there\\)"):
+        ori.read(path)
+    with pytest.raises(ori.DataError, match="duplicate time 10"):
+        ori.Keys(t, q)
+    np.save(tmp_path / "keys.npy", np.column_stack([t, q[:, 3], q[:, :3]]))
+    for keys in (ori.read(path, jumps=True), ori.read(tmp_path / "keys.npy", jumps=True), ori.Keys(t, q, jumps=True)):
+        curve = keys.curve("slerp")
+        assert np.allclose(curve([0, 9.999999, 10, 20])[:, 2], z, rtol=0, atol=1e-6)
+        assert pickle.loads(pickle.dumps(keys)) == keys and len(keys[1:3]) == 2
+        keys.write(tmp_path / "again.csv")
+        assert np.array_equal(ori.read(tmp_path / "again.csv").times, t)
+        with pytest.raises(ori.ArgumentError, match="jumps: found two orientations at one time, wanted one curve"):
+            ori.tune(keys, "quintic")
+    assert ori.inspect(ori.Keys(t, q, jumps=True)).stretches == 2
+    with pytest.raises(ori.ArgumentError, match="jumps: wanted no drop_duplicates"):
+        ori.Keys(t, q, jumps=True, drop_duplicates=True)
+
+
 def test_arrays_have_gaps_as_files_have(tmp_path):
     t = np.array([0, 0.5, 1, 4, 4.5, 5])
     q = np.column_stack([np.zeros(6), np.zeros(6), np.sin(t / 2), np.cos(t / 2)])

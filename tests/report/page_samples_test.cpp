@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <orispline/curve/stretched_curve.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline::report { namespace {
@@ -29,6 +30,22 @@ TEST(PageSamples, HaveBothSidesOfTheJumpAtAKey) {
   ASSERT_EQ(samples.path.times[left + 1], 1.0);
   EXPECT_NEAR(samples.angular_velocities[left].z(), 45.0 * degree, 1e-13);
   EXPECT_NEAR(samples.angular_velocities[left + 1].z(), 22.5 * degree, 1e-13);
+}
+
+TEST(PageSamples, DrawNothingBetweenTheSidesOfAJumpOfTheMotion) {
+  const auto turning = [](double start, double angle) {
+    return *make_curve("slerp", *Keyframes::make({.times = {start, start + 1.0},
+                                                  .orientations = {about_z(angle), about_z(angle + 30.0)}}));
+  };
+  const PoseCurve curve{StretchedCurve<Eigen::Quaterniond>({turning(0.0, 0.0), turning(1.0, 90.0)})};
+  for (const PageSamples& samples : {sampled(curve, 30), drawn_samples(curve, {})}) {
+    const auto& q = samples.path.orientations;
+    const auto gap = std::ranges::find_if(q, [](const Eigen::Quaterniond& one) { return one.coeffs().hasNaN(); });
+    ASSERT_TRUE(gap != q.begin() && gap + 1 < q.end());
+    EXPECT_NEAR(angular_distance(*(gap - 1), about_z(30.0)), 0.0, 1e-12);
+    EXPECT_NEAR(angular_distance(*(gap + 1), about_z(90.0)), 0.0, 1e-12);
+    EXPECT_EQ(samples.path.times[static_cast<std::size_t>(gap - q.begin())], 1.0);
+  }
 }
 
 TEST(PageSamples, CoverTheCurveEvenlyWithAllThatItHas) {

@@ -36,6 +36,7 @@ Keys keys_at(const Keys& keys, const std::vector<std::size_t>& indices) {
   if (track.recipe.signs == Signs::as_given) part.keys = std::move(some);
   part.recipe.signs = track.recipe.signs;
   part.recipe.gap = track.recipe.gap;
+  part.recipe.jumps = track.recipe.jumps;
   return shared(std::move(part));
 }
 
@@ -55,7 +56,7 @@ nb::tuple origin_of(const Keys& keys) {
                         as_read ? nb::object(array_of(as_read, track.as_read.size(), 4)) : nb::object(nb::none()),
                         track.recipe.method, track.recipe.signs == Signs::as_given, track.recipe.line, track.is_dated,
                         track.recipe.blending ? io::blending_json(*track.recipe.blending) : "", track.recipe.gap,
-                        track.positions_apart.times, flat(track.positions_apart.positions));
+                        track.positions_apart.times, flat(track.positions_apart.positions), track.recipe.jumps);
 }
 
 std::vector<Decimal> decimals_in(std::string_view lines) {
@@ -70,7 +71,7 @@ std::vector<Decimal> decimals_in(std::string_view lines) {
 Keys from(const Keys& keys, const std::string& name, const std::string& epoch, const std::vector<std::uint32_t>& lines,
           const std::string& exact_times, const std::optional<Rows4>& as_read, const std::string& method,
           bool signs_as_given, std::size_t line, bool is_dated, const std::string& blending, std::optional<double> gap,
-          const std::vector<double>& times_apart, const std::vector<double>& positions_apart) {
+          const std::vector<double>& times_apart, const std::vector<double>& positions_apart, bool jumps) {
   Track track = *keys.track;
   track.name = name;
   track.epoch = value_of(Decimal::parse(epoch));
@@ -82,6 +83,7 @@ Keys from(const Keys& keys, const std::string& name, const std::string& epoch, c
   if (!blending.empty())
     track.recipe.blending = std::make_shared<const BlendingData>(value_of(io::blending_from_json(blending)));
   track.recipe.gap = gap;
+  track.recipe.jumps = jumps;
   track.positions_apart.times = times_apart;
   for (std::size_t i = 0; i + 2 < positions_apart.size(); i += 3)
     track.positions_apart.positions.emplace_back(Eigen::Map<const Eigen::Vector3d>(&positions_apart[i]));
@@ -186,7 +188,7 @@ void add_key_origins(nb::module_& module) {
   module.def("origin_of_keys", &origin_of, "keys"_a);
   module.def("keys_from", &from, "keys"_a, "name"_a, "epoch"_a, "lines"_a, "exact_times"_a, "as_read"_a.none(),
              "method"_a, "signs_as_given"_a, "line"_a, "is_dated"_a, "blending"_a = "", "gap"_a.none() = nb::none(),
-             "times_apart"_a = std::vector<double>(), "positions_apart"_a = std::vector<double>());
+             "times_apart"_a = std::vector<double>(), "positions_apart"_a = std::vector<double>(), "jumps"_a = false);
   module.def("keys_in_axes", &in_axes, "keys"_a, "stated"_a);
   module.def("keys_as_read", &as_read, "keys"_a, "stated"_a);
   module.def("sessions_of", &sessions_of, "times"_a);

@@ -23,7 +23,7 @@ using Settings = std::map<std::string, std::vector<double>>;
 Keys made(const Numbers& times, const Rows4& orientations, const std::optional<Rows3>& positions,
           const std::optional<Rows3>& angular_velocities, const std::optional<Rows3>& angular_accelerations,
           const std::optional<Rows3>& angular_jerks, const std::optional<Rows4>& inner_leaving,
-          const std::optional<Rows4>& inner_arriving, const Settings& settings, const std::string& signs) {
+          const std::optional<Rows4>& inner_arriving, const Settings& settings, const std::string& signs, bool jumps) {
   KeyframeData data{.times = {times.data(), times.data() + times.size()},
                     .orientations = rows_of<Eigen::Quaterniond>(orientations),
                     .positions = rows_of<Eigen::Vector3d>(positions),
@@ -31,7 +31,8 @@ Keys made(const Numbers& times, const Rows4& orientations, const std::optional<R
                     .angular_accelerations = rows_of<Eigen::Vector3d>(angular_accelerations),
                     .angular_jerks = rows_of<Eigen::Vector3d>(angular_jerks),
                     .inner_leaving = rows_of<Eigen::Quaterniond>(inner_leaving),
-                    .inner_arriving = rows_of<Eigen::Quaterniond>(inner_arriving)};
+                    .inner_arriving = rows_of<Eigen::Quaterniond>(inner_arriving),
+                    .jumps = jumps};
   const Signs how = signs == "as-given" ? Signs::as_given : Signs::shortest;
   const auto keys = [&] {
     const nb::gil_scoped_release release;
@@ -39,6 +40,7 @@ Keys made(const Numbers& times, const Rows4& orientations, const std::optional<R
   }();
   Track track(value_of(keys));
   track.recipe.signs = how;
+  track.recipe.jumps = jumps;
   track.settings = {settings.begin(), settings.end()};
   for (const auto& [name, values] : track.settings)
     if (values.size() != track.keys.size())
@@ -76,7 +78,7 @@ void add_keys(nb::module_& module) {
   nb::class_<Keys>(module, "Keys")
       .def(nb::new_(&made), "times"_a, "orientations"_a, "positions"_a.none(), "angular_velocities"_a.none(),
            "angular_accelerations"_a.none(), "angular_jerks"_a.none(), "inner_leaving"_a.none(),
-           "inner_arriving"_a.none(), "settings"_a, "signs"_a)
+           "inner_arriving"_a.none(), "settings"_a, "signs"_a, "jumps"_a = false)
       .def("__len__", [](const Keys& keys) { return keys.track->keys.size(); })
       .def_prop_ro("times",
                    [](const Keys& keys) {

@@ -189,7 +189,7 @@ class Clock:
         return stamps
 
 
-def times_of_keys(times: Any, unit: str | None) -> tuple[Array, Clock]:
+def times_of_keys(times: Any, unit: str | None, *, jumps: bool = False) -> tuple[Array, Clock]:
     """The times of keys [s], and the clock by which the caller has them."""
     if unit is not None and (not isinstance(unit, str) or unit not in PER_SECOND):
         raise ArgumentError(f"time_unit: found {unit!r}, wanted one of {', '.join(map(repr, PER_SECOND))}")
@@ -197,7 +197,8 @@ def times_of_keys(times: Any, unit: str | None) -> tuple[Array, Clock]:
     if array.dtype.kind in STAMPS and unit is not None:
         raise ArgumentError(f"time_unit: found it with {STAMPS[array.dtype.kind]}, which has a unit of its own")
     seconds, clock = clock_of_stamps(array) if array.dtype.kind in STAMPS else _of_numbers(array, unit)
-    clock.check_rising(seconds)
+    if not jumps:
+        clock.check_rising(seconds)
     return seconds, clock
 
 

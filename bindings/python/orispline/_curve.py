@@ -90,13 +90,14 @@ class Curve(Looks, OrientationCurve):
                  signs: Signs | None = None, scalar_first: bool | None = None,
                  normalize: bool | None = None, normalise: bool | None = None, euler: str | None = None,
                  angle_unit: AngleUnit | None = None, drop_invalid: bool | None = None, drop_duplicates: bool | None = None,
-                 sort: bool | None = None, time_unit: TimeUnit | None = None, gap: Number | None = None, **settings: Any) -> None:
+                 sort: bool | None = None, time_unit: TimeUnit | None = None, gap: Number | None = None, jumps: bool | None = None,
+                 **settings: Any) -> None:
         of_keys = {"rotations": rotations, "positions": positions, "angular_velocities": angular_velocities,
                    "angular_accelerations": angular_accelerations, "angular_jerks": angular_jerks,
                    "inner_leaving": inner_leaving, "inner_arriving": inner_arriving, "signs": signs,
                    "scalar_first": scalar_first, "normalize": normalize, "normalise": normalise, "euler": euler,
                    "angle_unit": angle_unit, "drop_invalid": drop_invalid, "drop_duplicates": drop_duplicates, "sort": sort,
-                   "time_unit": time_unit, "gap": gap}
+                   "time_unit": time_unit, "gap": gap, "jumps": jumps}
         given = {name: value for name, value in of_keys.items() if value is not None}
         if isinstance(times, Keys) and isinstance(rotations, (str, Blending)):
             raise TypeError(f"rotations: found {rotations!r} beside Keys, wanted method={rotations!r}")

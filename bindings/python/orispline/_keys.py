@@ -73,6 +73,9 @@ class Keys(Writable):
         The unit of integer times.
     gap : float, str or Fraction, optional
         Intervals between keys longer than this [s] are gaps, which no curve bridges: there it is NaN.
+    jumps : bool
+        Two keys may have one time, where the motion jumps: no curve leads from one to the other, and from that time on the
+        second one counts. Not with `drop_duplicates`.
 
     Raises
     ------
@@ -105,10 +108,12 @@ class Keys(Writable):
                  settings: Mapping[str, Any] | None = None, signs: Signs = "shortest", scalar_first: bool = False,
                  normalize: bool = False, normalise: bool = False, euler: str | None = None, angle_unit: AngleUnit | None = None,
                  drop_invalid: bool = False, drop_duplicates: bool = False, sort: bool = False,
-                 time_unit: TimeUnit | None = None, gap: Number | None = None) -> None:
+                 time_unit: TimeUnit | None = None, gap: Number | None = None, jumps: bool = False) -> None:
         index_of("signs", signs, SIGNS)
         scalar_first = flag("scalar_first", scalar_first)
         mending = Mending.of(normalize, normalise, drop_invalid, drop_duplicates, sort)
+        if flag("jumps", jumps) and mending.drop_duplicates:
+            raise ArgumentError("jumps: wanted no drop_duplicates, which drops the second key of a jump")
         orientations, positions = orientations_of(rotations, positions, scalar_first, euler, angle_unit)
         given = {"positions": positions, "angular_velocities": angular_velocities, "angular_accelerations": angular_accelerations,
                  "angular_jerks": angular_jerks, "inner_leaving": inner_leaving, "inner_arriving": inner_arriving}
@@ -125,11 +130,11 @@ class Keys(Writable):
         if mending.normalize:
             orientations, inner, norms = scaled(orientations, {name: parts[name] for name in INNER})
             parts, repairs = {**parts, **inner}, {**repairs, **norms}
-        seconds, self._clock = times_of_keys(times, time_unit)
+        seconds, self._clock = times_of_keys(times, time_unit, jumps=jumps)
         self._scalar_first, self._source = scalar_first, {"repairs": repairs}
         values = {} if settings is None else _values_per_key(settings, kept, count)
         try:
-            self._core = _core.Keys(seconds, orientations, **parts, settings=values, signs=signs)
+            self._core = _core.Keys(seconds, orientations, **parts, settings=values, signs=signs, jumps=jumps)
         except DataError as error:
             raise error if kept is None or error.key is None else _at_row(error, int(kept[error.key])) from None
         if self._clock.origin:
@@ -473,7 +478,7 @@ def _values_per_key(settings: Any, kept: Indices | None, count: int) -> dict[str
 def _restored(times: Array, orientations: Array, rows: dict[str, Array | None], settings: dict[str, list[float]],
               clock: Clock, scalar_first: bool, origin: tuple[Any, ...], source: dict[str, Any]) -> Keys:
     as_given = origin[SIGNS_AS_GIVEN]
-    made = _core.Keys(times, orientations, **rows, settings=settings, signs="as-given" if as_given else "shortest")
+    made = _core.Keys(times, orientations, **rows, settings=settings, signs="as-given" if as_given else "shortest", jumps=True)
     keys = Keys._of(_core.keys_from(made, *origin), clock, scalar_first=scalar_first)
     keys._source = source
     return keys

@@ -128,7 +128,7 @@ Expected<bool> goes_in_pieces(const SampleRequest& request, io::KeyReader& keys)
     // A header that counts the rows stands before them; in a pipe that cannot be done later.
     const bool counts_later = !request.rows.columns.format->writing.counts_rows || !io::is_stream(request.output);
     return !two_tracks && keys.columns() && counts_later && !request.truth && !request.rows.band && !read.sort &&
-           !read.session && !keys.recipe().gap && !writes_into_input(request) &&
+           !read.session && !keys.recipe().gap && !keys.recipe().jumps && !writes_into_input(request) &&
            jobs::can_stream(stream_request(request, *keys.columns()));
   });
 }

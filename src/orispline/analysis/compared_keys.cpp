@@ -7,6 +7,7 @@
 #include <orispline/analysis/curve_in_stretches.hpp>
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/key_check.hpp>
 #include <orispline/curve/keyframe.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -26,7 +27,7 @@ Expected<void> check_two_keys(const Track& track) {
   return failure(ErrorCode::bad_data, "found 1 key, wanted 2 at least to compare curves", {.file = track.name});
 }
 
-/// Those of each stretch by themselves.
+/// Those of each stretch by themselves, and the last one before a jump, with which its time is compared.
 Expected<ComparedKeys> kept(const Track& recording, const Decimation& decimation) {
   const auto all = stretches_of(recording);
   if (!all) return tl::unexpected(all.error());
@@ -35,6 +36,9 @@ Expected<ComparedKeys> kept(const Track& recording, const Decimation& decimation
   for (const Stretch& stretch : *all) {
     stretches.push_back({samples.size(), 0});
     for (const std::size_t sample : kept_samples(decimation, stretch.count)) samples.push_back(stretch.first + sample);
+    const std::size_t next = stretch.first + stretch.count;
+    if (next < recording.keys.size() && is_jump(recording.keys.times(), next) && samples.back() + 1 < next)
+      samples.push_back(next - 1);
     stretches.back().count = samples.size() - stretches.back().first;
   }
   if (all->empty()) samples = kept_samples(decimation, recording.keys.size());

@@ -41,7 +41,9 @@ Method method_for_stretch(Method method, const Stretch& stretch, std::size_t key
 
 Expected<PoseCurve> curve_in_stretches(const Method& method, const Keyframes& keys,
                                        std::span<const Stretch> stretches) {
-  if (method.options.loop) return bad_option("gap", "found gaps in the keys of a closed curve, wanted one of the two");
+  if (method.options.loop)
+    return bad_option(keys.data().jumps ? "jumps" : "gap",
+                      "found gaps in the keys of a closed curve, wanted one of the two");
   std::vector<AnyCurve> orientations;
   std::vector<AnyPath> positions;
   for (const Stretch& stretch : stretches) {
@@ -63,14 +65,15 @@ Expected<PoseCurve> curve_in_stretches(const Method& method, const Keyframes& ke
 }
 
 Expected<PoseCurve> curve_beside_gaps(const Method& method, const Keyframes& keys, std::optional<double> gap) {
-  if (!gap) return make_pose_curve(method, keys);
-  return stretches_between_gaps(keys.times(), *gap).and_then([&](const std::vector<Stretch>& stretches) {
+  if (!are_in_stretches(keys, gap)) return make_pose_curve(method, keys);
+  return stretches_between_gaps(keys.times(), gap).and_then([&](const std::vector<Stretch>& stretches) {
     return curve_in_stretches(method, keys, stretches);
   });
 }
 
 Expected<std::vector<Stretch>> stretches_of(const Track& track) {
-  return track.recipe.gap ? stretches_between_gaps(track.keys.times(), *track.recipe.gap) : std::vector<Stretch>();
+  if (!are_in_stretches(track.keys, track.recipe.gap)) return std::vector<Stretch>();
+  return stretches_between_gaps(track.keys.times(), track.recipe.gap);
 }
 
 Expected<BandInStretches> BandInStretches::make(const Method& method, const Keyframes& keys,
@@ -89,11 +92,11 @@ Expected<BandInStretches> BandInStretches::make(const Method& method, const Keyf
 }
 
 double BandInStretches::operator()(double t) const noexcept {
-  const auto next =
-      std::lower_bound(parts_.begin(), parts_.end(), t, [](const Part& part, double time) { return part.end < time; });
-  if (next == parts_.end()) return parts_.back().band(t);
-  const bool is_in_gap = next != parts_.begin() && t < next->start;
-  return is_in_gap ? std::numeric_limits<double>::quiet_NaN() : next->band(t);
+  const auto next = std::ranges::upper_bound(parts_, t, {}, &Part::start);
+  if (next == parts_.begin()) return next->band(t);
+  const Part& part = *(next - 1);
+  const bool is_in_gap = next != parts_.end() && t > part.end;
+  return is_in_gap ? std::numeric_limits<double>::quiet_NaN() : part.band(t);
 }
 
 }}  // namespace orispline

@@ -26,12 +26,13 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 [[nodiscard]] ORISPLINE_EXPORT Expected<PoseCurve> curve_in_stretches(const Method& method, const Keyframes& keys,
                                                                       std::span<const Stretch> stretches);
 
-/// The curve through all keys, or where they have gaps [s] that in stretches. Errors: those of make_pose_curve(), of
-/// stretches_between_gaps() and of curve_in_stretches().
+/// The curve through all keys, or where they have gaps [s] or jumps that in stretches. Errors: those of
+/// make_pose_curve(), of stretches_between_gaps() and of curve_in_stretches().
 [[nodiscard]] ORISPLINE_EXPORT Expected<PoseCurve> curve_beside_gaps(const Method& method, const Keyframes& keys,
                                                                      std::optional<double> gap);
 
-/// Its keys cut at the gaps that it states; none where it states none. Errors: those of stretches_between_gaps().
+/// Its keys cut at the gaps that it states and at its jumps; none where it has neither. Errors: those of
+/// stretches_between_gaps().
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<Stretch>> stretches_of(const Track& track);
 
 /// Where the true motion may be beside a curve in stretches, each of which has a band by its own keys.

@@ -23,13 +23,13 @@ struct SegmentJoint {
   Motion left, right;
 };
 
-/// Calls `look` for every interior key and, of a loop, for its seam (key 0).
+/// Calls `look` for every interior key but those where the motion jumps and, of a loop, for its seam (key 0).
 template <class Look>
 void for_each_joint(const AnyCurve& curve, Seam seam, Look&& look) {
   const auto t = curve.knots().times();
   for (std::size_t i = 1; i + 1 < t.size(); ++i)
-    look(SegmentJoint{i, t[i], std::min(t[i] - t[i - 1], t[i + 1] - t[i]), curve.motion_on(i - 1, t[i]),
-                      curve.motion_on(i, t[i])});
+    if (const double spacing = std::min(t[i] - t[i - 1], t[i + 1] - t[i]); spacing > 0.0)
+      look(SegmentJoint{i, t[i], spacing, curve.motion_on(i - 1, t[i]), curve.motion_on(i, t[i])});
   if (seam == Seam::open || t.size() < 2) return;
   const std::size_t last = t.size() - 1;
   look(SegmentJoint{0, t[0], std::min(t[1] - t[0], t[last] - t[last - 1]), curve.motion(t[last]), curve.motion(t[0])});

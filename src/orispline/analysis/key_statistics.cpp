@@ -34,7 +34,9 @@ KeyStatistics key_statistics(const Keyframes& keys) {
   for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
     spacings.push_back(t[i + 1] - t[i]);
     steps.push_back(increment<double>(q[i], q[i + 1]).norm());
-    if (std::abs(steps.back() - std::numbers::pi) <= half_turn_margin) statistics.near_half_turns.push_back(i);
+    const bool is_motion = t[i + 1] > t[i];
+    if (is_motion && std::abs(steps.back() - std::numbers::pi) <= half_turn_margin)
+      statistics.near_half_turns.push_back(i);
   }
   statistics.spacing = spread_of(std::move(spacings));
   statistics.step = spread_of(std::move(steps));

@@ -22,6 +22,17 @@ void average_sides_at_keys(std::vector<Eigen::Vector3d>& rates, const AnyCurve& 
   }
 }
 
+/// Of two samples at one time the first one stands before the jump, which sampling in bulk does not know.
+void take_side_before_jumps(SampledCurve& samples, const AnyCurve& curve, std::span<const double> times) {
+  const auto knots = curve.knots().times();
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (times[i] != times[i - 1] || std::ranges::equal_range(knots, times[i]).size() < 2) continue;
+    const Motion before = curve.motion(times[i], Side::left);
+    samples.orientations[i - 1] = before.orientation;
+    if (!samples.angular_velocities.empty()) samples.angular_velocities[i - 1] = before.angular_velocity;
+  }
+}
+
 }  // namespace
 
 SampledCurve sampled(const AnyCurve& curve, std::span<const double> times, Sampled what) {
@@ -36,6 +47,7 @@ SampledCurve sampled(const AnyCurve& curve, std::span<const double> times, Sampl
   const auto made = sample<double>(curve, times, out);
   ORISPLINE_EXPECT(made.has_value());
   if (what == Sampled::orientations_and_rates) average_sides_at_keys(samples.angular_velocities, curve, times);
+  take_side_before_jumps(samples, curve, times);
   return samples;
 }
 

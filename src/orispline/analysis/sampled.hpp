@@ -17,7 +17,8 @@ struct SampledCurve {
 
 enum class Sampled { orientations, orientations_and_rates };
 
-/// Samples in bulk at times that increase; the end orientation, at rest, outside the domain.
+/// Samples in bulk at times that increase; the end orientation, at rest, outside the domain. Two times may be equal
+/// where the motion jumps: the first one is before the jump.
 [[nodiscard]] SampledCurve sampled(const AnyCurve& curve, std::span<const double> times, Sampled what);
 
 /// Those of rising times that lie in the domain: `count` of them from `first` on.

@@ -53,6 +53,11 @@ struct KeyAlignment {
 /// a glance. Otherwise one may be.
 [[nodiscard]] ORISPLINE_EXPORT bool have_comparable_steps(std::span<const double> times) noexcept;
 
+/// Whether the motion jumps to a key: it has the time of the one before it, but not of the two before it.
+[[nodiscard]] inline bool is_jump(std::span<const double> times, std::size_t key) noexcept {
+  return key > 0 && times[key] == times[key - 1] && (key == 1 || times[key] != times[key - 2]);
+}
+
 /// The first time of keys in a row that cannot follow those before it.
 [[nodiscard]] ORISPLINE_EXPORT std::optional<Error> check_times(std::span<const double> times);
 

@@ -59,7 +59,7 @@ void for_each_list(KeyframeData& data, Visit visit) {
 /// Data of which `made_of` makes every list from the one of these.
 template <class MadeOf>
 [[nodiscard]] KeyframeData list_by_list(const KeyframeData& data, MadeOf made_of) {
-  KeyframeData made{.times = made_of(data.times), .orientations = made_of(data.orientations)};
+  KeyframeData made{.times = made_of(data.times), .orientations = made_of(data.orientations), .jumps = data.jumps};
   for_each_part([&](const auto& part) { made.*part.list = made_of(data.*part.list); });
   return made;
 }

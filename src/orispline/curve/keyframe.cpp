@@ -27,6 +27,21 @@ std::optional<Error> check_lengths(const KeyframeData& data) {
   return std::nullopt;
 }
 
+/// What is wrong with a time beside those before it, since the last jump.
+std::optional<Error> check_time_of(const KeyframeData& data, std::size_t i) {
+  const std::span<const double> times(data.times);
+  std::size_t first = i - std::min(i, keys_seen_together - 1);
+  for (std::size_t k = first; data.jumps && k <= i; ++k)
+    if (is_jump(times, k)) first = k;
+  return check_time(i, times[i], times.subspan(first, i - first));
+}
+
+/// Says of data that are good whether they have jumps.
+KeyframeData settled(KeyframeData data) {
+  data.jumps = data.jumps && std::ranges::adjacent_find(data.times) != data.times.end();
+  return data;
+}
+
 std::optional<Error> check_parts(const KeyframeData& data, std::size_t i) {
   return first_error_of_parts([&](const auto& part) -> std::optional<Error> {
     const auto& list = data.*part.list;
@@ -63,20 +78,20 @@ Expected<Keyframes> Keyframes::make(KeyframeData data, Signs signs) {
   const bool times_are_fine = have_comparable_steps(data.times);
   for (std::size_t i = 0; i < data.times.size(); ++i) {
     if (!times_are_fine)
-      if (auto error = check_time(i, data.times[i], std::span(data.times).first(i)))
-        return tl::unexpected(std::move(*error));
+      if (auto error = check_time_of(data, i)) return tl::unexpected(std::move(*error));
     Eigen::Quaterniond& q = data.orientations[i];
     const auto norm = checked_norm(i, q);
     if (!norm) return tl::unexpected(norm.error());
     if (auto error = check_parts(data, i)) return tl::unexpected(std::move(*error));
-    q = alignment.next(normalised(q, *norm), *norm, signs, i > 0 ? &data.orientations[i - 1] : nullptr);
+    const bool follows = i > 0 && data.times[i] != data.times[i - 1];
+    q = alignment.next(normalised(q, *norm), *norm, signs, follows ? &data.orientations[i - 1] : nullptr);
     for_each_inner(data, i, [&q, i](Eigen::Quaterniond& inner) {
       inner = normalised(inner, checked_norm(i, inner).value());
       align(inner, q);
     });
   }
   keys.report_ = alignment.report;
-  keys.data_ = std::make_shared<const KeyframeData>(std::move(data));
+  keys.data_ = std::make_shared<const KeyframeData>(settled(std::move(data)));
   return keys;
 }
 
@@ -106,7 +121,7 @@ Keyframes Keyframes::first(std::size_t count) const {
 
 Keyframes Keyframes::with(KeyframeData data) const {
   Keyframes keys = *this;
-  keys.data_ = std::make_shared<const KeyframeData>(std::move(data));
+  keys.data_ = std::make_shared<const KeyframeData>(settled(std::move(data)));
   return keys;
 }
 
@@ -125,7 +140,9 @@ Expected<Keyframes> Keyframes::with_times(std::vector<double> times) const {
   KeyframeData data = *data_;
   data.times = std::move(times);
   if (auto error = check_lengths(data)) return tl::unexpected(std::move(*error));
-  if (auto error = check_times(data.times)) return tl::unexpected(std::move(*error));
+  const bool times_are_fine = have_comparable_steps(data.times);
+  for (std::size_t i = 0; !times_are_fine && i < data.times.size(); ++i)
+    if (auto error = check_time_of(data, i)) return tl::unexpected(std::move(*error));
   return with(std::move(data));
 }
 

@@ -51,7 +51,7 @@ enum class Signs {
 /// What the caller holds: one entry per key in every vector that is not empty. A rate may be free_rate(), three NaN, an
 /// inner quaternion free_inner(), four.
 struct KeyframeData {
-  std::vector<double> times{};                           ///< [s], finite, strictly increasing
+  std::vector<double> times{};                           ///< [s], finite, strictly increasing but for `jumps`
   std::vector<Eigen::Quaterniond> orientations{};        ///< body to world, norm within 1e-3 of 1
   std::vector<Eigen::Vector3d> positions{};              ///< [m], optional
   std::vector<Eigen::Vector3d> angular_velocities{};     ///< [rad/s], body frame, optional
@@ -61,6 +61,9 @@ struct KeyframeData {
   /// optional: docs/families/squad.md.
   std::vector<Eigen::Quaterniond> inner_leaving{};
   std::vector<Eigen::Quaterniond> inner_arriving{};  ///< those, bₙ, on the segment that arrives at it
+  /// Two keys may have one time, where the motion jumps: a stretch ends there, and the next one begins. Of Keyframes,
+  /// whether some have.
+  bool jumps = false;
 };
 
 /// What validation changed or noticed.
@@ -100,8 +103,8 @@ inline constexpr double rest_angle = 1e-5, rest_length = 1e-6;
 
 /// Orientations at times, validated at the door: every curve is built from these.
 ///
-/// Times are finite and strictly increasing, orientations are unit quaternions with the signs that the curve will
-/// follow, inner quaternions those with the sign that is nearer to their key.
+/// Times are finite and strictly increasing but where the motion jumps, orientations are unit quaternions with the
+/// signs that the curve will follow, inner quaternions those with the sign that is nearer to their key.
 class ORISPLINE_EXPORT Keyframes {
  public:
   /// No keys: size() is 0, all lists are empty. No curve goes through them.

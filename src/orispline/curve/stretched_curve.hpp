@@ -12,7 +12,8 @@
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Curves one after the other, one at least, with gaps between them, where points are NaN. A gap is a segment of which
-/// the ends belong to the curves beside it.
+/// the ends belong to the curves beside it; where the motion jumps it has no length, and its time belongs to the next
+/// curve.
 template <CurvePoint P>
 class StretchedCurve {
  public:
@@ -73,9 +74,10 @@ class StretchedCurve {
   [[nodiscard]] auto on(double t, std::size_t segment, Of of) const noexcept {
     const Place& place = places_.empty() ? only_key : places_[segment];
     const auto& before = stretches_[place.stretch];
-    if (!place.is_gap || t <= before.knots().back()) return of(before, t, place.segment);
+    if (!place.is_gap) return of(before, t, place.segment);
     const auto& next = stretches_[place.stretch + 1];
-    return of(next, t >= next.knots().front() ? t : std::numeric_limits<double>::quiet_NaN(), std::size_t{0});
+    if (t >= next.knots().front()) return of(next, t, std::size_t{0});
+    return of(before, t <= before.knots().back() ? t : std::numeric_limits<double>::quiet_NaN(), place.segment);
   }
 
   static constexpr Place only_key{0, 0, false};
@@ -91,12 +93,14 @@ class StretchedCurve {
   return t[segment] + 0.5 * (t[segment + 1] - t[segment]);
 }
 
-/// Whether a segment lies between two stretches of keys, where the curve has nothing.
+/// Whether a segment lies between two stretches of keys, where the curve has nothing: it has no time, or no points.
 [[nodiscard]] inline bool is_gap(const AnyCurve& curve, std::size_t segment) noexcept {
-  return curve.orientation_on(segment, middle_of(curve.knots(), segment)).coeffs().hasNaN();
+  return curve.knots().span(segment).step() == 0.0 ||
+         curve.orientation_on(segment, middle_of(curve.knots(), segment)).coeffs().hasNaN();
 }
 [[nodiscard]] inline bool is_gap(const AnyPath& path, std::size_t segment) noexcept {
-  return path.position_on(segment, middle_of(path.knots(), segment)).hasNaN();
+  return path.knots().span(segment).step() == 0.0 ||
+         path.position_on(segment, middle_of(path.knots(), segment)).hasNaN();
 }
 
 }}  // namespace orispline

@@ -43,6 +43,7 @@ struct Recipe {
   std::size_t line = 0;           ///< of the file, from 1; 0: not from a file
   std::shared_ptr<const BlendingData> blending{};  ///< of the method, where it is one of one's own
   std::optional<double> gap{};  ///< intervals between keys longer than this [s] are gaps, which no curve bridges
+  bool jumps = false;           ///< two keys may have one time, where the motion jumps
   bool counts_turns = false;    ///< the signs are those of turns that were typed, which keys state without a method too
 
   [[nodiscard]] bool is_empty() const noexcept { return method.empty(); }

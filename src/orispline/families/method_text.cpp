@@ -218,7 +218,8 @@ Recipe recipe_for(const Method& method, const Track& track) {
   return {.method = text_of(shared),
           .signs = track.recipe.signs,
           .blending = blending ? std::make_shared<const BlendingData>(*blending) : nullptr,
-          .gap = track.recipe.gap};
+          .gap = track.recipe.gap,
+          .jumps = track.keys.data().jumps};
 }
 
 Expected<std::optional<Method>> method_of(const Recipe& recipe, std::string_view file) {

@@ -10,6 +10,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/one_axis.hpp>
 #include <orispline/curve/rate_comparison.hpp>
+#include <orispline/curve/stretched_curve.hpp>
 #include <orispline/curve/three_key_rates.hpp>
 #include <orispline/families/blending/blending_family.hpp>
 #include <orispline/families/overturned_span.hpp>
@@ -63,7 +64,7 @@ std::optional<Warning> contradicting_rates(const FamilyInfo& family, const Keyfr
   std::vector<Eigen::Quaterniond> orientations;
   std::vector<Eigen::Vector3d> given, turned;  // where they are not free
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (is_free(rates[i])) continue;
+    if (is_free(rates[i]) || !all_turned[i].allFinite()) continue;  // the latter beside a jump
     orientations.push_back(keys.orientations()[i]);
     given.push_back(rates[i]);
     turned.push_back(all_turned[i]);
@@ -159,6 +160,7 @@ std::optional<Warning> jumps_at_keys(const Method& method, const CurveOf& curve_
   std::size_t jumps = 0, where = 0;
   double largest = 0.0;
   for (std::size_t i = method.options.loop ? 0 : 1; i < segments; ++i) {
+    if (is_gap(*curve, i)) continue;
     const std::size_t before = i == 0 ? segments - 1 : i - 1;
     const double jump = angular_distance(curve->orientation_on(before, t[before + 1]), curve->orientation_on(i, t[i]));
     if (!(jump > smallest_jump)) continue;

@@ -85,6 +85,8 @@ Expected<Settled> choose(const Method& method, const Keyframes& keys) {
   if (!index) return tl::unexpected(index.error());
   auto settings = settle(method.own ? method.own->info() : infos[*index], method.options, keys.size());
   if (!settings) return tl::unexpected(std::move(settings.error()));
+  if (keys.data().jumps)
+    return bad_option("jumps", "found two orientations at one time, wanted one curve through all keys");
   // Keys that were left out of others may be more uneven than these.
   if (auto error = check_times(keys.times())) return tl::unexpected(std::move(*error));
   if (!method.options.loop) return Settled{*index, method.own.get(), keys, std::move(*settings)};

@@ -120,7 +120,7 @@ struct RateOrder {
 constexpr Unit in(AngleUnit unit, std::string_view suffix) {
   return {suffix, info_of(unit).numerator, info_of(unit).denominator};
 }
-constexpr Unit degrees(std::string_view suffix) { return in(AngleUnit::degrees, suffix); }
+constexpr Unit degree(std::string_view suffix) { return in(AngleUnit::degrees, suffix); }
 constexpr Unit milliradians(std::string_view suffix) { return in(AngleUnit::milliradians, suffix); }
 constexpr Unit arcseconds(std::string_view suffix) { return in(AngleUnit::arcseconds, suffix); }
 
@@ -128,24 +128,24 @@ constexpr std::array<RateOrder, 3> orders{
     RateOrder{"angular velocities",
               {"wx", "wy", "wz"},
               {"wx_world", "wy_world", "wz_world"},
-              {Unit{"_body"}, Unit{"_body_rad_s"}, degrees("_body_deg_s"), milliradians("_body_mrad_s"),
-               arcseconds("_body_arcsec_s"), Unit{""}, Unit{"_rad_s"}, degrees("_deg_s"), milliradians("_mrad_s"),
+              {Unit{"_body"}, Unit{"_body_rad_s"}, degree("_body_deg_s"), milliradians("_body_mrad_s"),
+               arcseconds("_body_arcsec_s"), Unit{""}, Unit{"_rad_s"}, degree("_deg_s"), milliradians("_mrad_s"),
                arcseconds("_arcsec_s")},
-              {Unit{""}, Unit{"_rad_s"}, degrees("_deg_s"), milliradians("_mrad_s"), arcseconds("_arcsec_s")}},
+              {Unit{""}, Unit{"_rad_s"}, degree("_deg_s"), milliradians("_mrad_s"), arcseconds("_arcsec_s")}},
     RateOrder{"angular accelerations",
               {"ax", "ay", "az"},
               {"ax_world", "ay_world", "az_world"},
-              {Unit{"_body"}, Unit{"_body_rad_s2"}, degrees("_body_deg_s2"), milliradians("_body_mrad_s2"),
-               arcseconds("_body_arcsec_s2"), Unit{""}, Unit{"_rad_s2"}, degrees("_deg_s2"), milliradians("_mrad_s2"),
+              {Unit{"_body"}, Unit{"_body_rad_s2"}, degree("_body_deg_s2"), milliradians("_body_mrad_s2"),
+               arcseconds("_body_arcsec_s2"), Unit{""}, Unit{"_rad_s2"}, degree("_deg_s2"), milliradians("_mrad_s2"),
                arcseconds("_arcsec_s2")},
-              {Unit{""}, Unit{"_rad_s2"}, degrees("_deg_s2"), milliradians("_mrad_s2"), arcseconds("_arcsec_s2")}},
+              {Unit{""}, Unit{"_rad_s2"}, degree("_deg_s2"), milliradians("_mrad_s2"), arcseconds("_arcsec_s2")}},
     RateOrder{"angular jerks",
               {"jx", "jy", "jz"},
               {"jx_world", "jy_world", "jz_world"},
-              {Unit{"_body"}, Unit{"_body_rad_s3"}, degrees("_body_deg_s3"), milliradians("_body_mrad_s3"),
-               arcseconds("_body_arcsec_s3"), Unit{""}, Unit{"_rad_s3"}, degrees("_deg_s3"), milliradians("_mrad_s3"),
+              {Unit{"_body"}, Unit{"_body_rad_s3"}, degree("_body_deg_s3"), milliradians("_body_mrad_s3"),
+               arcseconds("_body_arcsec_s3"), Unit{""}, Unit{"_rad_s3"}, degree("_deg_s3"), milliradians("_mrad_s3"),
                arcseconds("_arcsec_s3")},
-              {Unit{""}, Unit{"_rad_s3"}, degrees("_deg_s3"), milliradians("_mrad_s3"), arcseconds("_arcsec_s3")}}};
+              {Unit{""}, Unit{"_rad_s3"}, degree("_deg_s3"), milliradians("_mrad_s3"), arcseconds("_arcsec_s3")}}};
 
 Expected<std::optional<RateVector>> rate_vector(const ColumnSearch& search, const RateReading& reading,
                                                 const RateOrder& order) {

@@ -72,8 +72,10 @@ Expected<std::size_t> sessions_in(const Input& input, const ReadOptions& options
 Expected<std::vector<KeyFile>> read_all_keys(KeyInput input, const ReadOptions& options) {
   if (options.session == all_sessions) return each_session(Input(input.input()), options);
   const Recipe recipe = recipe_of(input, options);
+  ReadOptions stated = options;
+  stated.jumps = recipe.jumps;
   auto files = open_keys(std::move(input), options).and_then([&](auto source) {
-    return std::visit([&](auto&& open) { return keys_in(std::forward<decltype(open)>(open), options); },
+    return std::visit([&](auto&& open) { return keys_in(std::forward<decltype(open)>(open), stated); },
                       std::move(source));
   });
   if (files)

@@ -132,6 +132,9 @@ struct ReadOptions {
   std::optional<std::size_t> session{};
   /// Intervals longer than this [s] are gaps, which no curve bridges; absent: those that the file's recipe states.
   std::optional<double> gap{};
+  /// Two rows of one time that differ are a jump of the motion, where a stretch ends and the next one begins; the
+  /// file's recipe may say so too. With `drop_duplicates` only rows that repeat the one before are dropped.
+  bool jumps = false;
   /// Euler angles mean the turns that they state: a step of which a quaternion can hold less gets rows in between.
   bool count_turns = false;
   bool keep_exact_times = false;

@@ -78,6 +78,7 @@ LineReader KeyInput::lines() && noexcept { return std::move(*lines_); }
 Recipe recipe_of(const KeyInput& input, const ReadOptions& options) {
   Recipe recipe = input.recipe();
   if (options.gap) recipe.gap = options.gap;
+  recipe.jumps = recipe.jumps || options.jumps;
   recipe.counts_turns = options.count_turns;
   return recipe;
 }

@@ -62,7 +62,7 @@ Expected<void> KeyRows::look_ahead(const TextTable& table) {
 
 /// Appends the time of the next key; false for one that does not rise, which is `unrising_` or a duplicate that is
 /// dropped. `text`: the time in the file, if at hand.
-Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, std::size_t line) {
+Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, std::size_t line, const Pose& pose) {
   std::vector<double>& times = file_.data.times;
   const bool is_first = taken_ + times.size() == 0;
   std::string shown = text.empty() ? time.to_string() : std::string();
@@ -70,14 +70,15 @@ Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, 
     settle_time_unit(time);
     first_ = time;
     file_.epoch = columns_.time_unit.time_of(first_);
-  } else if (time <= latest_) {
+  } else if (time < latest_ || (time == latest_ && !jumps_to(pose))) {
     if (time < latest_ || !options_.drop_duplicates)
-      unrising_ = Unrising{time, text.empty() ? std::move(shown) : std::string(text), line};
-    else ++file_.repairs.duplicates_dropped;
+      unrising_ = Unrising{time, text.empty() ? std::move(shown) : std::string(text), line, {}, turn_to(pose)};
+    else note_duplicate(pose);
     return false;
   }
+  latest_jumps_ = !is_first && time == latest_;
   const double seconds = columns_.time_unit.of(time - first_).to_double();
-  if (!is_first && seconds <= latest_seconds_)
+  if (!is_first && !latest_jumps_ && seconds <= latest_seconds_)
     return failure(
         ErrorCode::bad_data,
         formatted("time {} is too near to {} to be told apart in double precision, wanted keys farther apart",
@@ -88,6 +89,7 @@ Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, 
   latest_ = time;
   latest_seconds_ = seconds;
   latest_line_ = line;
+  latest_pose_ = pose;
   return true;
 }
 
@@ -112,9 +114,9 @@ Error KeyRows::out_of_order() const {
       return error("columns", same +
                                   ": the stamps repeat in runs, since they are coarser than the rows; if another "
                                   "column has the rest of the time, name both, such as t=sec+nanosec");
-    if (turn > jump)
-      return error("session", formatted("{}: the orientation jumps there by {:.3g}°, and a second recording begins",
-                                        same, turn * degrees));
+    if (latest_jumps_) return {ErrorCode::bad_data, same + ": a third row has this time, and a jump has two", where};
+    if (turn > jump && !options_.jumps)
+      return error("jumps", formatted("{}: the orientation jumps there by {:.3g}°", same, turn * degrees));
     return error(
         "drop_duplicates",
         turn > same_turn ? formatted("{}; the row is turned by {:.3g}° from that one", same, turn * degrees) : same);
@@ -148,7 +150,15 @@ double KeyRows::turn_to(const Pose& pose) const {
   return angular_distance(pose.orientation.normalized(), latest_pose_->orientation.normalized());
 }
 
+/// Whether a row of the same time is no repetition of the latest key, where such rows are jumps.
+bool KeyRows::jumps_to(const Pose& pose) const {
+  if (!options_.jumps || latest_jumps_) return false;
+  const bool is_elsewhere = columns_.position && (pose.position - latest_pose_->position).norm() > same_place;
+  return turn_to(pose) > same_turn || is_elsewhere || (pose.rate - latest_pose_->rate).norm() > 0.0;
+}
+
 void KeyRows::note_duplicate(const Pose& dropped) {
+  ++file_.repairs.duplicates_dropped;
   if (!latest_pose_ || dropped.orientation.coeffs().isZero(0.0)) return;
   const double turn = turn_to(dropped);
   const double distance = columns_.position ? (dropped.position - latest_pose_->position).norm() : 0.0;
@@ -180,7 +190,7 @@ std::vector<std::size_t> KeyRows::recordings() const {
   std::vector<std::size_t> starts = session_starts(times_);
   const auto& q = file_.data.orientations;
   for (std::size_t i = 1; i < times_.size(); ++i)
-    if (times_[i] == times_[i - 1] && !q[i].coeffs().isZero(0.0) && !q[i - 1].coeffs().isZero(0.0) &&
+    if (!options_.jumps && times_[i] == times_[i - 1] && !q[i].coeffs().isZero(0.0) && !q[i - 1].coeffs().isZero(0.0) &&
         angular_distance(q[i].normalized(), q[i - 1].normalized()) > jump)
       starts.push_back(i);
   std::ranges::sort(starts);
@@ -229,24 +239,19 @@ Expected<void> KeyRows::arrange() {
   std::vector<std::uint32_t> kept;
   kept.reserve(rows->size());
   const auto pose_at = [this](std::uint32_t row) {
-    return Pose{file_.data.orientations[row],
-                columns_.position ? file_.data.positions[row] : Eigen::Vector3d(Eigen::Vector3d::Zero())};
+    const KeyframeData& data = file_.data;
+    return Pose{data.orientations[row], columns_.position ? data.positions[row] : free_rate(),
+                columns_.rates[0] ? data.angular_velocities[row] : free_rate()};
   };
   for (std::size_t i = 0; i < rows->size(); ++i) {
     const std::uint32_t row = (*rows)[i];
-    const auto appended = append_time(times_[row], {}, file_.lines[row]);
+    const auto appended = append_time(times_[row], {}, file_.lines[row], pose_at(row));
     if (!appended) return tl::unexpected(appended.error());
     if (unrising_) {
       unrising_->after = times_from(times_, std::span(*rows).subspan(i + 1));
-      unrising_->turn = turn_to(pose_at(row));
       return tl::unexpected(out_of_order());
     }
-    if (*appended) {
-      kept.push_back(row);
-      latest_pose_ = pose_at(row);
-    } else {
-      note_duplicate(pose_at(row));
-    }
+    if (*appended) kept.push_back(row);
   }
   file_.lines = entries_at(file_.lines, kept);
   file_.table.rows = entries_at(file_.table.rows, kept);

@@ -36,8 +36,10 @@ Expected<KeyReader> KeyReader::open(KeyInput input, const ReadOptions& options) 
     return bad_option("session", "found all for what takes one recording, wanted the number of one");
   const std::string path = input.path();
   const Recipe recipe = recipe_of(input, options);
+  ReadOptions stated = options;
+  stated.jumps = recipe.jumps;
   auto reader = open_keys(std::move(input), options).and_then([&](auto source) -> Expected<KeyReader> {
-    if (auto* const rows = std::get_if<KeyRowsSource>(&source)) return KeyReader(std::move(*rows), options);
+    if (auto* const rows = std::get_if<KeyRowsSource>(&source)) return KeyReader(std::move(*rows), stated);
     return only_track(std::get<TracksSource>(std::move(source)), path, options).map([](KeyFile file) {
       return KeyReader(std::move(file));
     });

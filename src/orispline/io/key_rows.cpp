@@ -145,18 +145,13 @@ Expected<void> KeyRows::append(const KeyRow& key, const Place& place) {
   if (!orientation) return refused(orientation.error());
   const auto inner = inner_of(key, place.line);
   if (!inner) return refused(inner.error());
-  const Pose pose{*orientation, key.position};
+  const Pose pose{*orientation, key.position, columns_.rates[0] ? key.rates[0] : free_rate()};
   if (needs_all()) {
     times_.push_back(key.time);
   } else {
-    const auto appended = append_time(key.time, place.time, place.line);
+    const auto appended = append_time(key.time, place.time, place.line, pose);
     if (!appended) return tl::unexpected(appended.error());
-    if (!*appended) {
-      if (unrising_) unrising_->turn = turn_to(pose);
-      else note_duplicate(pose);
-      return {};
-    }
-    latest_pose_ = pose;
+    if (!*appended) return {};
   }
   if (key.matrix_distance > 0.0) {
     ++file_.repairs.normalised;
@@ -405,6 +400,7 @@ Expected<void> KeyRows::complete() {
 KeyFile KeyRows::take() {
   if (taken_ == 0) warn_of_long_steps();
   taken_ += size();
+  file_.data.jumps = options_.jumps;
   if (columns_.form.representation == Representation::euler && file_.repairs.rows_moved == 0) {
     file_.turns = turns_;
     file_.euler = columns_.form.order;

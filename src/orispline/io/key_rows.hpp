@@ -68,7 +68,7 @@ class KeyRows {
   };
   struct Pose {
     Eigen::Quaterniond orientation;
-    Eigen::Vector3d position;
+    Eigen::Vector3d position, rate;
   };
   using InnerQuaternions = std::array<Eigen::Quaterniond, inner_names.size()>;
 
@@ -94,11 +94,13 @@ class KeyRows {
 
   // The order of the rows, in key_order.cpp.
   [[nodiscard]] Expected<void> look_ahead(const TextTable& table);
-  [[nodiscard]] Expected<bool> append_time(const Decimal& time, std::string_view text, std::size_t line);
+  [[nodiscard]] Expected<bool> append_time(const Decimal& time, std::string_view text, std::size_t line,
+                                           const Pose& pose);
   [[nodiscard]] Error out_of_order() const;
   [[nodiscard]] std::string beside_leap_second(const Unrising& row) const;
   [[nodiscard]] bool is_zero_stamp() const;
   [[nodiscard]] double turn_to(const Pose& pose) const;
+  [[nodiscard]] bool jumps_to(const Pose& pose) const;
   void note_duplicate(const Pose& dropped);
   void warn_of_duplicates();
   [[nodiscard]] std::vector<std::size_t> recordings() const;
@@ -120,6 +122,7 @@ class KeyRows {
   double latest_seconds_ = 0.0;  // of `latest_` since the first [s]
   std::size_t latest_line_ = 0;  // of `latest_`
   std::optional<Pose> latest_pose_{};
+  bool latest_jumps_ = false;  // it has the time of the one before
   std::size_t differing_duplicates_ = 0;
   std::optional<Unrising> unrising_{};
   EulerTurns turns_;                // that the keys so far lose

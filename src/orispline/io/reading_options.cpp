@@ -299,6 +299,13 @@ const std::array reading_list{
                         return positive_in("gap", text).map([&r](const Fraction& s) { r.options.gap = s.to_double(); });
                       },
                   .member = "gap"},
+    ReadingOption{.name = "jumps",
+                  .sentence =
+                      "Two different rows of one time are a jump of the motion, which no curve bridges [only if "
+                      "the file says so]",
+                  .take = set<&ReadOptions::jumps>,
+                  .member = "jumps",
+                  .use = "cuts the motion there"},
     ReadingOption{.name = "no_positions",
                   .sentence = "Read no positions, whatever columns there are",
                   .take = set<&ReadOptions::no_positions>},

@@ -17,8 +17,8 @@ namespace {
 constexpr std::string_view label = "orispline:", blanks = " \t";
 /// The last word, which takes the rest of the line.
 constexpr std::string_view blending_word = "blending=";
-constexpr std::string_view method_word = "method=", signs_word = "signs=", gap_word = "gap=", shortest = "shortest",
-                           as_given = "as-given";
+constexpr std::string_view method_word = "method=", signs_word = "signs=", gap_word = "gap=", jumps_word = "jumps",
+                           shortest = "shortest", as_given = "as-given";
 
 std::string_view without_blanks_before(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
@@ -37,7 +37,7 @@ std::vector<std::string_view> words_of(std::string_view text) {
 tl::unexpected<Error> not_understood(std::string_view word) {
   return mended_by("recipe",
                    formatted("found {} in the comment that names the method of the keys, wanted method=NAME, and "
-                             "signs=as-given or signs=shortest, and gap=SECONDS, each once",
+                             "signs=as-given or signs=shortest, gap=SECONDS and jumps, each once",
                              in_quotes(word)));
 }
 
@@ -48,11 +48,12 @@ bool is_recipe_line(std::string_view comment) noexcept {
 }
 
 std::string recipe_line(const Recipe& recipe) {
-  if (recipe.is_empty() && !recipe.counts_turns && !recipe.gap) return {};
+  if (recipe.is_empty() && !recipe.counts_turns && !recipe.gap && !recipe.jumps) return {};
   std::string line = formatted("# {}", label);
   if (!recipe.is_empty()) line += formatted(" {}{}", method_word, recipe.method);
   if (recipe.signs == Signs::as_given) line += formatted(" {}{}", signs_word, as_given);
   if (recipe.gap) line += formatted(" {}{}", gap_word, *recipe.gap);
+  if (recipe.jumps) line += formatted(" {}", jumps_word);
   if (recipe.blending) line += formatted(" {}{}", blending_word, blending_json(*recipe.blending));
   return line + "\n";
 }
@@ -71,11 +72,16 @@ Expected<std::optional<Recipe>> recipe_in(std::string_view comment) {
     words = words.substr(0, place);
   }
   std::optional<double> gap;
+  bool jumps = false;
   for (const std::string_view word : words_of(words)) {
     if (word.starts_with(gap_word)) {
       const auto seconds = Fraction::parse(word.substr(gap_word.size()));
       if (gap || !seconds || !seconds->is_positive()) return not_understood(word);
       gap = seconds->to_double();
+      continue;
+    }
+    if (word == jumps_word) {
+      if (std::exchange(jumps, true)) return not_understood(word);
       continue;
     }
     const bool is_method = word.starts_with(method_word);
@@ -86,11 +92,12 @@ Expected<std::optional<Recipe>> recipe_in(std::string_view comment) {
     if (place || !is_known) return not_understood(word);
     place = value;
   }
-  if (!named && !gap && signed_as != as_given) return not_understood(text);
+  if (!named && !gap && !jumps && signed_as != as_given) return not_understood(text);
   return Recipe{.method = std::string(named.value_or("")),
                 .signs = signed_as == as_given ? Signs::as_given : Signs::shortest,
                 .blending = std::move(blending),
-                .gap = gap};
+                .gap = gap,
+                .jumps = jumps};
 }
 
 }}}  // namespace orispline::io

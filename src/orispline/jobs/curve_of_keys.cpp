@@ -62,20 +62,21 @@ Expected<PoseCurve> shaped_curve(const Method& method, const Track& keys) {
   const Method shaped = completed(method, family, keys);
   const bool has_columns = shaped.options.parameters.size() > method.options.parameters.size();
   return curve_through(shaped, keys).map_error([&](Error error) {
-    if (has_columns && error.option != "gap") error.code = ErrorCode::bad_data;
+    if (has_columns && error.option != "gap" && error.option != "jumps") error.code = ErrorCode::bad_data;
     return blamed_on_recipe(method, keys, placed(keys, std::move(error)));
   });
 }
 
 Expected<void> check_without_gaps(const Track& keys) {
-  if (!keys.recipe.gap) return {};
+  const std::optional<double>& gap = keys.recipe.gap;
+  if (!are_in_stretches(keys.keys, gap)) return {};
   const bool is_stated = keys.recipe.line > 0;
-  const std::string reason = is_stated ? formatted(", as line {} of the keys says", keys.recipe.line) : "";
+  const std::string found = gap ? formatted("gaps longer than {} s", *gap) : "two orientations at one time",
+                    reason = is_stated ? formatted(", as line {} of the keys says", keys.recipe.line) : "";
   return tl::unexpected(Error{.code = ErrorCode::bad_argument,
-                              .message = formatted("found gaps longer than {} s{}, wanted one curve through all keys",
-                                                   *keys.recipe.gap, reason),
-                              .option = "gap",
-                              .remedy = is_stated ? "recipe" : ""});
+                              .message = formatted("found {}{}, wanted one curve through all keys", found, reason),
+                              .option = gap ? "gap" : "jumps",
+                              .remedy = is_stated && gap ? "recipe" : ""});
 }
 
 Expected<CurveOfKeys> curve_of_keys(const Method& method, const Track& keys) {

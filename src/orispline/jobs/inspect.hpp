@@ -52,7 +52,7 @@ struct InspectedMethod {
 struct InspectOutcome {
   InspectRequest request;
   KeyStatistics statistics{};
-  std::vector<Stretch> stretches{};  ///< of the keys: one, where no gap is stated
+  std::vector<Stretch> stretches{};  ///< of the keys: one, where there are neither gaps nor jumps
   KeyframeReport keyframes{};        ///< the keys of a wrong norm among the non-unit ones
   std::vector<InspectedMethod> methods{};
   std::vector<PoseCurve> curves{};  ///< of the methods

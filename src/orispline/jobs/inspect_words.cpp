@@ -116,9 +116,12 @@ std::string recipe_line(const Recipe& recipe) {
 
 std::string stretches_line(const InspectOutcome& outcome) {
   const auto& stretches = outcome.stretches;
-  if (!track_of(outcome).recipe.gap) return "";
-  std::string line =
-      formatted("stretches     {} by gaps longer than {} s", stretches.size(), *track_of(outcome).recipe.gap);
+  const Track& track = track_of(outcome);
+  const auto& gap = track.recipe.gap;
+  if (!are_in_stretches(track.keys, gap)) return "";
+  std::string line = formatted("stretches     {} by ", stretches.size());
+  if (gap) line += formatted("gaps longer than {} s", *gap);
+  if (track.keys.data().jumps) line += gap ? " and jumps" : "jumps";
   for (std::size_t i = 1; i < std::min(stretches.size(), places_shown + 1); ++i)
     line += formatted("{} {}", i == 1 ? ", begun at" : ",", place(outcome, stretches[i].first));
   return line + (stretches.size() > places_shown + 1 ? ", …\n" : "\n");
@@ -256,6 +259,7 @@ Json document_of(const InspectOutcome& outcome) {
   json["for_method"] = track.recipe.method.empty() ? Json(nullptr) : Json(track.recipe.method);
   json["signs"] = track.recipe.signs == Signs::as_given ? "as-given" : "shortest";
   json["gap_s"] = track.recipe.gap ? Json(*track.recipe.gap) : Json(nullptr);
+  json["jumps"] = track.keys.data().jumps;
   json["stretches"] = outcome.stretches.size();
   add_statistics(json, outcome);
   json["sign_flips"] = outcome.keyframes.sign_flips;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include <orispline/analysis/curve_in_stretches.hpp>
 #include <orispline/base/counted.hpp>
 #include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
@@ -76,6 +77,11 @@ std::vector<MeasureInfo> without_angle_travelled(std::vector<MeasureInfo> measur
   return measures;
 }
 
+/// Over the gaps, where nothing is shown of it, but not over jumps, which have no time.
+Expected<PoseCurve> curve_beside_jumps(const Method& method, const Keyframes& keys) {
+  return curve_beside_gaps(method, keys, std::nullopt);
+}
+
 /// What the page is made of.
 struct Source {
   const Smoothing& smoothing;
@@ -140,7 +146,7 @@ report::PageMethod smoothed_one(const Source& source, const PoseCurve& curve) {
 /// It passes all samples: distances say nothing.
 report::PageMethod as_read(const Source& source) {
   const Keyframes& samples = source.curves.recording;
-  const auto curve = make_pose_curve(default_method, samples);
+  const auto curve = curve_beside_jumps(default_method, samples);
   if (!curve) return {.name = "as read", .failure = describe(curve.error())};
   const CurvePage shape{.recording = samples,
                         .measures = without_angle_travelled(measures_of({MeasureGroup::shape})),
@@ -211,7 +217,7 @@ report::Page smooth_page(const Track& recording, const Smoothing& smoothing, con
   std::ranges::move(notes_on_samples(curves.recording.size()), std::back_inserter(page.notes));
   page.reference = report::with_gaps(report::thinned(path_of(recording.keys), samples_of_few), source.curves.covers);
   page.columns = columns_of(curves, smoothing);
-  const auto curve = make_pose_curve(smoothed_method, source.smoothed());
+  const auto curve = curve_beside_jumps(smoothed_method, source.smoothed());
   if (!curve) return page.methods = {{.name = "smoothed", .failure = describe(curve.error())}}, page;
   page.marks = marks_of(source, recording.keys, *curve);
   page.methods.resize(2);

@@ -2,6 +2,7 @@
 #include <orispline/reduce/reduce.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -12,6 +13,7 @@
 #include <orispline/base/counted_work.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
+#include <orispline/curve/key_check.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/families/slerp.hpp>
@@ -119,23 +121,25 @@ Expected<Reduction> certified(const LocalMethod& local, const ToleranceCheck& re
   return Reduction{std::move(reduced), method, std::move(found.samples), *deviation};
 }
 
-/// [s]; infinite where there is none.
+/// [s]; infinite where there is none. A jump is no gap.
 double shortest_gap(const Keyframes& keys, std::span<const Stretch> stretches) {
   const auto t = keys.times();
   double shortest = std::numeric_limits<double>::infinity();
   for (const Stretch& stretch : stretches.subspan(1))
-    shortest = std::min(shortest, t[stretch.first] - t[stretch.first - 1]);
+    if (!is_jump(t, stretch.first)) shortest = std::min(shortest, t[stretch.first] - t[stretch.first - 1]);
   return shortest;
 }
 
 /// The interval from which on those between these keys are gaps and no others; absent where there is none such.
-std::optional<double> telling_gap(const Keyframes& keys, std::span<const Stretch> stretches, double gap) {
+std::optional<double> telling_gap(const Keyframes& keys, std::span<const Stretch> stretches,
+                                  std::optional<double> gap) {
   const auto t = keys.times();
   double longest = 0.0;
   for (const auto& [first, count] : stretches)
     for (std::size_t i = first + 1; i < first + count; ++i) longest = std::max(longest, t[i] - t[i - 1]);
-  if (longest <= gap || stretches.size() == 1) return gap;
-  const double shortest = shortest_gap(keys, stretches), between = std::midpoint(longest, shortest);
+  const double shortest = shortest_gap(keys, stretches);
+  if (!gap || longest <= *gap || !std::isfinite(shortest)) return gap;
+  const double between = std::midpoint(longest, shortest);
   const bool tells = longest < shortest && stretches_between_gaps(t, between).has_value();
   return tells ? std::optional(between) : std::nullopt;
 }
@@ -211,7 +215,7 @@ void append_keys(KeyframeData& all, const Reduction& one, bool have_rates) {
 /// Each stretch by itself, and all their keys in one track, the recipe of which states the gaps where one length can.
 Expected<Reduction> reduced_in_stretches(const Track& track, const Method& method, const ReduceOptions& options,
                                          const Progress& progress) {
-  const auto stretches = stretches_between_gaps(track.keys.times(), *track.recipe.gap);
+  const auto stretches = stretches_of(track);
   if (!stretches) return tl::unexpected(stretches.error());
   const auto local = local_method(method, track);
   if (!local) return tl::unexpected(local.error());
@@ -229,7 +233,7 @@ Expected<Reduction> reduced_in_stretches(const Track& track, const Method& metho
   const bool have_rates = std::ranges::any_of(each, [](const Reduction& one) {
     return one.samples.size() > 1 && !one.track.keys.angular_velocities().empty();
   });
-  KeyframeData data;
+  KeyframeData data{.jumps = true};
   for (const Reduction& one : each) append_keys(data, one, have_rates);
   auto keys = Keyframes::make(std::move(data), Signs::as_given);
   if (!keys) return tl::unexpected(std::move(keys.error()));
@@ -237,7 +241,7 @@ Expected<Reduction> reduced_in_stretches(const Track& track, const Method& metho
   all.track = track.at(all.samples).with_keys(*keys);
   all.track.settings = settings_per_key(all.method, all.samples.size());
   all.track.recipe = recipe_for(all.method, all.track);
-  all.track.recipe.gap = telling_gap(all.track.keys, all.stretches, *track.recipe.gap);
+  all.track.recipe.gap = telling_gap(all.track.keys, all.stretches, track.recipe.gap);
   return all;
 }
 
@@ -245,8 +249,8 @@ Expected<Reduction> reduced_in_stretches(const Track& track, const Method& metho
 
 Expected<Reduction> reduce(const Track& track, const Method& method, const ReduceOptions& options,
                            const Progress& progress) {
-  return track.recipe.gap ? reduced_in_stretches(track, method, options, progress)
-                          : reduced(track, method, options, progress);
+  return are_in_stretches(track.keys, track.recipe.gap) ? reduced_in_stretches(track, method, options, progress)
+                                                        : reduced(track, method, options, progress);
 }
 
 namespace {
@@ -323,7 +327,9 @@ Expected<DistanceStatistics> position_distance_of(const Reduction& reduction, co
     for (std::size_t i = 0; i < samples.size(); ++i) {
       if (std::ranges::binary_search(left_out, i)) continue;
       kept.push_back(i);
-      distances.push_back((curve.position->linear_motion(samples.times()[i]).position - samples.positions()[i]).norm());
+      const auto t = samples.times();
+      const Side side = i + 1 < t.size() && t[i] == t[i + 1] ? Side::left : Side::right;  // of a jump
+      distances.push_back((curve.position->linear_motion(t[i], side).position - samples.positions()[i]).norm());
     }
     DistanceStatistics distance = distance_statistics(std::move(distances));
     if (distance.count > 0) distance.largest_at = kept[distance.largest_at];

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include <orispline/curve/stretched_curve.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/report/drawing_error.hpp>
 #include <orispline/report/rate_extremes.hpp>
@@ -58,8 +59,7 @@ class NodesOfCurve {
     const Knots& knots = curve.knots();
     std::vector<SegmentRun> runs;
     for (std::size_t i = 0; i < knots.segments(); ++i) {
-      const double middle = std::midpoint(knots.times()[i], knots.times()[i + 1]);
-      if ((covers && !covers(middle)) || curve(middle).coeffs().hasNaN()) continue;
+      if ((covers && !covers(middle_of(knots, i))) || is_gap(curve, i)) continue;
       if (runs.empty() || runs.back().end < i) runs.push_back({i, i});
       runs.back().end = i + 1;
     }
@@ -96,7 +96,7 @@ class NodesOfCurve {
   [[nodiscard]] CurveNode gap_node(std::size_t first, std::size_t end) const {
     const auto knots = source_.knots().times();
     const double middle = std::midpoint(knots[first], knots[end]);
-    CurveNode node = source_.node({middle, source_.knots().segment_at(middle)});
+    CurveNode node = source_.node({middle, std::min(source_.knots().segment_at(middle), end - 1)});
     const Eigen::Vector3d none = Eigen::Vector3d::Constant(std::nan(""));
     node.motion = {{none.x(), none.x(), none.x(), none.x()}, none, none, none};
     node.is_in_gap = true;

@@ -19,15 +19,26 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_seen = 2'000'000, most_places_seen = 8;  // of a curve and of a segment, for their extremes
 const Eigen::Quaterniond no_orientation(nan, nan, nan, nan);
+const Eigen::Vector3d no_rate(nan, nan, nan);
 
-void append(PageSamples& samples, const PoseCurve& curve, double t, Side side) {
-  const Motion motion = curve.orientation.motion(t, side);
+void append(PageSamples& samples, double t, const Motion& motion) {
   samples.path.times.push_back(t);
   samples.path.orientations.push_back(motion.orientation);
   samples.angular_velocities.push_back(motion.angular_velocity);
   samples.angular_accelerations.push_back(motion.angular_acceleration);
   samples.angular_jerks.push_back(motion.angular_jerk);
+}
+
+void append(PageSamples& samples, const PoseCurve& curve, double t, Side side) {
+  append(samples, t, curve.orientation.motion(t, side));
   if (curve.position) samples.positions.push_back(curve.position->linear_motion(t, side).position);
+}
+
+/// Nothing stands between the two sides of a jump, which has no time.
+void append_jump(PageSamples& samples, const PoseCurve& curve, double t) {
+  append(samples, t, {no_orientation, no_rate, no_rate, no_rate});
+  if (curve.position) samples.positions.push_back(no_rate);
+  append(samples, curve, t, Side::right);
 }
 
 /// The k-th of `steps` equal steps from a to b; exactly b at the last one.
@@ -167,6 +178,10 @@ PageSamples sampled(const PoseCurve& curve, std::size_t count, const SegmentLook
     return envelope(curve, std::max<std::size_t>(1, count / 9), look ? look : one_by_one(curve.orientation));
   for (std::size_t i = 0; i < segments; ++i) {
     const double from = knots.times()[i], to = knots.times()[i + 1];
+    if (from == to) {
+      append_jump(samples, curve, to);
+      continue;
+    }
     const double share = (to - from) / (domain.end - domain.start);
     const auto steps = static_cast<std::size_t>(std::max(3.0, std::ceil(share * static_cast<double>(count))));
     for (std::size_t k = 0; k <= steps; ++k)

@@ -40,6 +40,7 @@ Interval smoothing_times(const Keyframes& recording, Penalty penalty) {
 /// noise out of range, bad_data for a noise of positions without any.
 Expected<void> check_recording(const Keyframes& recording, const SmoothOptions& options) {
   if (auto checked = check(options); !checked) return checked;
+  if (options.gyro && recording.data().jumps) return bad_option("jumps", "wanted no `gyro`, which bridges jumps");
   if (options.smoothing_time && recording.size() > 1) {
     const Interval range = smoothing_times(recording, penalty_of(options));
     if (!range.contains(*options.smoothing_time))
@@ -365,7 +366,8 @@ Expected<Keyframes> smoothed_keyframes(std::vector<double> times, const Smoothed
                           .orientations = nodes.orientations,
                           .positions = nodes.positions,
                           .angular_velocities = nodes.angular_velocities,
-                          .angular_accelerations = nodes.angular_accelerations});
+                          .angular_accelerations = nodes.angular_accelerations,
+                          .jumps = true});
 }
 
 /// Which samples become keys, and which lie in no stretch.

@@ -54,8 +54,8 @@ double through_sixths(const std::array<double, sixths>& values, double last, dou
 /// The keys behind which a gap begins.
 Expected<std::vector<bool>> ends_of(const Track& keys) {
   std::vector<bool> ends(keys.keys.size(), false);
-  if (!keys.recipe.gap) return ends;
-  return stretches_between_gaps(keys.keys.times(), *keys.recipe.gap).map([&](const std::vector<Stretch>& stretches) {
+  if (!are_in_stretches(keys.keys, keys.recipe.gap)) return ends;
+  return stretches_between_gaps(keys.keys.times(), keys.recipe.gap).map([&](const std::vector<Stretch>& stretches) {
     for (const Stretch& stretch : stretches) ends[stretch.first + stretch.count - 1] = true;
     return ends;
   });

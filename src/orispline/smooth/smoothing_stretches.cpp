@@ -31,17 +31,13 @@ RecordingScale scale_of(const Keyframes& recording) {
 
 Expected<std::vector<Stretch>> stretches_of(const Keyframes& recording, Penalty penalty, std::optional<double> gap) {
   const auto t = recording.times();
-  std::vector<Stretch> stretches{{0, t.size()}};
-  if (gap) {
-    auto cut = stretches_between_gaps(t, *gap);
-    if (!cut) return tl::unexpected(std::move(cut.error()));
-    stretches = std::move(*cut);
-  }
-  std::erase_if(stretches, [&](const Stretch& stretch) { return stretch.count < fewest_samples(penalty); });
-  if (!stretches.empty()) return stretches;
-  return failure(ErrorCode::bad_data,
-                 formatted("found {} {}, wanted at least {} {}to smooth", t.size(),
-                           t.size() == 1 ? "sample" : "samples", fewest_samples(penalty), gap ? "without a gap " : ""));
+  auto stretches = stretches_between_gaps(t, gap);
+  if (!stretches) return stretches;
+  std::erase_if(*stretches, [&](const Stretch& stretch) { return stretch.count < fewest_samples(penalty); });
+  if (!stretches->empty()) return stretches;
+  return failure(ErrorCode::bad_data, formatted("found {} {}, wanted at least {} {}to smooth", t.size(),
+                                                t.size() == 1 ? "sample" : "samples", fewest_samples(penalty),
+                                                are_in_stretches(recording, gap) ? "without a gap " : ""));
 }
 
 StretchProblems problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches, double noise,
