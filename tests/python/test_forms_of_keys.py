@@ -175,7 +175,7 @@ def test_keys_are_taken_by_masks_and_indices_and_one_by_one():
         with pytest.raises(ori.DataError, match="empty: no keys"):
             keys[none]
     for wrong in ([0.5], [[0, 1]], ["a"]):
-        with pytest.raises(TypeError, match="keys: found .* wanted a slice"):
+        with pytest.raises(TypeError, match=r"keys: found .* wanted a place such as keys\[3\], a slice"):
             keys[wrong]
 
 

@@ -37,6 +37,8 @@ class Calls:
         open("mine.json", "w", encoding="utf-8").write(own.to_json())
         self.functions = {
             "Keys": (ori.Keys, {"times": T, "rotations": Q}), "Keys.from_pandas": (ori.Keys.from_pandas, {"frame": keys.to_pandas()}),
+            "Keys.from_polars": (ori.Keys.from_polars, {"frame": keys.to_polars()}), "Keys.from_arrow": (ori.Keys.from_arrow, {"table": keys.to_arrow()}),
+            "Keys.from_xarray": (ori.Keys.from_xarray, {"dataset": keys.to_xarray()}),
             "Curve": (ori.Curve, {"times": T, "rotations": Q}), "CurveStack": (ori.CurveStack, {"times": T, "rotations": [[q] for q in Q]}),
             "OnlineCurve": (ori.OnlineCurve, {}), "BakedCurve": (ori.BakedCurve, {}), "Scene": (ori.Scene, {}),
             "RotationSpline": (ori.RotationSpline, {"times": T, "rotations": rotations}),
@@ -128,7 +130,7 @@ def test_all_public_calls_are_walked(calls):
     walked = {name for name, _, _ in calls} | NOT_CALLED
     values = {name for name in ori.__all__ if inspect.isclass(getattr(ori, name))} - {name.split(".")[0] for name in walked}
     assert values <= {"AccessError", "ArgumentError", "BlendingFinding", "Certificate", "Channel", "Clip", "ConvergenceError", "DataError", "DistanceStatistics",
-                      "Energies", "Error", "HandleTurn", "KeyStatistics", "Motion", "OpenDirection", "OpenRateDirection", "Peak", "Peaks", "RateAlignment",
+                      "Energies", "Error", "HandleTurn", "KeyStatistics", "Motion", "OpenDirection", "OpenRateDirection", "Peak", "Peaks", "RateAlignment", "Sample",
                       "SceneReduction", "SceneSmoothing", "ShapeWarning", "Skeleton", "SmoothedJoint", "Spread", "View", "Worst"}  # which hold values that were found
     assert {name for name in ori.__all__ if not inspect.isclass(getattr(ori, name))} <= walked
 

@@ -16,6 +16,7 @@ from ._columns import PARTS
 from ._errors import ArgumentError, DataError
 from ._forms import inverse_text, quaternions, rotation_text
 from ._keys import Keys
+from ._names import Named
 from ._orienting import Orienting
 from ._samples import Motion, Samples, samples_of
 from ._types import quantity, rate
@@ -36,14 +37,14 @@ ALONE = 1  # thread, of an int and not of what equals one
 ORIENTATION, VELOCITY, ACCELERATION, JERK, POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION = range(7)
 
 
-class OrientationCurve(Orienting):
+class OrientationCurve(Named, Orienting):
     """A curve of orientations over time, with exact angular velocity, acceleration and jerk.
 
     Functions of time take a time or an array of times of any shape, in any order; what they give has that shape and one
     axis more. Angular rates are in the body frame unless `frame="world"`. A curve never changes, and threads may share it.
     """
 
-    __slots__ = ("_beyond", "_clock", "_core", "_keys", "_leaves_out", "_plain", "_scalar_first")
+    __slots__ = ("__weakref__", "_beyond", "_clock", "_core", "_keys", "_leaves_out", "_plain", "_scalar_first")
     __array_ufunc__: ClassVar[None] = None  # NumPy leaves `array * curve` to the curve
     _clock: Clock
     _keys: Keys  # whose clock it has
@@ -88,6 +89,16 @@ class OrientationCurve(Orienting):
         result = output("out", out, q.shape, q.dtype)
         result[...] = q[..., [3, 0, 1, 2]]
         return result
+
+    @quantity
+    def at(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
+        """The same by a name, for chains of calls: `curve.at(t)` is `curve(t)`.
+
+        >>> import orispline as ori
+        >>> ori.Curve([0, 1], [[0, 0, 0, 1], [0, 0, 1, 0]], "slerp").at([0.0, 1.0]).round(12).tolist()
+        [[0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 0.0]]
+        """
+        return self(t, out=out, dtype=dtype, threads=threads)
 
     @rate
     def angular_velocity(self, t: Any, frame: str = "body", out: Any = None, *, dtype: Any = np.float64,
@@ -392,6 +403,18 @@ class OrientationCurve(Orienting):
         True
         """
         return baked(self._core, self._clock, self._scalar_first, tolerance, dtype)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same curve: of equal keys, by the same method with its settings and ends, and the same outside; or
+        composed of such curves in the same way."""
+        return self._made_of() == other._made_of() if isinstance(other, OrientationCurve) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._made_of())
+
+    def _made_of(self) -> tuple[Any, ...]:
+        """All that it depends on."""
+        return tuple(self.__reduce__())
 
     def _quaternions(self, t: Any) -> NDArray[np.float64]:
         return self._at(ORIENTATION, t, "body", None, np.float64, 1)

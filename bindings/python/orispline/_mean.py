@@ -13,7 +13,7 @@ from ._arrays import numbers
 from ._checks import flag
 from ._errors import ArgumentError, DataError
 from ._html import table
-from ._keys import Keys, orientations_of
+from ._keys import Keys, keys_of, orientations_of
 from ._options import FIELDS, plain, states, takes
 from ._request import Request
 from ._told import Told
@@ -88,8 +88,12 @@ def mean(rotations: Any, *, every: None = None, weights: Any = None, positions: 
          normalise: bool = False, euler: str | None = None, angle_unit: AngleUnit | None = None, **options: Any) -> Mean: ...
 @overload
 def mean(rotations: Keys, *, every: float | str, weights: Any = None, **options: Any) -> list[Mean]: ...
+@overload
+def mean(rotations: Any, at_times: Any, *, every: None = None, weights: Any = None, **options: Any) -> Mean: ...
+@overload
+def mean(rotations: Any, at_times: Any, *, every: float | str, weights: Any = None, **options: Any) -> list[Mean]: ...
 @takes("MeanOptions")
-def mean(rotations: Any, *, every: float | str | None = None, weights: Any = None, positions: Any = None, scalar_first: bool = False,
+def mean(rotations: Any, at_times: Any = None, *, every: float | str | None = None, weights: Any = None, positions: Any = None, scalar_first: bool = False,
          normalize: bool = False, normalise: bool = False, euler: str | None = None, angle_unit: AngleUnit | None = None,
          **options: Any) -> Mean | list[Mean]:
     """The mean or the median of many orientations, with its covariance and whether it is the only one.
@@ -100,6 +104,7 @@ def mean(rotations: Any, *, every: float | str | None = None, weights: Any = Non
     ----------
     rotations : Keys, (n, 4) quaternions, (n, 3, 3) matrices, (n, 4, 4) poses, a SciPy Rotation or RigidTransform, or a list of Rotations
         Body to world, as of `Keys`. Keys and poses bring positions. A list of Keys is one set of all their rows, without times.
+        Of two arguments the first are their times: `mean(times, rotations, every="1s")`.
     weights : (n,) array, optional
         0 or more; without them all weigh the same.
     positions : (n, 3) array, optional
@@ -136,6 +141,12 @@ def mean(rotations: Any, *, every: float | str | None = None, weights: Any = Non
     >>> ori.mean([[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 0.6, 0.8]], kind="median").orientation.tolist()
     [0.0, 0.0, 0.6, 0.8]
     """
+    if at_times is not None:
+        given = {"positions": positions, "euler": euler, "angle_unit": angle_unit, "scalar_first": scalar_first, "normalize": normalize,
+                 "normalise": normalise}
+        rotations = keys_of(rotations, {"rotations": at_times, **{name: value for name, value in given.items() if value is not None}})
+        positions = euler = angle_unit = None
+        scalar_first = normalize = normalise = False
     several = _several(rotations)
     if several:
         _check_none_beside_keys(positions=positions, scalar_first=scalar_first, normalize=normalize, normalise=normalise, euler=euler,
