@@ -117,3 +117,16 @@ def test_other_numbers_are_read_as_doubles():
 def test_what_would_lose_digits_or_is_no_time_is_refused(times, text):
     with pytest.raises(ori.ArgumentError, match=text):
         ori.Keys(times, Q)
+
+
+@pytest.mark.parametrize(("times", "key", "cure"), [([0, 1, 1], 2, "drop_duplicates=True keeps the first"), ([0, 2, 1], 2, "sort=True puts them in order"),
+                                                    (STAMPS[[0, 0, 1]], 1, "drop_duplicates=True keeps the first"), (STAMPS[::-1], 1, "sort=True puts them in order")])
+def test_a_clock_that_does_not_rise_is_told_what_mends_it(times, key, cure):
+    for make in (ori.Keys, ori.Curve, lambda t, q: ori.Keys.from_pandas(KEYS.to_pandas().assign(t=t)), ori.smooth, lambda t, q: ori.reduce(t, q, "1deg")):
+        with pytest.raises(ori.DataError, match=rf"^key {key}: .*, wanted strictly increasing times \({cure}\)$") as found:
+            make(times, Q)
+        assert found.value.key == key
+        option = cure.partition("=")[0]
+    assert len(ori.Keys(times, Q, **{option: True})) == (2 if "drop" in option else 3)
+    with pytest.raises(ori.DataError, match="^joint 0: key .* wanted strictly increasing times$"):
+        ori.CurveStack(times, np.array(Q)[:, None])

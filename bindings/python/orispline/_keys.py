@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from ._types import AngleUnit, Method, Number, Signs, TimeUnit
 
 SIGNS = ("shortest", "as-given")
+CURES = {"duplicate time": "drop_duplicates=True keeps the first", "comes after": "sort=True puts them in order"}  # by words of an error
 SIGNS_AS_GIVEN, IS_DATED = 6, 8  # of origin_of_keys()
 
 
@@ -130,12 +131,13 @@ class Keys(Named, Writable):
         if mending.normalize:
             orientations, inner, norms = scaled(orientations, {name: parts[name] for name in INNER})
             parts, repairs = {**parts, **inner}, {**repairs, **norms}
-        seconds, self._clock = times_of_keys(times, time_unit)
         self._scalar_first, self._source = scalar_first, {"repairs": repairs}
         values = {} if settings is None else _values_per_key(settings, kept, count)
         try:
+            seconds, self._clock = times_of_keys(times, time_unit)
             self._core = _core.Keys(seconds, orientations, **parts, settings=values, signs=signs)
         except DataError as error:
+            error._cure = next((f" ({cure})" for found, cure in CURES.items() if found in str(error)), "")
             raise error if kept is None or error.key is None else _at_row(error, int(kept[error.key])) from None
         if self._clock.origin:
             self._core = _core.keys_since(self._core, self._clock.epoch, self._clock.is_calendar)
@@ -524,8 +526,8 @@ def _check_lengths(times: np.ndarray[Any, Any], columns: Mapping[str, Array | No
 
 def _at_row(error: DataError, row: int) -> DataError:
     """About the row that was given, where rows were dropped or sorted since."""
-    told = DataError(str(error).replace(f"key {error.key}:", f"row {row}:", 1))
-    told.key = row
+    told = DataError(error.args[0].replace(f"key {error.key}:", f"row {row}:", 1))
+    told.key, told._cure = row, error._cure
     return told
 
 

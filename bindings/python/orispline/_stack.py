@@ -279,7 +279,7 @@ def _each(word: str, things: Iterable[Any], curve_of: Callable[[Any], Curve]) ->
             with collected() as found:
                 curves.append(curve_of(thing))
         except Error as error:
-            error.joint = number
+            error.joint, error._cure = number, ""
             error.args = (f"{word} {number}: {error}", *error.args[1:])
             raise
         tell((f"{word} {number}: {warning}", warning.code, warning.numbers) for warning in found)

@@ -34,7 +34,11 @@ class Track:
     def keys(self) -> Keys:
         """Raises the errors of Keys."""
         columns = np.column_stack(self.numbers)
-        return Keys(self.seconds, columns[:, :4], positions=columns[:, 4:7] if columns.shape[1] > 6 else None)
+        try:
+            return Keys(self.seconds, columns[:, :4], positions=columns[:, 4:7] if columns.shape[1] > 6 else None)
+        except DataError as error:
+            error._cure = ""  # which a table has not
+            raise
 
     def back(self, seconds: Floats) -> Any:
         """Times as the table has them."""
