@@ -55,6 +55,18 @@ def test_chunks_of_dask_are_read():
     assert ori.Keys.from_xarray(KEYS.to_xarray().chunk({"t": 1})) == KEYS
 
 
+def test_curves_work_under_xarray_with_dims_coordinates_and_attributes_and_lazily():
+    pytest.importorskip("dask")
+    curve = ori.Curve(T, Q)
+    times = xarray.DataArray(np.linspace(0, 3, 12).reshape(3, 4), dims=("track", "sample"), coords={"track": ["a", "b", "c"]}, attrs={"of": "a clock"})
+    for given in (times, times.chunk({"track": 1})):
+        for function, name, count in ((curve, "quaternion", 4), (curve.angular_velocity, "axis", 3)):
+            found = xarray.apply_ufunc(function, given, output_core_dims=[[name]], dask="parallelized", output_dtypes=[float], keep_attrs=True,
+                                       dask_gufunc_kwargs={"output_sizes": {name: count}})
+            assert found.dims == ("track", "sample", name) and found.attrs == times.attrs and list(found["track"].values) == ["a", "b", "c"]
+            assert (found.chunks is None) == (given.chunks is None) and np.array_equal(found, function(times.values))
+
+
 @pytest.mark.parametrize(("make", "error", "text"), [
     (lambda: ori.Keys.from_polars(KEYS.to_pandas()), TypeError, "frame: found .* wanted a Polars DataFrame or LazyFrame"),
     (lambda: ori.Keys.from_arrow([1]), TypeError, "table: found .* wanted a pyarrow Table"),

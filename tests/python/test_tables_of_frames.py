@@ -152,6 +152,21 @@ def test_a_column_that_looks_like_the_time_is_named(name):
         tables.evaluate(KEYS, AT[["id", "t"]].rename(columns={"t": name}), by="id")
 
 
+def test_times_of_which_some_only_have_a_zone_are_refused():
+    first, second, naive = pandas.Timestamp("2026-01-01", tz="Europe/Zurich"), pandas.Timestamp("2026-01-01T12:00", tz="UTC"), pandas.Timestamp("2026-01-02")
+    frame = pandas.DataFrame({"id": 1, "t": pandas.Series([first, second, naive], dtype=object), **dict(zip(QUATERNION, FRAME[QUATERNION].to_numpy()[:3].T))})
+    for job in (lambda given: tables.resample(given, by="id"), lambda given: tables.evaluate(given, AT, by="id"), lambda given: tables.resample(given.set_index("t"), by="id")):
+        with pytest.raises(ori.ArgumentError, match="the column 't': found dates with a time zone and dates without one, wanted a time zone for all"):
+            job(frame)
+    zoned = frame.assign(t=pandas.Series([first, second, naive.tz_localize("Asia/Tokyo")], dtype=object))
+    assert tables.resample(zoned, by="id", rate="1/43200")["t"].max() == second
+    with pytest.raises(ori.ArgumentError, match="wanted timestamps with a time zone in both tables or in neither"):
+        tables.evaluate(ZONED, AT.assign(t=naive), by="id")
+    periods = frame.assign(t=pandas.period_range("2026", periods=3))
+    with pytest.raises(ori.ArgumentError, match="period.* in the column 't', wanted float seconds, timestamps, dates or durations"):
+        tables.resample(periods, by="id")
+
+
 def test_frames_are_written_too(tmp_path):
     for frame in (FRAME, polars.from_arrow(KEYS), polars.from_arrow(KEYS).lazy()):
         tables.write(tables.resample(frame, by="id", rate=20), tmp_path / "motion.parquet")

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pyarrow as pa
 
+from .._arrays import array_of
 from .._errors import ArgumentError, collected, tell
 from .._frames import library_of
 from ._layout import Layout, check_once
@@ -33,7 +34,7 @@ def answered(given: Any, layout: Layout, work: Work) -> Any:
     if kind == "polars":
         return _polars_of(work(source_of(given)).read_all(), given.schema, layout.by)
     if kind == "pandas":
-        frame, moved = _with_index_as_columns(given, layout)
+        frame, moved = _checked(given, layout)
         there = [name for name in layout.columns if name in frame.columns]
         needed = frame[there].reset_index(drop=True) if len(there) == len(layout.columns) else frame
         table = work(source_of(needed)).read_all()
@@ -93,7 +94,15 @@ def _polars_of(table: Any, schema: Any, ids: Sequence[str]) -> Any:
 
 def index_as_columns(frame: Any, layout: Layout) -> Any:
     """Of pandas a frame with all ids and times in columns; any other source as it is."""
-    return _with_index_as_columns(frame, layout)[0] if kind_of(frame) == "pandas" else frame
+    return _checked(frame, layout)[0] if kind_of(frame) == "pandas" else frame
+
+
+def _checked(frame: Any, layout: Layout) -> tuple[Any, list[Any]]:
+    """The same with the names of the levels. Raises ArgumentError for times as objects of which some only have a time zone."""
+    made, moved = _with_index_as_columns(frame, layout)
+    if layout.time in made.columns and made[layout.time].dtype == object:
+        array_of(f"the column {layout.time!r}", made[layout.time])
+    return made, moved
 
 
 def _with_index_as_columns(frame: Any, layout: Layout) -> tuple[Any, list[Any]]:
