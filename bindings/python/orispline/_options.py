@@ -18,6 +18,7 @@ Task = TypeVar("Task", bound=Callable[..., Any])
 Class = TypeVar("Class", bound=type)
 P = ParamSpec("P")
 Found = TypeVar("Found", covariant=True)
+KEYS_ARGUMENTS = list(inspect.signature(Keys).parameters)
 FIELDS: dict[str, list[dict[str, Any]]] = _core.fields()
 
 
@@ -97,12 +98,12 @@ def of_keys(task: Callable[Concatenate[Keys, P], Found]) -> OfKeys[P, Found]:
     their names, but for those that the task itself has."""
     signature = inspect.signature(task)
     first, *own = signature.parameters
-    names = [name for name in inspect.signature(Keys).parameters if name not in own]
+    names = [name for name in KEYS_ARGUMENTS if name not in own]
 
     @functools.wraps(task)
     def run(*given: Any, **stated: Any) -> Any:
         """With the keys that were given, or those of what was given."""
-        of_them = {name: stated.pop(name) for name in names if name in stated}
+        of_them, stated = parted(stated, names)
         if first in stated or "times" in of_them:
             given = (stated.pop(first) if first in stated else of_them.pop("times"), *given)
         if not given:
@@ -118,6 +119,11 @@ def of_keys(task: Callable[Concatenate[Keys, P], Found]) -> OfKeys[P, Found]:
 
     run.__signature__ = signature  # type: ignore[attr-defined]
     return run
+
+
+def parted(stated: dict[str, Any], names: Sequence[str]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Arguments of these names, and the others."""
+    return {name: stated[name] for name in names if name in stated}, {name: value for name, value in stated.items() if name not in names}
 
 
 def _is_rows(given: Any) -> bool:
