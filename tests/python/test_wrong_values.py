@@ -52,11 +52,11 @@ class Calls:
             "reduce_tracks": (ori.reduce_tracks, {"tracks": [recording], "tolerance": "1deg"}),
             "retime": (ori.retime, {"keys": keys, "max_rate": 1}), "tune": (ori.tune, {"keys": keys, "method": "quintic"}),
             "Rates": (ori.Rates, {"times": T, "rates": np.zeros((3, 3))}),
-            "align": (ori.align, {"a": recording, "b": recording}),
+            "align": (ori.align, {"a": recording, "b": recording}), "angle_between": (ori.angle_between, {"a": curve, "b": curve.inv(), "t": 0.5}),
             "compare": (ori.compare, {"keys": recording, "methods": ["slerp"]}), "mean": (ori.mean, {"rotations": Q}), "plot_sphere": (ori.plot_sphere, {"curves": curve}),
             "plot_comparison": (ori.plot_comparison, {"curves": curve})}
         self.objects = {
-            "Keys": keys, "Curve": curve, "Blending": own, "CurveStack": stack, "OnlineCurve": online, "BakedCurve": curve.bake(1e-6),
+            "Keys": keys, "Curve": curve, "ComposedCurve": curve.inv(), "Blending": own, "CurveStack": stack, "OnlineCurve": online, "BakedCurve": curve.bake(1e-6),
             "RotationSpline": ori.RotationSpline(T, rotations), "Slerp": ori.Slerp(T, rotations), "Samples": stack.sample(rate=2),
             "Scene": scene, "Smoothing": ori.smooth(recording, smoothing_time=0.1), "Reduction": ori.reduce(recording, "1deg"),
             "Retiming": ori.retime(keys, max_rate=1), "Tuning": ori.tune(keys, "quintic"), "Mean": ori.mean(Q[:2]), "Comparison": ori.compare(recording, ["slerp"]),

@@ -59,7 +59,7 @@ class OrientationCurve(Named, Orienting):
 
     @property
     def _extrapolate(self) -> Extrapolate:
-        return LEAVE_OUT if self._leaves_out else BEYOND[self._beyond]  # type: ignore[no-any-return]
+        return LEAVE_OUT if self._leaves_out else BEYOND[self._beyond]  # type: ignore[return-value]
 
     @property
     def domain(self) -> tuple[Any, Any]:
