@@ -86,7 +86,7 @@ def test_other_frames_are_refused(make, error, text):
                                               (ori.Keys.to_arrow, "from_arrow"), (ori.Keys.to_xarray, "from_xarray")])
 def test_a_frame_in_the_place_of_keys_is_told_how_it_is_read(make, reader):
     frame = make(KEYS)
-    for use in (ori.Curve, ori.smooth, ori.retime, lambda given: ori.reduce(given, "1deg"), lambda given: ori.align(given, KEYS), lambda given: ori.Keys(given, Q)):
+    for use in (ori.Keys, ori.Curve, ori.smooth, ori.retime, lambda given: ori.reduce(given, "1deg"), lambda given: ori.align(given, KEYS), lambda given: ori.Keys(given, Q)):
         with pytest.raises(ori.ArgumentError, match=rf"found a \w+ of {reader[5:].replace('arrow', 'pyarrow')}, wanted times and rotations, or Keys.{reader}\(frame\)"):
             use(frame)
 

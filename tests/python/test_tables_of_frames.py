@@ -98,6 +98,9 @@ def test_new_columns_are_of_the_types_of_the_frame(backend):
     if not hasattr(pandas, "ArrowDtype") or "dtype_backend" not in pandas.DataFrame.convert_dtypes.__code__.co_varnames:
         pytest.skip("found pandas before 2")
     given = FRAME.convert_dtypes(dtype_backend=backend)
+    stamps = pandas.to_datetime(FRAME["t"], unit="s").dt.as_unit("ms").astype("timestamp[ms][pyarrow]")
+    dated = tables.resample(FRAME.assign(t=stamps), by="id", rate=20)
+    assert str(dated["t"].dtype) == "timestamp[ms][pyarrow]" and dated["wx"].dtype == float
     found = tables.resample(given, by="id", rate=20)
     assert {str(found[name].dtype) for name in ("t", *QUATERNION, "wx")} == {"Float64" if backend == "numpy_nullable" else "double[pyarrow]"}
     assert found["id"].dtype == given["id"].dtype and np.array_equal(found["wx"].astype(float), tables.resample(FRAME, by="id", rate=20)["wx"])
@@ -117,8 +120,16 @@ def test_the_other_table_comes_back_as_it_was():
     for frame in (polars.from_pandas(AT), polars.from_pandas(AT).lazy()):
         both = tables.evaluate(FRAME, frame, by="id", derivatives=1)
         assert isinstance(both, type(frame)) and both.lazy().collect()[AT.columns.to_list()].equals(polars.from_pandas(AT))
+    asked = []
+    keys = polars.from_arrow(KEYS).lazy()
+    watched = keys.map_batches(lambda frame: asked.append(len(frame)) or frame, schema=keys.collect_schema())
+    both = tables.evaluate(watched, polars.from_pandas(AT).lazy(), by="id")
+    assert not asked and len(both.collect()) == len(AT) and asked == [len(FRAME)]
+    twice = at.set_axis([1, 1, 1])
+    assert tables.evaluate(FRAME, twice, by="id").index.tolist() == [1, 1, 1]
     expected = tables.evaluate(KEYS, pa.Table.from_pandas(AT, preserve_index=False), by="id", derivatives=1).read_all().sort_by("what").to_pandas()
-    pandas.testing.assert_frame_equal(tables.evaluate(KEYS, AT, by="id", derivatives=1).sort_values("what", ignore_index=True), expected[[*AT.columns, *expected.columns[3:]]])
+    found = tables.evaluate(KEYS, AT, by="id", derivatives=1).sort_values("what", ignore_index=True)
+    pandas.testing.assert_frame_equal(found, expected[[*AT.columns, *expected.columns[3:]]])
     with pytest.raises(ori.ArgumentError, match="at: found the column 'qx', which the result has too: leave it out"):
         tables.evaluate(FRAME, at.assign(qx=1), by="id")
 
@@ -155,7 +166,8 @@ def test_a_column_that_looks_like_the_time_is_named(name):
 def test_times_of_which_some_only_have_a_zone_are_refused():
     first, second, naive = pandas.Timestamp("2026-01-01", tz="Europe/Zurich"), pandas.Timestamp("2026-01-01T12:00", tz="UTC"), pandas.Timestamp("2026-01-02")
     frame = pandas.DataFrame({"id": 1, "t": pandas.Series([first, second, naive], dtype=object), **dict(zip(QUATERNION, FRAME[QUATERNION].to_numpy()[:3].T))})
-    for job in (lambda given: tables.resample(given, by="id"), lambda given: tables.evaluate(given, AT, by="id"), lambda given: tables.resample(given.set_index("t"), by="id")):
+    for job in (lambda given: tables.resample(given, by="id"), lambda given: tables.evaluate(given, AT, by="id"),
+                lambda given: tables.resample(given.set_index("t"), by="id")):
         with pytest.raises(ori.ArgumentError, match="the column 't': found dates with a time zone and dates without one, wanted a time zone for all"):
             job(frame)
     zoned = frame.assign(t=pandas.Series([first, second, naive.tz_localize("Asia/Tokyo")], dtype=object))
@@ -179,7 +191,8 @@ def test_frames_are_written_too(tmp_path):
 def test_quaternions_of_any_norm_are_taken(job, word):
     longer = FRAME.assign(**{name: FRAME[name] * (1 + np.arange(len(FRAME)) % 3) for name in QUATERNION})
     work = {"resample": lambda frame, **how: tables.resample(frame, by="id", rate=20, **how), "mean": lambda frame, **how: tables.mean(frame, by="id", **how),
-            "smooth": lambda frame, **how: tables.smooth(frame, by="id", smoothing_time=0.1, **how), "evaluate": lambda frame, **how: tables.evaluate(frame, AT, by="id", **how)}[job]
+            "smooth": lambda frame, **how: tables.smooth(frame, by="id", smoothing_time=0.1, **how),
+            "evaluate": lambda frame, **how: tables.evaluate(frame, AT, by="id", **how)}[job]
     found, expected = work(longer, **{word: True}), work(FRAME)
     for name in QUATERNION:
         assert np.allclose(found[name].astype(float), expected[name].astype(float), atol=1e-12, equal_nan=True)
@@ -187,6 +200,18 @@ def test_quaternions_of_any_norm_are_taken(job, word):
     assert refused.str.contains("norm").any()
     zeros = FRAME.assign(**dict.fromkeys(QUATERNION, 0.0))
     assert work(zeros, **{word: True})["error"].notna().all()
+
+
+@pytest.mark.parametrize("word", ["--normalize", "--normalise"])
+def test_the_command_takes_any_norm_too(word, tmp_path):
+    from orispline.tables._command import main
+    longer = FRAME.assign(**{name: 3 * FRAME[name] for name in QUATERNION})
+    tables.write(longer, tmp_path / "keys.parquet")
+    words = ["resample", str(tmp_path / "keys.parquet"), "--by", "id", "--rate", "20", "--quiet", "-o", str(tmp_path / "motion.parquet")]
+    assert main([*words, word]) == 0
+    found = pq.read_table(tmp_path / "motion.parquet").to_pandas()
+    assert np.allclose(found[QUATERNION], tables.resample(FRAME, by="id", rate=20)[QUATERNION], atol=1e-12) and found["error"].isna().all()
+    assert main(words) == 0 and pq.read_table(tmp_path / "motion.parquet")["error"].null_count == 0
 
 
 class Told(list):

@@ -14,8 +14,8 @@ RECORDING, FEW = ori.Keys(T, R), ori.Keys(T[::20], R[::20])
 RATES = np.gradient(TURNS, T, axis=0)
 TASKS = {"smooth": (ori.smooth, (), {"smoothing_time": 0.05}), "reduce": (ori.reduce, ("1deg",), {"method": "slerp"}), "retime": (ori.retime, (), {"max_rate": 1.0}),
          "tune": (ori.tune, ("quintic",), {}), "compare": (ori.compare, (["slerp", "auto"],), {"threads": 1})}
-FORMS = {"rotations": ((T, R), {}), "arrays": ((T, Q), {}), "lists": ((T.tolist(), Q.tolist()), {}), "list of Rotations": ((T, list(R)), {}), "matrices": ((T, R.as_matrix()), {}),
-         "a pair": (((T, Q),), {}), "by names": ((), {"times": T, "rotations": Q}), "one by its name": ((T,), {"rotations": Q}),
+FORMS = {"rotations": ((T, R), {}), "arrays": ((T, Q), {}), "lists": ((T.tolist(), Q.tolist()), {}), "list of Rotations": ((T, list(R)), {}),
+         "matrices": ((T, R.as_matrix()), {}), "a pair": (((T, Q),), {}), "by names": ((), {"times": T, "rotations": Q}), "one by its name": ((T,), {"rotations": Q}),
          "any norm": ((T, 3 * Q), {"normalize": True}), "scalar first": ((T, np.roll(Q, 1, axis=1)), {"scalar_first": True}),
          "Euler angles": ((T, R.as_euler("ZYX", degrees=True)), {"euler": "ZYX", "angle_unit": "deg"}), "in any order": ((T[::-1], Q[::-1]), {"sort": True}),
          "keys by their name": ((), {"keys": RECORDING})}
@@ -68,15 +68,21 @@ def test_a_mean_has_windows_of_times():
 
 @pytest.mark.parametrize(("ask", "error", "text"), [
     (lambda: ori.smooth(RECORDING, positions=TURNS), TypeError, "positions: found positions beside Keys, wanted them with the Keys"),
-    (lambda: ori.smooth(RECORDING, Q), TypeError, "rotations: found rotations beside Keys"), (lambda: ori.mean(RECORDING, Q), TypeError, "rotations: found rotations beside Keys"),
-    (lambda: ori.smooth(T), TypeError, "keys: found ndarray, wanted Keys, or times and rotations"), (lambda: ori.smooth(), TypeError, "smooth: found no keys, wanted Keys"),
+    (lambda: ori.smooth(RECORDING, Q), TypeError, "rotations: found rotations beside Keys"),
+    (lambda: ori.mean(RECORDING, Q), TypeError, "rotations: found rotations beside Keys"),
+    (lambda: ori.smooth(T), TypeError, "keys: found ndarray, wanted Keys, or times and rotations"),
+    (lambda: ori.smooth(), TypeError, "smooth: found no keys, wanted Keys"),
     (lambda: ori.smooth(RECORDING.curve()), TypeError, "keys: found Curve, wanted Keys, such as its .keys"),
-    (lambda: ori.tune(T, "quintic"), TypeError, "keys: found ndarray, wanted Keys, or times"), (lambda: ori.retime(T, Q[:5], max_rate=1), ori.DataError, "rotations: found 5, wanted one for each of the 201 times"),
-    (lambda: ori.align((T, Q), 3), TypeError, "b: found int, wanted Keys or Rates"), (lambda: ori.align((T, Q[:5]), (T, Q)), ori.DataError, "rotations: found 5"),
+    (lambda: ori.tune(T, "quintic"), TypeError, "keys: found ndarray, wanted Keys, or times"),
+    (lambda: ori.retime(T, Q[:5], max_rate=1), ori.DataError, "rotations: found 5, wanted one for each of the 201 times"),
+    (lambda: ori.align((T, Q), 3), TypeError, "b: found int, wanted Keys or Rates"),
+    (lambda: ori.align((T, Q[:5]), (T, Q)), ori.DataError, "rotations: found 5"),
     (lambda: ori.reduce_tracks([(T, Q), T], "1deg"), TypeError, r"tracks\[1\]: found ndarray, wanted Keys"),
     (lambda: ori.compare(FEW, truth=RECORDING, reference=RECORDING), ori.ArgumentError, "truth: found it beside reference, wanted one of them"),
-    (lambda: ori.smooth(T, Q, gyro=(T, RATES[:5])), ori.DataError, "rates: found 5 rows"), (lambda: ori.smooth(T[::-1], Q), ori.DataError, r"key 1: .*\(sort=True puts them in order\)"),
-    (lambda: ori.smooth(T, 3 * Q), ori.DataError, "the quaternion has norm 3"), (lambda: ori.smooth(T, Q, nonsense=1), ori.Error, "nonsense")])
+    (lambda: ori.smooth(T, Q, gyro=(T, RATES[:5])), ori.DataError, "rates: found 5 rows"),
+    (lambda: ori.smooth(T[::-1], Q), ori.DataError, r"key 1: .*\(sort=True puts them in order\)"),
+    (lambda: ori.smooth(T, 3 * Q), ori.DataError, "the quaternion has norm 3"),
+    (lambda: ori.smooth(T, Q, nonsense=1), ori.Error, "nonsense")])
 def test_what_makes_no_keys_is_told(ask, error, text):
     with pytest.raises(error, match=text):
         ask()

@@ -133,8 +133,8 @@ def _texts(methods: Sequence[Method] | Method | None) -> list[str]:
 
 @of_keys
 def compare(keys: Keys, /, methods: Sequence[Method] | Method | None = None, *, reference: Keys | tuple[Any, Any] | None = None,
-            truth: Keys | tuple[Any, Any] | None = None, align: bool = False, keep_every: int | Sequence[int] = 8, jitter: bool = False, random: int | None = None,
-            inertia: Any = None, leave_out: bool = False, least_energy: bool = True, tune: bool = False, sort: str = "rms",
+            truth: Keys | tuple[Any, Any] | None = None, align: bool = False, keep_every: int | Sequence[int] = 8, jitter: bool = False,
+            random: int | None = None, inertia: Any = None, leave_out: bool = False, least_energy: bool = True, tune: bool = False, sort: str = "rms",
             threads: int = 0) -> Comparison:
     """How near the curves of methods come to a recording, how smooth they are, and what they cost.
 

@@ -105,13 +105,15 @@ class Keys(Named, Writable):
     _source: dict[str, Any]  # what is known of the file that they are from
     _curve_class: ClassVar[type[Curve]]  # set by the module of curves, which knows this one
 
-    def __init__(self, times: Any, rotations: Any, *, positions: Any = None, angular_velocities: Any = None,
+    def __init__(self, times: Any, rotations: Any = ..., *, positions: Any = None, angular_velocities: Any = None,
                  angular_accelerations: Any = None, angular_jerks: Any = None, inner_leaving: Any = None, inner_arriving: Any = None,
                  settings: Mapping[str, Any] | None = None, signs: Signs = "shortest", scalar_first: bool = False,
                  normalize: bool = False, normalise: bool = False, euler: str | None = None, angle_unit: AngleUnit | None = None,
                  drop_invalid: bool = False, drop_duplicates: bool = False, sort: bool = False,
                  time_unit: TimeUnit | None = None, gap: Number | None = None) -> None:
         refuse_frame("times", times)
+        if rotations is ...:
+            raise TypeError("rotations: found none beside the times, wanted them: Keys(times, rotations)")
         index_of("signs", signs, SIGNS)
         scalar_first = flag("scalar_first", scalar_first)
         mending = Mending.of(normalize, normalise, drop_invalid, drop_duplicates, sort)

@@ -30,7 +30,7 @@ def answered(given: Any, layout: Layout, work: Work) -> Any:
     """What the work makes of the rows of a source, in the kind of frame that this is."""
     kind = kind_of(given)
     if kind == "lazy":
-        return _lazily(given, lambda frame: answered(frame, layout, work))
+        return _lazily(given, lambda frame, _: answered(frame, layout, work))
     if kind == "polars":
         return _polars_of(work(source_of(given)).read_all(), given.schema, layout.by)
     if kind == "pandas":
@@ -42,27 +42,26 @@ def answered(given: Any, layout: Layout, work: Work) -> Any:
     return work(source_of(given))
 
 
-def beside(at: Any, layout: Layout, work: Work) -> Any:
-    """The rows of the other table with the columns that the work makes for them. Frames keep their columns, their index and the order
-    of their rows."""
+def beside(at: Any, keys: Any, layout: Layout, work: Callable[[Source, Any], Any]) -> Any:
+    """The rows of the other table with the columns that the work makes for them of keys. Frames keep their columns, their index and the
+    order of their rows."""
     kind = kind_of(at)
     if kind == "lazy":
-        return _lazily(at, lambda frame: beside(frame, layout, work))
+        return _lazily(at, lambda frame, first: beside(frame, _without_rows(keys) if first else keys, layout, work))
     if not kind:
-        return work(source_of(at, "at"))
+        return work(source_of(at, "at"), keys)
     frame = index_as_columns(at, layout)
     for name in layout.order:
         check_once("at", [str(each) for each in frame.columns], name, layout.time)
     needed = frame[layout.order]
     numbered = table_of(needed.reset_index(drop=True) if kind == "pandas" else needed, "at").append_column(ROW, pa.array(np.arange(len(frame))))
-    found = work(source_of(numbered, "at")).read_all().sort_by(ROW)
+    found = work(source_of(numbered, "at"), keys).read_all().sort_by(ROW)
     rows, made = found[ROW].to_numpy(), found.drop_columns([*layout.order, ROW])
     for name in made.column_names:
         check_new(name, at.columns)
     if kind == "polars":
         return at[rows].hstack(_polars_of(made, {}, ()).get_columns())
-    new = made.to_pandas().set_axis(at.index.take(rows))
-    return at.take(rows).assign(**{name: new[name] for name in new})
+    return at.take(rows).assign(**{name: column.array for name, column in made.to_pandas().items()})
 
 
 def check_new(name: str, there: Sequence[Any]) -> None:
@@ -71,14 +70,22 @@ def check_new(name: str, there: Sequence[Any]) -> None:
         raise ArgumentError(f"at: found the column {name!r}, which the result has too: leave it out or give it another name")
 
 
-def _lazily(frame: Any, work: Callable[[Any], Any]) -> Any:
-    """A LazyFrame that does the work when it is collected. What is wrong with columns and options is said at once."""
+def _without_rows(frame: Any) -> Any:
+    """Of a LazyFrame the columns alone."""
+    if kind_of(frame) != "lazy":
+        return frame
     import polars
-    made = work(polars.DataFrame(schema=frame.collect_schema()))
+    return polars.DataFrame(schema=frame.collect_schema())
+
+
+def _lazily(frame: Any, work: Callable[[Any, bool], Any]) -> Any:
+    """A LazyFrame that does the work when it is collected. What is wrong with columns and options is said at once, by a first time
+    without rows."""
+    made = work(_without_rows(frame), True)
 
     def rows(whole: Any) -> Any:
         with collected() as warnings:
-            found = work(whole)
+            found = work(whole, False)
         tell((str(warning), warning.code, warning.numbers) for warning in warnings if warning.code not in TOLD_BEFORE)
         return found
 
@@ -122,7 +129,7 @@ def _pandas_of(table: Any, given: Any, frame: Any, moved: list[Any], layout: Lay
     made = table.to_pandas(types_mapper=_types_like(numbers[0], pandas) if numbers else None)
     for name in layout.order:
         if name in made.columns and name in frame.columns:
-            made[name] = _typed_like(made[name], frame[name].dtype)
+            made[name] = _typed_like(made[name], frame[name].dtype, table.schema.field(name).type)
     if moved:
         made = made.set_index([layout.time if name is None else name for name in moved]).rename_axis(index=moved)
     made.columns.name, made.attrs = given.columns.name, copy.deepcopy(given.attrs)
@@ -139,12 +146,10 @@ def _types_like(kind: Any, pandas: Any) -> Callable[[Any], Any] | None:
     return known.get
 
 
-def _typed_like(column: Any, kind: Any) -> Any:
+def _typed_like(column: Any, kind: Any, arrow: Any) -> Any:
     """Ids and times of the type that they had; stamps of the result may have another unit, and keep that."""
-    if column.dtype == kind:
+    if column.dtype == kind or isinstance(kind, np.dtype):
         return column
     if getattr(kind, "tz", None) is not None:
         return column.dt.tz_convert(kind.tz)
-    if isinstance(kind, np.dtype) or "timestamp" in str(kind) or "duration" in str(kind):
-        return column
-    return column.astype(kind)
+    return column.astype(type(kind)(arrow) if type(kind).__name__ == "ArrowDtype" else kind)

@@ -153,7 +153,7 @@ def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str
     columns = layout(by, time, quaternion, position, normalize, normalise)
     check(progress)
 
-    def work(other: Source) -> Any:
+    def work(other: Source, keys: Any) -> Any:
         kind = beside_schema(columns, other.schema)
         if not kind_of(at):
             tell_of_types(time, other.schema.field(time).type, kind.field(time).type, None)
@@ -167,7 +167,7 @@ def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str
         made = counted(both, lambda: ordered(both, order, assume_sorted=False, threads=job.threads, memory_limit=memory_limit), progress)
         return reader(job, both, made, other)
 
-    return beside(at, columns, work)
+    return beside(at, keys, columns, work)
 
 
 def smooth(source: Any, *, by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION,
