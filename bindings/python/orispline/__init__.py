@@ -20,8 +20,6 @@ from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Er
 from ._files import write
 from ._keys import Keys
 from ._names import no_such_name as _no_such_name
-from ._online import OnlineCurve
-from ._pictures import plot_comparison, plot_sphere
 from ._reading import read
 from ._samples import Motion, Sample, Samples
 from ._scipy_twins import RotationSpline, Slerp
@@ -35,6 +33,8 @@ if TYPE_CHECKING:
     from ._comparison import Comparison, compare
     from ._mean import Mean, mean
     from ._measures import DistanceStatistics, Energies, HandleTurn, KeyStatistics, Peak, Peaks, Spread
+    from ._online import OnlineCurve
+    from ._pictures import plot_comparison, plot_sphere
     from ._rate_alignment import OpenRateDirection, RateAlignment
     from ._rates import Rates, read_rates
     from ._results import Alignment, Certificate, OpenDirection, Reduction, Retiming, Smoothing, Tuning
@@ -54,6 +54,8 @@ __version__: str = _core.version
 _LATER = {"_comparison": ("Comparison", "compare"),
           "_mean": ("Mean", "mean"),
           "_measures": ("DistanceStatistics", "Energies", "HandleTurn", "KeyStatistics", "Peak", "Peaks", "Spread"),
+          "_online": ("OnlineCurve",),
+          "_pictures": ("plot_comparison", "plot_sphere"),
           "_rate_alignment": ("OpenRateDirection", "RateAlignment"),
           "_rates": ("Rates", "read_rates"),
           "_results": ("Alignment", "Certificate", "OpenDirection", "Reduction", "Retiming", "Smoothing", "Tuning"),

@@ -44,7 +44,7 @@ class OrientationCurve(Named, Orienting):
     axis more. Angular rates are in the body frame unless `frame="world"`. A curve never changes, and threads may share it.
     """
 
-    __slots__ = ("__weakref__", "_beyond", "_clock", "_core", "_keys", "_leaves_out", "_plain", "_scalar_first")
+    __slots__ = ("__weakref__", "_beyond", "_clock", "_core", "_keys", "_leaves_out", "_of_one_time", "_scalar_first")
     __array_ufunc__: ClassVar[None] = None  # NumPy leaves `array * curve` to the curve
     _clock: Clock
     _keys: Keys  # whose clock it has
@@ -55,7 +55,7 @@ class OrientationCurve(Named, Orienting):
         self._leaves_out = extrapolate == LEAVE_OUT
         self._keys, self._core, self._beyond = keys, core, BEYOND.index("nan") if self._leaves_out else way
         self._clock, self._scalar_first = keys._clock, keys._scalar_first
-        self._plain = self._clock.unit == "s" and not self._scalar_first
+        self._of_one_time = (core.one, self._beyond) if self._clock.unit == "s" and not self._scalar_first else None  # as the core has it
 
     @property
     def _extrapolate(self) -> Extrapolate:
@@ -81,8 +81,9 @@ class OrientationCurve(Named, Orienting):
     @quantity
     def __call__(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
         """(..., 4) unit quaternions, x, y, z, w, or w, x, y, z where the keys were given so."""
-        if isinstance(t, float) and self._plain and out is None and dtype is np.float64 and threads is ALONE:
-            return self._core.one(ORIENTATION, t, False, self._beyond)  # type: ignore[no-any-return]
+        if isinstance(t, float) and out is None and dtype is np.float64 and threads is ALONE and (found := self._of_one_time):
+            one, beyond = found
+            return one(ORIENTATION, t, False, beyond)  # type: ignore[no-any-return]
         if not self._scalar_first:
             return self._at(ORIENTATION, t, "body", out, dtype, threads)
         q = self._at(ORIENTATION, t, "body", None, dtype, threads)
@@ -477,8 +478,9 @@ class OrientationCurve(Named, Orienting):
 
     def _at(self, what: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> NDArray[Any]:
         world = in_world(frame)
-        if isinstance(t, float) and self._plain and out is None and dtype is np.float64 and threads is ALONE:
-            return self._core.one(what, t, world, self._beyond)  # type: ignore[no-any-return]
+        if isinstance(t, float) and out is None and dtype is np.float64 and threads is ALONE and (found := self._of_one_time):
+            one, beyond = found
+            return one(what, t, world, beyond)  # type: ignore[no-any-return]
         seconds = self._asked("t", t)
         result = output("out", out, (*seconds.shape, 4 if what == ORIENTATION else 3), dtype, seconds)
         self._core.many(what, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), world, self._beyond,

@@ -16,11 +16,9 @@ from ._errors import ArgumentError, DataError, tell
 from ._files import Options, Writable, stated, write
 from ._forms import of_euler, poses, rotation_text
 from ._frames import as_xarray, of_arrow, of_pandas, of_polars, of_xarray, refuse_frame
-from ._joining import joined
 from ._mending import Indices, Mending, scaled
 from ._methods import ends_text, method_text
 from ._names import Named
-from ._places import Rows
 
 if TYPE_CHECKING:
     import decimal
@@ -227,6 +225,7 @@ class Keys(Named, Writable):
         >>> keys[-1], keys[0.5:3.0]
         (Keys(1 key, 3 … 3 s), Keys(1 key, 1 … 1 s))
         """
+        from ._places import Rows
         rows = Rows("keys", self._core.times, self._clock, _core.epoch_of_keys(self._core))
         return Keys._of(_core.part_of_keys(self._core, rows.places(part, rising=True).tolist()), self._clock, scalar_first=self._scalar_first)
 
@@ -241,6 +240,7 @@ class Keys(Named, Writable):
         """
         if not isinstance(more, Keys):
             return NotImplemented
+        from ._joining import joined
         return Keys._of(joined(self, more), self._clock, scalar_first=self._scalar_first)
 
     def __iter__(self) -> Iterator[tuple[Any, Array]]:

@@ -19,7 +19,6 @@ from ._files import Options, Writable, write
 from ._frames import as_xarray
 from ._html import few_rows, table
 from ._names import Named
-from ._places import Rows, is_place
 
 if TYPE_CHECKING:
     import decimal
@@ -123,6 +122,7 @@ class Samples(Named, Writable):
     def __getitem__(self, part: slice | Sequence[int] | NDArray[Any]) -> Samples: ...
     def __getitem__(self, part: Any) -> Sample | Samples:
         """One of them by its place, or those of a slice, of a mask or of indices, as of `Keys`."""
+        from ._places import Rows, is_place
         origin = self._from
         rows = Rows("samples", origin.seconds, origin.clock, origin.epoch)
         if is_place(part):
