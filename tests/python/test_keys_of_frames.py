@@ -36,6 +36,15 @@ def test_frames_remember_the_epoch_of_a_file(name, make, tmp_path):
     assert found == keys and found.epoch == keys.epoch == decimal.Decimal("1700000000.000000001")
 
 
+@pytest.mark.parametrize("word", ["J2000", None, 0, "0.0", float("nan"), "inf"])
+def test_an_epoch_that_is_no_number_is_somebody_elses_word(word):
+    frame = KEYS.to_pandas()
+    frame.attrs["epoch"] = word
+    assert ori.Keys.from_pandas(frame).epoch == 0 and ori.Keys.from_pandas(frame) == KEYS
+    frame.attrs["epoch"] = "1e9"
+    assert ori.Keys.from_pandas(frame).epoch == 10**9
+
+
 def test_names_and_types_of_frames_may_be_others():
     names = {"t": "stamp", "qw": "w"}
     frame = KEYS.to_pandas().rename(columns=names).assign(temperature=20.0, place="here")

@@ -108,10 +108,15 @@ def _components(meaning: str, variable: Any) -> dict[str, Any]:
 
 
 def _since(columns: dict[str, Any], epoch: Any) -> dict[str, Any]:
-    """With seconds that remember what they count from, where a frame says so; stamps know it."""
+    """With seconds that remember what they count from, where a frame says so by a number; stamps know it."""
+    import decimal
     times = columns.get("t")
-    if epoch is not None and times is not None and str(epoch) != "0" and getattr(getattr(times, "dtype", None), "kind", "") == "f":
-        columns["t"] = SecondsSince.of(np.asarray(times, dtype=np.float64), str(epoch))
+    try:
+        since = decimal.Decimal(0 if epoch is None else str(epoch))
+    except decimal.InvalidOperation:  # somebody else's word
+        return columns
+    if since and since.is_finite() and getattr(getattr(times, "dtype", None), "kind", "") == "f":
+        columns["t"] = SecondsSince.of(np.asarray(times, dtype=np.float64), f"{since:f}")
     return columns
 
 
