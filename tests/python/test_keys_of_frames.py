@@ -64,16 +64,35 @@ def test_chunks_of_dask_are_read():
     assert ori.Keys.from_xarray(KEYS.to_xarray().chunk({"t": 1})) == KEYS
 
 
-def test_curves_work_under_xarray_with_dims_coordinates_and_attributes_and_lazily():
-    pytest.importorskip("dask")
-    curve = ori.Curve(T, Q)
-    times = xarray.DataArray(np.linspace(0, 3, 12).reshape(3, 4), dims=("track", "sample"), coords={"track": ["a", "b", "c"]}, attrs={"of": "a clock"})
-    for given in (times, times.chunk({"track": 1})):
-        for function, name, count in ((curve, "quaternion", 4), (curve.angular_velocity, "axis", 3)):
-            found = xarray.apply_ufunc(function, given, output_core_dims=[[name]], dask="parallelized", output_dtypes=[float], keep_attrs=True,
-                                       dask_gufunc_kwargs={"output_sizes": {name: count}})
-            assert found.dims == ("track", "sample", name) and found.attrs == times.attrs and list(found["track"].values) == ["a", "b", "c"]
-            assert (found.chunks is None) == (given.chunks is None) and np.array_equal(found, function(times.values))
+@pytest.mark.parametrize("chunks", [None, {"track": 1}])
+@pytest.mark.parametrize("scalar_first", [False, True])
+def test_a_curve_at_the_times_of_a_data_array_is_one_with_its_dims_and_coordinates(scalar_first, chunks):
+    if chunks:
+        pytest.importorskip("dask")
+    curve = ori.Curve(T, np.roll(Q, 1, axis=1) if scalar_first else Q, positions=np.eye(3), scalar_first=scalar_first)
+    values = np.linspace(-1, 4, 12).reshape(3, 4)
+    times = xarray.DataArray(values, dims=("track", "sample"), coords={"track": ("track", ["a", "b", "c"], {"of": "a log"})}, attrs={"units": "s"})
+    given = times.chunk(chunks) if chunks else times
+    for name, function, more, attrs in (("orientation", curve, {}, {}), ("orientation", curve.at, {"dtype": "float32"}, {}),
+                                        ("angular_velocity", curve.angular_velocity, {"frame": "world"}, {"units": "rad/s", "frame": "world"}),
+                                        ("angular_jerk", curve.derivative(3), {}, {"units": "rad/s3", "frame": "body"}),
+                                        ("position", curve.position, {}, {"units": "m"}), ("acceleration", curve.acceleration, {"threads": 2}, {"units": "m/s2"})):
+        found, last = function(given, **more), "quaternion" if name == "orientation" else "axis"
+        assert (found.name, found.dims, found.attrs, found["track"].attrs) == (name, ("track", "sample", last), attrs, {"of": "a log"})
+        assert "".join(found[last].values) == (("wxyz" if scalar_first else "xyzw") if name == "orientation" else "xyz")
+        assert (found.chunks is not None) == bool(chunks) and np.array_equal(found, function(values, **more)) and found.dtype == function(values, **more).dtype
+    assert np.array_equal(curve.as_matrix(given), curve.as_matrix(values)) and np.array_equal(curve.torque(given, [1, 2, 2.5]), curve.torque(values, [1, 2, 2.5]))
+    assert curve.motion(given[0, 0]) == curve.motion(-1.0) and ori.Keys(times[0] + 1, curve(times[0])) == ori.Keys(values[0] + 1, curve(values[0]), scalar_first=False)
+    with pytest.raises(ori.ArgumentError, match="out: found it with a DataArray of xarray, wanted none"):
+        curve(given, out=np.empty((3, 4, 4)))
+
+
+def test_stamps_of_xarray_stay_coordinates():
+    stamps = xarray.DataArray(STAMPS, dims="time", coords={"time": STAMPS})
+    found = ori.Curve(STAMPS, Q).angular_velocity(stamps)
+    assert found.dims == ("time", "axis") and np.array_equal(found["time"], STAMPS)
+    with pytest.raises(ori.ArgumentError, match="t: found an array of datetime64.*, wanted numbers"):
+        ori.Curve(T, Q)(stamps)
 
 
 @pytest.mark.parametrize(("make", "error", "text"), [

@@ -15,6 +15,7 @@ from ._clock import Clock
 from ._columns import PARTS
 from ._errors import ArgumentError, DataError
 from ._forms import inverse_text, quaternions, rotation_text
+from ._frames import QUANTITIES, bare, is_labelled, labelled
 from ._keys import Keys
 from ._names import Named
 from ._orienting import Orienting
@@ -41,7 +42,8 @@ class OrientationCurve(Named, Orienting):
     """A curve of orientations over time, with exact angular velocity, acceleration and jerk.
 
     Functions of time take a time or an array of times of any shape, in any order; what they give has that shape and one
-    axis more. Angular rates are in the body frame unless `frame="world"`. A curve never changes, and threads may share it.
+    axis more; of a DataArray of xarray one with its dimensions and coordinates, lazily where it is in chunks of dask. Angular rates are in
+    the body frame unless `frame="world"`. A curve never changes, and threads may share it.
     """
 
     __slots__ = ("__weakref__", "_beyond", "_clock", "_core", "_keys", "_leaves_out", "_of_one_time", "_scalar_first")
@@ -86,7 +88,9 @@ class OrientationCurve(Named, Orienting):
             return one(ORIENTATION, t, False, beyond)  # type: ignore[no-any-return]
         if not self._scalar_first:
             return self._at(ORIENTATION, t, "body", out, dtype, threads)
-        q = self._at(ORIENTATION, t, "body", None, dtype, threads)
+        q = self._at(ORIENTATION, t, "body", out if is_labelled(t) else None, dtype, threads)
+        if is_labelled(t):
+            return q
         result = output("out", out, q.shape, q.dtype)
         result[...] = q[..., [3, 0, 1, 2]]
         return result
@@ -155,6 +159,7 @@ class OrientationCurve(Named, Orienting):
         """
         if np.asarray(t).ndim:
             raise ArgumentError("t: found an array, wanted one time")
+        t = bare(t)
         if index_of("side", side, SIDES) == 1:
             q = self(t)  # with what a time outside gets
             seconds = float(self._clock.seconds("t", t))
@@ -284,7 +289,7 @@ class OrientationCurve(Named, Orienting):
         >>> curve.torque([0.5, 1.5], [1.0, 2.0, 2.5]).shape
         (2, 3)
         """
-        tensor = inertia_tensor(inertia)
+        tensor, t = inertia_tensor(inertia), bare(t)
         rates = self.angular_velocity(t)
         result = np.empty(rates.shape)
         _core.torques(rates.reshape(-1, 3), self.angular_acceleration(t).reshape(-1, 3), tensor, result.reshape(-1, 3))
@@ -418,7 +423,7 @@ class OrientationCurve(Named, Orienting):
         return tuple(self.__reduce__())
 
     def _quaternions(self, t: Any) -> NDArray[np.float64]:
-        return self._at(ORIENTATION, t, "body", None, np.float64, 1)
+        return self._at(ORIENTATION, bare(t), "body", None, np.float64, 1)
 
     # How it reads its arguments. A `CurveStack` does so by its first curve.
 
@@ -481,11 +486,23 @@ class OrientationCurve(Named, Orienting):
         if isinstance(t, float) and out is None and dtype is np.float64 and threads is ALONE and (found := self._of_one_time):
             one, beyond = found
             return one(what, t, world, beyond)  # type: ignore[no-any-return]
+        if is_labelled(t):
+            return self._labelled(what, t, frame, out, dtype, threads)  # type: ignore[no-any-return]
         seconds = self._asked("t", t)
         result = output("out", out, (*seconds.shape, 4 if what == ORIENTATION else 3), dtype, seconds)
         self._core.many(what, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), world, self._beyond,
                         thread_count(threads))
         return result
+
+    def _labelled(self, what: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> Any:
+        """At the times of a DataArray, as one."""
+        if out is not None:
+            raise ArgumentError("out: found it with a DataArray of xarray, wanted none: the result is one")
+
+        def values(times: Any) -> Any:
+            rows = self._at(what, times, frame, None, dtype, threads)
+            return rows[..., [3, 0, 1, 2]] if what == ORIENTATION and self._scalar_first else rows
+        return labelled(QUANTITIES[what], t, values, "wxyz" if self._scalar_first else "xyzw", frame, dtype)
 
     def _series(self, times: Any, rows: Array, name: str) -> tuple[Array, Array]:
         seconds = self._clock.seconds("times", times)

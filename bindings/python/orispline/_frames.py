@@ -2,7 +2,7 @@
 """Frames of pandas, Polars, Arrow and xarray, as the columns of keys by name."""
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -21,6 +21,7 @@ FRAMES = {("pandas", "DataFrame"): "from_pandas", ("polars", "DataFrame"): "from
           ("pyarrow", "Table"): "from_arrow", ("pyarrow", "RecordBatch"): "from_arrow", ("pyarrow", "RecordBatchReader"): "from_arrow",
           ("xarray", "Dataset"): "from_xarray", ("duckdb", "DuckDBPyRelation"): "from_arrow"}  # by library and type, what reads them
 AXES = ("x", "y", "z")
+QUANTITIES = ("orientation", "angular_velocity", "angular_acceleration", "angular_jerk", "position", "velocity", "acceleration")
 UNITS = {"angular_velocity": "rad/s", "angular_acceleration": "rad/s2", "angular_jerk": "rad/s3", "position": "m", "velocity": "m/s",
          "acceleration": "m/s2"}
 # The variables of a Dataset with a dimension more, and their columns without the letters of the components.
@@ -130,9 +131,33 @@ def as_xarray(times: NDArray[Any], epoch: decimal.Decimal, frame: str, order: st
             continue
         last = [] if rows.ndim == 1 else ["quaternion" if rows.shape[-1] == len(order) else "axis"]
         joints = rows.shape[1] if rows.ndim == 3 else joints
-        attrs = {"units": UNITS[name]} if name in UNITS else {}
-        made[name] = (["t", *["joint"] * (rows.ndim - 1 - len(last)), *last], rows,
-                      {**attrs, "frame": frame} if name.startswith("angular_") else attrs)
+        made[name] = (["t", *["joint"] * (rows.ndim - 1 - len(last)), *last], rows, _said_of(name, frame))
     coordinates = {"t": times, "quaternion": list(order), **({"axis": list(AXES)} if any("axis" in each[0] for each in made.values()) else {}),
                    **({} if joints is None else {"joint": np.arange(joints)})}
     return xarray.Dataset(made, coordinates, {"epoch": f"{epoch:f}"})
+
+
+def _said_of(name: str, frame: str) -> dict[str, str]:
+    """The attributes of a variable."""
+    return {**({"units": UNITS[name]} if name in UNITS else {}), **({"frame": frame} if name.startswith("angular_") else {})}
+
+
+def is_labelled(times: Any) -> bool:
+    """Whether it is a DataArray of xarray."""
+    return type(times).__name__ == "DataArray" and library_of(times) == "xarray"
+
+
+def bare(times: Any) -> Any:
+    """The values of a DataArray; all else as it is."""
+    return np.asarray(times)[()] if is_labelled(times) else times
+
+
+def labelled(name: str, times: Any, values: Callable[[Any], Any], order: str, frame: str, dtype: Any) -> Any:
+    """The values at the times of a DataArray as one with its dimensions and coordinates and those of the components; made when they are
+    asked for where the times are chunks of dask."""
+    last, labels = ("quaternion", list(order)) if name == "orientation" else ("axis", list(AXES))
+    found = needed("xarray", "xarray").apply_ufunc(values, times, output_core_dims=[[last]], dask="parallelized", output_dtypes=[np.dtype(dtype)],
+                                                   dask_gufunc_kwargs={"output_sizes": {last: len(labels)}}, keep_attrs=True)
+    found = found.assign_coords({last: labels}).rename(name)
+    found.attrs = _said_of(name, frame)
+    return found
