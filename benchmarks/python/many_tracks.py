@@ -99,7 +99,7 @@ def _drained(reader: pa.RecordBatchReader) -> None:
 
 def _by_polars(source: str, place: str) -> tuple[float, int]:
     import polars
-    return _written(lambda: polars.read_parquet(source), place)
+    return _written(lambda: polars.read_parquet(source).to_arrow(), place)  # a stream: of a frame comes a frame, in memory
 
 
 def _by_pyarrow(source: str, place: str) -> tuple[float, int]:

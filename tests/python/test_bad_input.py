@@ -31,7 +31,7 @@ KEYS = [
     ("zero normalized", lambda: ori.Keys(T, [*Q[:2], [0, 0, 0, 0]], normalize=True), ori.DataError, "key 2", 2),
     ("reflection", lambda: ori.Keys([0], [np.diag([1, 1, -1.0])]), ori.DataError, "found a matrix that is no rotation", 0),
     ("complex", lambda: ori.Keys(T, np.array(Q, complex)), ori.ArgumentError, "complex128", None),
-    ("objects", lambda: ori.Keys(T, np.array(Q, object)), ori.ArgumentError, "object", None),
+    ("objects", lambda: ori.Keys(T, np.array([[None] * 4] * 3, object)), ori.ArgumentError, "objects of type NoneType", None),
     ("strings", lambda: ori.Keys(["a", "b", "c"], Q), ori.ArgumentError, "wanted real numbers", None),
     ("no rotations", lambda: ori.Keys(T, None), ori.ArgumentError, "rotations: found an object of type NoneType", None),
     ("Euler angles", lambda: ori.Keys(T, [[0, 0, 1]] * 3), ori.ArgumentError,

@@ -107,6 +107,10 @@ TYPES = {"curve(0.5)": SCALAR, "curve(np.float64(0.5))": SCALAR, "curve(1)": SCA
          "stack(0.5)": STACK, "stack.angular_velocity(t)": ARRAY, "online(0.5)": SCALAR, "online(t)": ARRAY,
          "spline(0.5, 1)": SCALAR, "spline(t, 2)": ARRAY, "curve.sample(rate=100).times": "ndarray[Any, Any]",
          "ori.blending('mine', [[0, 1]], basis='power').with_settings(ends='rest')": "str",
+         "ori.smooth(t, t, cutoff=8).noise": "float", "ori.tune(curve.keys, 'quintic').curve": "orispline._curve.Curve",
+         "ori.compare(t, t, ['auto'])": "orispline._comparison.Comparison", "ori.reduce((t, t), '1deg').keys[3]": "orispline._keys.Keys",
+         "curve.sample(rate='100 Hz')[3].time": "Any", "[s.orientation for s in curve.sample(rate=9)[:3]]": f"list[{ARRAY.replace('float64', 'Any')}]",
+         "curve.at(0.5)": SCALAR, "curve.at(t)": ARRAY, "ori.mean(t, t, every='1s')": "list[orispline._mean.Mean]",
          "ori.mean(t)": "orispline._mean.Mean", "ori.mean(curve.keys, every='1s')": "list[orispline._mean.Mean]",
          "ori.compare(curve.keys, [ori.read_blending('mine.json'), curve, 'auto']).curve().method": "str",
          "ori.Curve(t, t, ori.blending('mine', np.eye(2))).domain": "tuple[Any, Any]"}
@@ -125,7 +129,7 @@ MISTAKES = {"curve.sampel(rate=1)": '"Curve" has no attribute "sampel"', "curve.
             "curve.angular_velocity(0.5, frame='camera')": 'No overload variant of "__call__" of "Rate"',
             "ori.Curve(t, t, extrapolate='far')": '"extrapolate" to "Curve"', "ori.Keys(t, t, signs='long')": '"signs" to "Keys"',
             "ori.blending('mine', t, basis='hermite')": '"basis" to "blending"', "curve.keys.curve(3)": 'Argument 1 to "curve"',
-            "ori.tune(1, 'quintic')": 'Argument 1 to "tune"', "spline(t, 4)": 'No overload variant of "__call__"'}
+            "ori.tune(1, 'quintic')": 'No overload variant of "__call__" of "OfKeys"', "spline(t, 4)": 'No overload variant of "__call__"'}
 
 
 @pytest.fixture(scope="module")

@@ -76,6 +76,18 @@ def test_lines_have_the_colours_and_widths_of_the_page(keys):
     assert all(f">{row['title']} [{row['unit']}]<" in svg for word, row in table["quantities"].items() if word in QUANTITIES)
 
 
+def test_in_the_axes_of_others_are_as_many_charts_as_these():
+    words = [chart.get_ylabel() for chart in CURVE.plot()]
+    for names in ({"axes": pyplot.subplots()[1]}, {"ax": pyplot.subplots()[1]}, {"axes": pyplot.subplots(2)[1]}, {"ax": pyplot.subplots(1, 3)[1]}):
+        given = np.atleast_1d(next(iter(names.values())))
+        charts = CURVE.plot(**names)
+        assert list(charts) == list(given) and [chart.get_ylabel() for chart in charts] == words[:len(given)]
+    axes = pyplot.subplots(2)[1]
+    assert [chart.get_ylabel() for chart in ori.plot_comparison([CURVE], CURVE.keys, ax=axes)][1] == words[0]
+    assert len(CURVE.plot(axes, ghosts=3)) == 2 and CURVE.plot_sphere(ax=pyplot.figure().add_subplot(projection="3d")) is not None
+    assert CURVE.plot(ax=axes[0], quantities="jerk")[0].get_ylabel() == words[3]
+
+
 def test_axes_of_others_keep_their_colours(keys):
     own = pyplot.figure().add_subplot()
     own.set_prop_cycle(color=["#111111", "#222222"])
@@ -267,8 +279,10 @@ BAD = [
     ("quantity", lambda: CURVE.plot(quantities="speed"), ori.ArgumentError,
      "quantities: found 'speed', wanted some of 'angle', 'rate'"),
     ("no quantities", lambda: CURVE.plot(quantities=()), ori.ArgumentError, "quantities: found none"),
-    ("fewer axes", lambda: CURVE.plot([pyplot.figure().add_subplot()]), ori.ArgumentError,
-     "axes: found 1, wanted one for each of the 4"),
+    ("fewer axes", lambda: CURVE.plot([pyplot.figure().add_subplot()], ("rate", "jerk")), ori.ArgumentError,
+     "axes: found 1, wanted one for each of the 2"),
+    ("two names of axes", lambda: CURVE.plot(pyplot.figure().add_subplot(), ax=pyplot.figure().add_subplot()), ori.ArgumentError,
+     "ax: found it beside axes, wanted one of them"),
     ("flat sphere", lambda: CURVE.plot_sphere(axes=pyplot.figure().add_subplot()), ori.ArgumentError,
      "wanted Axes of three dimensions"),
     ("axis", lambda: CURVE.plot_sphere("nose"), ori.ArgumentError, "axis: found 'nose', wanted 'x', 'y', 'z' or three numbers"),

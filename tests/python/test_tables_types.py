@@ -157,9 +157,11 @@ def test_frames_of_polars(kind, lazy):
     ids = polars.Series("track", values, dtype=polars.Enum(["t0", "t1"]) if kind == "Enum" else getattr(polars, kind))
     frame = frame.with_columns(ids, (polars.col("t") * 1e6).cast(polars.Duration("us")))
     expected = samples_of_keys()
-    found = tables.resample(frame.lazy() if lazy else frame, rate=10).read_all()
-    assert np.array_equal(columns(found, QUATERNION), columns(expected, QUATERNION)) and found.schema.field("t").type == pa.duration("us")
-    assert found["track"].unique().to_pylist() == list(dict.fromkeys(values))
+    found = tables.resample(frame.lazy() if lazy else frame, rate=10)
+    assert isinstance(found, polars.LazyFrame if lazy else polars.DataFrame)
+    found = found.lazy().collect()
+    assert np.array_equal(found[QUATERNION].to_numpy(), columns(expected, QUATERNION)) and found.schema["t"] == polars.Duration("us")
+    assert found["track"].unique(maintain_order=True).to_list() == list(dict.fromkeys(values)) and found.schema["track"] == frame.schema["track"]
 
 
 REFUSED = [

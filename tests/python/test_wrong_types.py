@@ -20,8 +20,8 @@ TYPES = [
     ("normalize", lambda x: ori.Keys(T, Q, normalize=x), ["yes", 0]),
     ("settings", lambda x: ori.Keys(T, Q, settings=x), [3, [1, 2], {"tension": 3}, {"tension": "abc"}, {4: [1, 2, 3]}]),
     ("out", lambda x: CURVE(T, out=x), [[1.0], "here", 3]),
-    ("keys", lambda x: ori.Keys(T, Q)[x], [1, "a", None]),
-    ("gyro", lambda x: ori.smooth(ori.Keys(T, Q), gyro=x), [ori.Keys(T, Q), [1.0, 2.0], (T, np.zeros((3, 3)))]),
+    ("keys", lambda x: ori.Keys(T, Q)[x], [1.0, "a", None]),
+    ("gyro", lambda x: ori.smooth(ori.Keys(T, Q), gyro=x), [ori.Keys(T, Q), [1.0, 2.0], (T, T, T)]),
     ("noise", lambda x: ori.smooth(ori.Keys(T, Q), noise=x), [ori.Keys(T, Q), [[1.0], [1.0, 2.0]]]),
 ]
 VALUES = [("threads", lambda x: CURVE(T, threads=x), [-1, 2**40]), ("threads", lambda x: CURVE.sample(rate=1, threads=x), [-3])]

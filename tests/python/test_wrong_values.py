@@ -37,6 +37,8 @@ class Calls:
         open("mine.json", "w", encoding="utf-8").write(own.to_json())
         self.functions = {
             "Keys": (ori.Keys, {"times": T, "rotations": Q}), "Keys.from_pandas": (ori.Keys.from_pandas, {"frame": keys.to_pandas()}),
+            "Keys.from_polars": (ori.Keys.from_polars, {"frame": keys.to_polars()}), "Keys.from_arrow": (ori.Keys.from_arrow, {"table": keys.to_arrow()}),
+            "Keys.from_xarray": (ori.Keys.from_xarray, {"dataset": keys.to_xarray()}),
             "Curve": (ori.Curve, {"times": T, "rotations": Q}), "CurveStack": (ori.CurveStack, {"times": T, "rotations": [[q] for q in Q]}),
             "OnlineCurve": (ori.OnlineCurve, {}), "BakedCurve": (ori.BakedCurve, {}), "Scene": (ori.Scene, {}),
             "RotationSpline": (ori.RotationSpline, {"times": T, "rotations": rotations}),
@@ -50,11 +52,11 @@ class Calls:
             "reduce_tracks": (ori.reduce_tracks, {"tracks": [recording], "tolerance": "1deg"}),
             "retime": (ori.retime, {"keys": keys, "max_rate": 1}), "tune": (ori.tune, {"keys": keys, "method": "quintic"}),
             "Rates": (ori.Rates, {"times": T, "rates": np.zeros((3, 3))}),
-            "align": (ori.align, {"a": recording, "b": recording}),
+            "align": (ori.align, {"a": recording, "b": recording}), "angle_between": (ori.angle_between, {"a": curve, "b": curve.inv(), "t": 0.5}),
             "compare": (ori.compare, {"keys": recording, "methods": ["slerp"]}), "mean": (ori.mean, {"rotations": Q}), "plot_sphere": (ori.plot_sphere, {"curves": curve}),
             "plot_comparison": (ori.plot_comparison, {"curves": curve})}
         self.objects = {
-            "Keys": keys, "Curve": curve, "Blending": own, "CurveStack": stack, "OnlineCurve": online, "BakedCurve": curve.bake(1e-6),
+            "Keys": keys, "Curve": curve, "ComposedCurve": curve.inv(), "Blending": own, "CurveStack": stack, "OnlineCurve": online, "BakedCurve": curve.bake(1e-6),
             "RotationSpline": ori.RotationSpline(T, rotations), "Slerp": ori.Slerp(T, rotations), "Samples": stack.sample(rate=2),
             "Scene": scene, "Smoothing": ori.smooth(recording, smoothing_time=0.1), "Reduction": ori.reduce(recording, "1deg"),
             "Retiming": ori.retime(keys, max_rate=1), "Tuning": ori.tune(keys, "quintic"), "Mean": ori.mean(Q[:2]), "Comparison": ori.compare(recording, ["slerp"]),
@@ -128,7 +130,7 @@ def test_all_public_calls_are_walked(calls):
     walked = {name for name, _, _ in calls} | NOT_CALLED
     values = {name for name in ori.__all__ if inspect.isclass(getattr(ori, name))} - {name.split(".")[0] for name in walked}
     assert values <= {"AccessError", "ArgumentError", "BlendingFinding", "Certificate", "Channel", "Clip", "ConvergenceError", "DataError", "DistanceStatistics",
-                      "Energies", "Error", "HandleTurn", "KeyStatistics", "Motion", "OpenDirection", "OpenRateDirection", "Peak", "Peaks", "RateAlignment",
+                      "Energies", "Error", "HandleTurn", "KeyStatistics", "Motion", "OpenDirection", "OpenRateDirection", "Peak", "Peaks", "RateAlignment", "Sample",
                       "SceneReduction", "SceneSmoothing", "ShapeWarning", "Skeleton", "SmoothedJoint", "Spread", "View", "Worst"}  # which hold values that were found
     assert {name for name in ori.__all__ if not inspect.isclass(getattr(ori, name))} <= walked
 

@@ -55,3 +55,12 @@ def expect_samples_of_curves(found, made, *, rate=100, derivatives=1, method="au
     for order, rates in enumerate(("angular_velocities", "angular_accelerations", "angular_jerks")[:derivatives]):
         assert np.array_equal(columns(found, RATES[3 * order:3 * order + 3]), np.concatenate([getattr(s, rates) for s in samples]))
     assert found["error"].null_count == len(found)
+
+
+def table_like(found, expected):
+    """What a function of tables gives, of whatever kind, as a table with the schema of another."""
+    if hasattr(found, "read_all"):
+        return found.read_all()
+    frame = found.collect() if hasattr(found, "collect") else found
+    table = frame.to_arrow() if hasattr(frame, "to_arrow") else pa.Table.from_pandas(frame, preserve_index=False)
+    return table.cast(expected.schema)

@@ -19,18 +19,22 @@ from ._curve import Curve
 from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error, ShapeWarning
 from ._files import write
 from ._keys import Keys
-from ._online import OnlineCurve
-from ._pictures import plot_comparison, plot_sphere
+from ._names import no_such_name as _no_such_name
 from ._reading import read
-from ._samples import Motion, Samples
+from ._samples import Motion, Sample, Samples
 from ._scipy_twins import RotationSpline, Slerp
 from ._stack import CurveStack
 from ._view import View
 
 if TYPE_CHECKING:
+    from . import notebook as notebook
+    from . import spark as spark
+    from . import tables as tables
     from ._comparison import Comparison, compare
     from ._mean import Mean, mean
     from ._measures import DistanceStatistics, Energies, HandleTurn, KeyStatistics, Peak, Peaks, Spread
+    from ._online import OnlineCurve
+    from ._pictures import plot_comparison, plot_sphere
     from ._rate_alignment import OpenRateDirection, RateAlignment
     from ._rates import Rates, read_rates
     from ._results import Alignment, Certificate, OpenDirection, Reduction, Retiming, Smoothing, Tuning
@@ -40,7 +44,7 @@ if TYPE_CHECKING:
 
 __all__ = ["AccessError", "Alignment", "ArgumentError", "BakedCurve", "Blending", "BlendingFinding", "Certificate", "Channel", "Clip", "Comparison", "ComposedCurve", "ConvergenceError", "Curve",
            "CurveStack", "DataError", "DistanceStatistics", "Energies", "Error", "HandleTurn", "KeyStatistics", "Keys", "Mean", "Motion", "OnlineCurve", "OpenDirection", "OpenRateDirection",
-           "Peak", "Peaks", "RateAlignment", "Rates", "Reduction", "Retiming", "RotationSpline", "Samples", "Scene", "SceneReduction", "SceneSmoothing",
+           "Peak", "Peaks", "RateAlignment", "Rates", "Reduction", "Retiming", "RotationSpline", "Sample", "Samples", "Scene", "SceneReduction", "SceneSmoothing",
            "ShapeWarning", "Skeleton", "Slerp", "SmoothedJoint", "Smoothing", "Spread", "Tuning", "View", "Worst", "align", "angle_between", "blending", "compare", "mean", "methods", "plot_comparison", "plot_sphere",
            "read", "read_blending", "read_rates", "read_scene", "reduce", "reduce_scene", "reduce_tracks", "retime", "shell_distance", "smooth", "smooth_scene",
            "tune", "write"]
@@ -50,24 +54,33 @@ __version__: str = _core.version
 _LATER = {"_comparison": ("Comparison", "compare"),
           "_mean": ("Mean", "mean"),
           "_measures": ("DistanceStatistics", "Energies", "HandleTurn", "KeyStatistics", "Peak", "Peaks", "Spread"),
+          "_online": ("OnlineCurve",),
+          "_pictures": ("plot_comparison", "plot_sphere"),
           "_rate_alignment": ("OpenRateDirection", "RateAlignment"),
           "_rates": ("Rates", "read_rates"),
           "_results": ("Alignment", "Certificate", "OpenDirection", "Reduction", "Retiming", "Smoothing", "Tuning"),
           "_scene": ("Channel", "Clip", "Scene", "SceneReduction", "SceneSmoothing", "Skeleton", "SmoothedJoint", "Worst"),
           "_scenes": ("read_scene", "reduce_scene", "shell_distance", "smooth_scene"),
           "_tasks": ("align", "reduce", "reduce_tracks", "retime", "smooth", "tune")}
+_PACKAGES = {"notebook": ("anywidget",), "spark": ("pyspark", "pyarrow"), "tables": ("pyarrow",)}  # with what they need
 
 
 def __getattr__(name: str) -> Any:
+    if name in _PACKAGES:
+        return importlib.import_module(f"{__name__}.{name}")
     for module, names in _LATER.items():
         if name in names:
             found = globals()[name] = getattr(importlib.import_module(f"{__name__}.{module}"), name)
             return found
-    raise AttributeError(f"module 'orispline' has no attribute {name!r}")
+    if name.startswith("_"):
+        raise AttributeError(f"module 'orispline' has no attribute {name!r}", name=name)
+    raise _no_such_name("module 'orispline'", ["orispline"], name, __dir__())
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+    import importlib.util
+    there = [package for package, needed in _PACKAGES.items() if all(map(importlib.util.find_spec, needed))]
+    return sorted({*globals(), *__all__, *there})
 
 
 def methods() -> list[dict[str, Any]]:

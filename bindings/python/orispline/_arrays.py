@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._errors import ArgumentError, tell
+from ._exact import plain_numbers
 from ._stamps import of_objects
 
 Array = NDArray[np.float64]
@@ -18,9 +19,9 @@ OURS = frozenset([np.ndarray, np.float64, float, int, list, tuple])  # no arrays
 
 
 def array_of(name: str, values: Any) -> np.ndarray[Any, Any]:
-    """What NumPy makes of them, of dates and durations datetime64 and timedelta64, of pandas' own types plain ones; nothing of
-    what is masked or of no shape. Arrays of other libraries come through DLPack, from the host without a copy."""
-    if type(values) is np.ndarray and values.dtype.kind != "O":
+    """What NumPy makes of them, of dates and durations datetime64 and timedelta64, of pandas' own types plain ones, of other numbers
+    doubles; nothing of what is masked or of no shape. Arrays of other libraries come through DLPack, from the host without a copy."""
+    if type(values) is np.ndarray and values.dtype.char not in "Og":
         return values
     if _library_of(values) is not None:
         return _on_host(name, values)
@@ -34,7 +35,8 @@ def array_of(name: str, values: Any) -> np.ndarray[Any, Any]:
         array = np.asarray(values, dtype=object)
     except ValueError:
         raise ArgumentError(f"{name}: found rows of different lengths, wanted an array") from None
-    return of_objects(name, array) if array.dtype.kind == "O" else array
+    array = of_objects(name, array) if array.dtype.kind == "O" else array
+    return plain_numbers(name, array) if array.dtype.char in "Og" else array
 
 
 def as_given(given: Any, result: Any) -> Any:

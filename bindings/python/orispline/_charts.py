@@ -19,8 +19,14 @@ GHOST = 0.33  # inches, of a body where there is room for it
 CHARTED = ("angle", "rate", "acceleration", "jerk")
 
 
-def charts(named: Mapping[str, Any], reference: Any, axes: Any, quantities: str | Sequence[str], ghosts: int) -> Any:
-    """Charts over time of curves by their names, with those of the errors to a reference, and the bodies."""
+def charts(named: Mapping[str, Any], reference: Any, axes: Any, quantities: str | Sequence[str] | None, ghosts: int, usual: Sequence[str],
+           ax: Any) -> Any:
+    """Charts over time of curves by their names, with those of the errors to a reference, and the bodies. Without quantities the usual
+    ones, as many as there are axes for."""
+    axes = one_of_axes(axes, ax)
+    if quantities is None:
+        others = (reference is not None) + bool(ghosts)
+        quantities = usual if axes is None else usual[:max(np.size(axes) - others, 0)]
     if not isinstance(quantities, (str, list, tuple)):
         raise wrong_type("quantities", quantities, "a word, or a list of them")
     words = [quantities] if isinstance(quantities, str) else list(quantities)
@@ -54,8 +60,16 @@ def charts(named: Mapping[str, Any], reference: Any, axes: Any, quantities: str 
     return axes
 
 
-def sphere(named: Mapping[str, Any], axis: Any, axes: Any) -> Any:
+def one_of_axes(axes: Any, ax: Any) -> Any:
+    """The one of two names of axes that is given."""
+    if axes is not None and ax is not None:
+        raise ArgumentError("ax: found it beside axes, wanted one of them: both mean the same")
+    return axes if ax is None else ax
+
+
+def sphere(named: Mapping[str, Any], axis: Any, axes: Any, ax: Any = None) -> Any:
     """The paths of a body axis over the unit sphere, of curves by their names."""
+    axes = one_of_axes(axes, ax)
     direction, name = _body_axis(axis)
     if axes is None:
         axes = _pyplot().figure(figsize=(6, 6), layout="constrained").add_subplot(projection="3d")
@@ -108,7 +122,9 @@ def _axes(axes: Any, count: int) -> Any:
                                   layout="constrained")
         for chart in axes.flat:
             _take_turns(chart)
-    axes = np.atleast_1d(np.asarray(axes, dtype=object)).ravel()
+    given, axes = axes, np.atleast_1d(np.asarray(axes, dtype=object)).ravel()
+    if not all(hasattr(chart, "set_ylabel") for chart in axes):
+        raise wrong_type("axes", given, "matplotlib Axes, one or several")
     if len(axes) != count:
         raise ArgumentError(f"axes: found {len(axes)}, wanted one for each of the {count} charts")
     return axes

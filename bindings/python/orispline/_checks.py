@@ -2,6 +2,7 @@
 """Arguments that are one number, one word or one flag: what is of another type is named in one line."""
 from __future__ import annotations
 
+import re
 import reprlib
 from typing import Any
 
@@ -12,6 +13,7 @@ from ._errors import ArgumentError
 MOST_THREADS = 4096
 MOST_SAMPLES = 10**9
 FRAMES = ("body", "world")  # of angular rates
+RATE = r"\s*(.*?)\s*(k?)Hz\s*"  # with its unit
 
 
 def wrong_type(name: str, value: Any, wanted: str) -> TypeError:
@@ -73,17 +75,19 @@ def check_number(samples: int) -> None:
 
 
 def rate_text(rate: Any) -> str:
-    """A number, or a fraction such as `30000/1001`."""
+    """A number, or a fraction such as `30000/1001`, of samples per second; texts may end in their unit, Hz or kHz."""
     import fractions
     if isinstance(rate, fractions.Fraction):
-        return f"{rate.numerator}/{rate.denominator}"
+        rate = f"{rate.numerator}/{rate.denominator}"
     if isinstance(rate, str):
+        with_unit = re.fullmatch(RATE, rate)
+        text, thousands = with_unit.groups() if with_unit else (rate, "")
         try:
-            if fractions.Fraction(rate) > 0:
-                return rate
+            if (number := fractions.Fraction(text)) > 0:
+                return str(1000 * number) if thousands else text
         except (ValueError, ZeroDivisionError):
             pass
     elif not isinstance(rate, (bool, np.bool_)) and np.ndim(rate) == 0 and np.asarray(rate).dtype.kind in "fiu" \
             and np.isfinite(rate) and rate > 0:
         return repr(rate.item() if isinstance(rate, np.generic) else rate)
-    raise ArgumentError(f"rate: found {rate!r}, wanted a number of samples per second greater than 0")
+    raise ArgumentError(f"rate: found {rate!r}, wanted a number of samples per second greater than 0, or a text such as '100 Hz'")

@@ -2,6 +2,8 @@
 """Keys and samples as columns by name, those of a CSV file: t, qw, qx, qy, qz, px, …, wx, …; and as tables of them."""
 from __future__ import annotations
 
+import importlib
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +23,7 @@ QUATERNION = ("qw", "qx", "qy", "qz")
 VECTORS = {"positions": ("px", "py", "pz"), "angular_velocities": ("wx", "wy", "wz"), "angular_accelerations": ("ax", "ay", "az"),
            "angular_jerks": ("jx", "jy", "jz")}  # of keys, by the names of their arguments
 INNER = {"inner_leaving": tuple(f"a_{name}" for name in QUATERNION), "inner_arriving": tuple(f"b_{name}" for name in QUATERNION)}
+TIMES = r"(?i)t|ts|(.*[^a-z])?(time|times|timestamps?|stamps?|date|datetime|epoch|seconds?|secs?)([^a-z].*)?|t[_ ]?\(?\[?(s|ms|us|ns|sec|utc)\]?\)?"
 PARTS = {**VECTORS, **INNER}  # all that keys may have beside times and orientations
 
 
@@ -46,22 +49,27 @@ def columns_of(times: NDArray[Any], quaternions: NDArray[Any], rates: Sequence[N
 
 def as_arrow(columns: Columns, epoch: decimal.Decimal) -> Any:
     """A pyarrow Table; the metadata of its schema has the epoch."""
-    try:
-        import pyarrow  # type: ignore[import-untyped, unused-ignore]
-    except ImportError:
-        raise ImportError("to_arrow: found no pyarrow, wanted it installed: pip install 'orispline[tables]'") from None
-    return pyarrow.table(columns, metadata={"epoch": f"{epoch:f}"})
+    return needed("to_arrow", "pyarrow", "'orispline[tables]'").table(columns, metadata={"epoch": f"{epoch:f}"})
 
 
 def as_pandas(columns: Columns, epoch: decimal.Decimal) -> Any:
     """A pandas DataFrame; its `attrs` has the epoch."""
-    try:
-        import pandas  # type: ignore[import-untyped, unused-ignore]
-    except ImportError:
-        raise ImportError("to_pandas: found no pandas, wanted it installed: pip install pandas") from None
-    frame = pandas.DataFrame(columns)
+    frame = needed("to_pandas", "pandas").DataFrame(columns)
     frame.attrs["epoch"] = epoch
     return frame
+
+
+def as_polars(columns: Columns) -> Any:
+    """A Polars DataFrame, which has no place for an epoch."""
+    return needed("to_polars", "polars").DataFrame(columns)
+
+
+def needed(what: str, package: str, installed_by: str = "") -> Any:
+    """A package that is imported where it is used. Raises ImportError for one that is not there."""
+    try:
+        return importlib.import_module(package)
+    except ImportError:
+        raise ImportError(f"{what}: found no {package}, wanted it installed: pip install {installed_by or package}", name=package) from None
 
 
 def arguments_of(columns: Mapping[str, Any]) -> dict[str, Any]:
@@ -69,8 +77,9 @@ def arguments_of(columns: Mapping[str, Any]) -> dict[str, Any]:
     Others are left alone."""
     missing = [name for name in ("t", *QUATERNION) if name not in columns]
     if missing:
+        meant = like_times(columns)[:1] or ["stamp"]
         raise ArgumentError(f"columns: found no {', '.join(missing)}, wanted t, qw, qx, qy and qz: name yours by columns=, such as "
-                            "{'t': 'stamp'}")
+                            f"{{'t': {meant[0]!r}}}")
     stacked: dict[str, Array] = {}
     for argument, names in PARTS.items():
         found = [name for name in names if name in columns]
@@ -82,6 +91,11 @@ def arguments_of(columns: Mapping[str, Any]) -> dict[str, Any]:
     settings = {name: _numbers(name, columns[name]) for name in columns if name in parameters}
     return {"times": columns["t"], "rotations": np.column_stack([_numbers(name, columns[name]) for name in QUATERNION]), **stacked,
             "settings": settings}
+
+
+def like_times(names: Iterable[Any]) -> list[str]:
+    """Those of these names that say that they are times."""
+    return [name for name in names if isinstance(name, str) and re.fullmatch(TIMES, name.strip())]
 
 
 def _numbers(name: str, values: Any) -> Array:

@@ -15,7 +15,8 @@ from ._errors import ArgumentError
 from ._html import table
 from ._keys import Keys
 from ._methods import method_words
-from ._options import checked_keys, checked_threads, new_keys, plain, reference_of
+from ._names import Named
+from ._options import checked_keys, checked_threads, new_keys, of_keys, plain, reference_of
 from ._request import Request
 from ._results import Alignment
 from ._view import Viewed, now
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Comparison(Viewed):
+class Comparison(Named, Viewed):
     """How near the curves of methods come to a recording, of `compare`.
 
     `measures` says what the columns of the table are: `id`, `label`, `unit`, `explanation`, and the `word` to sort by.
@@ -130,20 +131,21 @@ def _texts(methods: Sequence[Method] | Method | None) -> list[str]:
     return texts
 
 
-def compare(keys: Keys, methods: Sequence[Method] | Method | None = None, *, reference: Keys | None = None,
-            align: bool = False, keep_every: int | Sequence[int] = 8, jitter: bool = False, random: int | None = None,
-            inertia: Any = None, leave_out: bool = False, least_energy: bool = True, tune: bool = False, sort: str = "rms",
+@of_keys
+def compare(keys: Keys, /, methods: Sequence[Method] | Method | None = None, *, reference: Keys | tuple[Any, Any] | None = None,
+            truth: Keys | tuple[Any, Any] | None = None, align: bool = False, keep_every: int | Sequence[int] = 8, jitter: bool = False,
+            random: int | None = None, inertia: Any = None, leave_out: bool = False, least_energy: bool = True, tune: bool = False, sort: str = "rms",
             threads: int = 0) -> Comparison:
     """How near the curves of methods come to a recording, how smooth they are, and what they cost.
 
     Parameters
     ----------
-    keys : Keys
-        A recording, of which some samples become keys; with `reference` the keys themselves.
+    keys : Keys, or times and rotations
+        As of `smooth`: a recording, of which some samples become keys; with `reference` the keys themselves.
     methods : str, Blending or Curve, or a list of them, optional
         Methods in their text form, such as `"quintic:tension=0.6"`, and of one's own. Without it all.
-    reference : Keys, optional
-        Dense recording that curves through all of `keys` are compared with; `keep_every` then plays no part.
+    reference, truth : Keys or (times, rotations), optional
+        Both mean the same: a dense recording that curves through all of `keys` are compared with; `keep_every` then plays no part.
     align : bool
         Bring the keys onto the reference first: axes, clock, and scale and place of positions, as `orispline.align` does with a choice.
     keep_every : int or list of int
@@ -184,9 +186,12 @@ def compare(keys: Keys, methods: Sequence[Method] | Method | None = None, *, ref
     >>> [row["method"] for row in comparison.table()]
     ['auto', 'slerp']
     """
-    checked_keys(keys)
+    if truth is not None:
+        if reference is not None:
+            raise ArgumentError("truth: found it beside reference, wanted one of them: both mean the same")
+        reference = truth
     if reference is not None:
-        checked_keys(reference, "reference")
+        reference = checked_keys(reference, "reference")
     if not isinstance(sort, str):
         raise TypeError(f"sort: found {type(sort).__name__}, wanted a word")
     is_aligned = flag("align", align)

@@ -71,7 +71,8 @@ def inverse(curve: OrientationCurve) -> OrientationCurve:
         return ComposedCurve._of((curve,), _core.Curve(inverse_of=curve._core), curve)
     if len(curve._factors) == 1:
         return curve._factors[0]
-    return product(*(factor.inv() for factor in reversed(curve._factors)), curve)
+    right, left = (factor.inv() for factor in curve._factors)
+    return product(left, right, curve)
 
 
 def product(left: OrientationCurve, right: OrientationCurve, like: OrientationCurve) -> ComposedCurve:

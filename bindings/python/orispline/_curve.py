@@ -12,7 +12,7 @@ from ._blending import Blending
 from ._checks import real
 from ._errors import tell
 from ._evaluation import BEYOND, ORIENTATION, POSITION, OrientationCurve
-from ._keys import Keys, axes_stated
+from ._keys import Keys, axes_stated, keys_of
 from ._looks import Looks
 from ._methods import blending_of
 
@@ -98,12 +98,9 @@ class Curve(Looks, OrientationCurve):
                    "scalar_first": scalar_first, "normalize": normalize, "normalise": normalise, "euler": euler,
                    "angle_unit": angle_unit, "drop_invalid": drop_invalid, "drop_duplicates": drop_duplicates, "sort": sort,
                    "time_unit": time_unit, "gap": gap, "jumps": jumps}
-        given = {name: value for name, value in of_keys.items() if value is not None}
         if isinstance(times, Keys) and isinstance(rotations, (str, Blending)):
             raise TypeError(f"rotations: found {rotations!r} beside Keys, wanted method={rotations!r}")
-        if isinstance(times, Keys) and given:
-            raise TypeError(f"{next(iter(given))}: found {', '.join(given)} beside Keys, wanted them with the Keys: Keys(times, rotations, …)")
-        keys = times if isinstance(times, Keys) else Keys(times, **{"rotations": None, **given})
+        keys = keys_of(times, {name: value for name, value in of_keys.items() if value is not None})
         text = keys._method_text(method, ends, start_rate, end_rate, closed, period, settings)
         self._set(keys, _core.Curve(keys._core, text), extrapolate)
         tell(self._core.warnings)
@@ -219,6 +216,9 @@ class Curve(Looks, OrientationCurve):
         count = len(self._keys)
         return (f"Curve({self.method!r}, {count} key{'' if count == 1 else 's'}, "
                 f"{self._clock.span(np.array(self._core.domain))}, {self._order})")
+
+    def _made_of(self) -> tuple[Any, ...]:
+        return *super()._made_of(), self.blending
 
     def __reduce__(self) -> Any:
         return _restored, (self._keys, self.method, self._extrapolate)

@@ -25,6 +25,10 @@ class Error(Exception):
     line: int | None = None
     column: int | None = None
     argument: str | None = None
+    _cure: str = ""  # behind the text, where the call that failed has what mends it
+
+    def __str__(self) -> str:
+        return super().__str__() + self._cure
 
 
 class DataError(Error, ValueError):

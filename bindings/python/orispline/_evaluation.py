@@ -15,7 +15,9 @@ from ._clock import Clock
 from ._columns import PARTS
 from ._errors import ArgumentError, DataError
 from ._forms import inverse_text, quaternions, rotation_text
+from ._frames import QUANTITIES, bare, is_labelled, labelled
 from ._keys import Keys
+from ._names import Named
 from ._orienting import Orienting
 from ._samples import Motion, Samples, samples_of
 from ._types import quantity, rate
@@ -36,15 +38,16 @@ ALONE = 1  # thread, of an int and not of what equals one
 ORIENTATION, VELOCITY, ACCELERATION, JERK, POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION = range(7)
 
 
-class OrientationCurve(Orienting):
+class OrientationCurve(Named, Orienting):
     """A curve of orientations over time, with exact angular velocity, acceleration and jerk.
 
     Functions of time take a time or an array of times of any shape, in any order; what they give has that shape and one
-    axis more, and is a tensor or another library's array where the times are. Angular rates are in the body frame unless
-    `frame="world"`. A curve never changes, and threads may share it.
+    axis more, and is a tensor or another library's array where the times are; of a DataArray of xarray one with its dimensions and
+    coordinates, lazily where it is in chunks of dask. Angular rates are in the body frame unless `frame="world"`. A curve never
+    changes, and threads may share it.
     """
 
-    __slots__ = ("_beyond", "_clock", "_core", "_keys", "_leaves_out", "_plain", "_scalar_first")
+    __slots__ = ("__weakref__", "_beyond", "_clock", "_core", "_keys", "_leaves_out", "_of_one_time", "_scalar_first")
     __array_ufunc__: ClassVar[None] = None  # NumPy leaves `array * curve` to the curve
     _clock: Clock
     _keys: Keys  # whose clock it has
@@ -55,11 +58,11 @@ class OrientationCurve(Orienting):
         self._leaves_out = extrapolate == LEAVE_OUT
         self._keys, self._core, self._beyond = keys, core, BEYOND.index("nan") if self._leaves_out else way
         self._clock, self._scalar_first = keys._clock, keys._scalar_first
-        self._plain = self._clock.unit == "s" and not self._scalar_first
+        self._of_one_time = (core.one, self._beyond) if self._clock.unit == "s" and not self._scalar_first else None  # as the core has it
 
     @property
     def _extrapolate(self) -> Extrapolate:
-        return LEAVE_OUT if self._leaves_out else BEYOND[self._beyond]  # type: ignore[no-any-return]
+        return LEAVE_OUT if self._leaves_out else BEYOND[self._beyond]  # type: ignore[return-value]
 
     @property
     def domain(self) -> tuple[Any, Any]:
@@ -81,14 +84,27 @@ class OrientationCurve(Orienting):
     @quantity
     def __call__(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
         """(..., 4) unit quaternions, x, y, z, w, or w, x, y, z where the keys were given so."""
-        if isinstance(t, float) and self._plain and out is None and dtype is np.float64 and threads is ALONE:
-            return self._core.one(ORIENTATION, t, False, self._beyond)  # type: ignore[no-any-return]
+        if isinstance(t, float) and out is None and dtype is np.float64 and threads is ALONE and (found := self._of_one_time):
+            one, beyond = found
+            return one(ORIENTATION, t, False, beyond)  # type: ignore[no-any-return]
         if not self._scalar_first:
+            return self._at(ORIENTATION, t, "body", out, dtype, threads)
+        if is_labelled(t):
             return self._at(ORIENTATION, t, "body", out, dtype, threads)
         q = self._at(ORIENTATION, array_of("t", t), "body", None, dtype, threads)
         result = output("out", out, q.shape, q.dtype)
         result[...] = q[..., [3, 0, 1, 2]]
         return as_given(t, result)  # type: ignore[no-any-return]
+
+    @quantity
+    def at(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
+        """The same by a name, for chains of calls: `curve.at(t)` is `curve(t)`.
+
+        >>> import orispline as ori
+        >>> ori.Curve([0, 1], [[0, 0, 0, 1], [0, 0, 1, 0]], "slerp").at([0.0, 1.0]).round(12).tolist()
+        [[0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 0.0]]
+        """
+        return self(t, out=out, dtype=dtype, threads=threads)
 
     @rate
     def angular_velocity(self, t: Any, frame: str = "body", out: Any = None, *, dtype: Any = np.float64,
@@ -144,6 +160,7 @@ class OrientationCurve(Orienting):
         """
         if np.asarray(t).ndim:
             raise ArgumentError("t: found an array, wanted one time")
+        t = bare(t)
         if index_of("side", side, SIDES) == 1:
             q = self(t)  # with what a time outside gets
             seconds = float(self._clock.seconds("t", t))
@@ -273,7 +290,7 @@ class OrientationCurve(Orienting):
         >>> curve.torque([0.5, 1.5], [1.0, 2.0, 2.5]).shape
         (2, 3)
         """
-        tensor, times = inertia_tensor(inertia), array_of("t", t)
+        tensor, times = inertia_tensor(inertia), array_of("t", bare(t))
         rates = self.angular_velocity(times)
         result = np.empty(rates.shape)
         _core.torques(rates.reshape(-1, 3), self.angular_acceleration(times).reshape(-1, 3), tensor, result.reshape(-1, 3))
@@ -394,8 +411,20 @@ class OrientationCurve(Orienting):
         """
         return baked(self._core, self._clock, self._scalar_first, tolerance, dtype)
 
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same curve: of equal keys, by the same method with its settings and ends, and the same outside; or
+        composed of such curves in the same way."""
+        return self._made_of() == other._made_of() if isinstance(other, OrientationCurve) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._made_of())
+
+    def _made_of(self) -> tuple[Any, ...]:
+        """All that it depends on."""
+        return tuple(self.__reduce__())
+
     def _quaternions(self, t: Any) -> NDArray[np.float64]:
-        return self._at(ORIENTATION, t, "body", None, np.float64, 1)
+        return self._at(ORIENTATION, bare(t), "body", None, np.float64, 1)
 
     # How it reads its arguments. A `CurveStack` does so by its first curve.
 
@@ -455,13 +484,26 @@ class OrientationCurve(Orienting):
 
     def _at(self, what: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> NDArray[Any]:
         world = in_world(frame)
-        if isinstance(t, float) and self._plain and out is None and dtype is np.float64 and threads is ALONE:
-            return self._core.one(what, t, world, self._beyond)  # type: ignore[no-any-return]
+        if isinstance(t, float) and out is None and dtype is np.float64 and threads is ALONE and (found := self._of_one_time):
+            one, beyond = found
+            return one(what, t, world, beyond)  # type: ignore[no-any-return]
+        if is_labelled(t):
+            return self._labelled(what, t, frame, out, dtype, threads)  # type: ignore[no-any-return]
         seconds = self._asked("t", t)
         result = output("out", out, (*seconds.shape, 4 if what == ORIENTATION else 3), dtype, seconds)
         self._core.many(what, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), world, self._beyond,
                         thread_count(threads))
         return as_given(t, result)  # type: ignore[no-any-return]
+
+    def _labelled(self, what: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> Any:
+        """At the times of a DataArray, as one."""
+        if out is not None:
+            raise ArgumentError("out: found it with a DataArray of xarray, wanted none: the result is one")
+
+        def values(times: Any) -> Any:
+            rows = self._at(what, times, frame, None, dtype, threads)
+            return rows[..., [3, 0, 1, 2]] if what == ORIENTATION and self._scalar_first else rows
+        return labelled(QUANTITIES[what], t, values, "wxyz" if self._scalar_first else "xyzw", frame, dtype)
 
     def _series(self, times: Any, rows: Array, name: str) -> tuple[Array, Array]:
         seconds = self._clock.seconds("times", times)

@@ -11,12 +11,14 @@ from . import _core
 from ._arrays import Array, array_of, numbers, same
 from ._checks import flag, index_of, wrong_type
 from ._clock import Clock, SecondsSince, times_of_keys
-from ._columns import INNER, PARTS, Columns, arguments_of, as_arrow, as_pandas, columns_of, named
+from ._columns import INNER, PARTS, Columns, arguments_of, as_arrow, as_pandas, as_polars, columns_of
 from ._errors import ArgumentError, DataError, tell
 from ._files import Options, Writable, stated, write
 from ._forms import of_euler, poses, rotation_text
+from ._frames import as_xarray, of_arrow, of_pandas, of_polars, of_xarray, refuse_frame
 from ._mending import Indices, Mending, scaled
 from ._methods import ends_text, method_text
+from ._names import Named
 
 if TYPE_CHECKING:
     import decimal
@@ -26,10 +28,11 @@ if TYPE_CHECKING:
     from ._types import AngleUnit, Method, Number, Signs, TimeUnit
 
 SIGNS = ("shortest", "as-given")
-SIGNS_AS_GIVEN = 6  # of origin_of_keys()
+CURES = {"duplicate time": "drop_duplicates=True keeps the first", "comes after": "sort=True puts them in order"}  # by words of an error
+SIGNS_AS_GIVEN, IS_DATED = 6, 8  # of origin_of_keys()
 
 
-class Keys(Writable):
+class Keys(Named, Writable):
     """Orientations at times, checked: what curves are made of. They never change.
 
     Parameters
@@ -99,16 +102,19 @@ class Keys(Writable):
     [[0.0, 0.0, 0.7071, 0.7071], [0.7071, 0.0, 0.0, 0.7071]]
     """
 
-    __slots__ = ("_clock", "_core", "_scalar_first", "_source")
+    __slots__ = ("__weakref__", "_clock", "_core", "_scalar_first", "_source")
     _source: dict[str, Any]  # what is known of the file that they are from
     _curve_class: ClassVar[type[Curve]]  # set by the module of curves, which knows this one
 
-    def __init__(self, times: Any, rotations: Any, *, positions: Any = None, angular_velocities: Any = None,
+    def __init__(self, times: Any, rotations: Any = ..., *, positions: Any = None, angular_velocities: Any = None,
                  angular_accelerations: Any = None, angular_jerks: Any = None, inner_leaving: Any = None, inner_arriving: Any = None,
                  settings: Mapping[str, Any] | None = None, signs: Signs = "shortest", scalar_first: bool = False,
                  normalize: bool = False, normalise: bool = False, euler: str | None = None, angle_unit: AngleUnit | None = None,
                  drop_invalid: bool = False, drop_duplicates: bool = False, sort: bool = False,
                  time_unit: TimeUnit | None = None, gap: Number | None = None, jumps: bool = False) -> None:
+        refuse_frame("times", times)
+        if rotations is ...:
+            raise TypeError("rotations: found none beside the times, wanted them: Keys(times, rotations)")
         index_of("signs", signs, SIGNS)
         scalar_first = flag("scalar_first", scalar_first)
         mending = Mending.of(normalize, normalise, drop_invalid, drop_duplicates, sort)
@@ -130,12 +136,13 @@ class Keys(Writable):
         if mending.normalize:
             orientations, inner, norms = scaled(orientations, {name: parts[name] for name in INNER})
             parts, repairs = {**parts, **inner}, {**repairs, **norms}
-        seconds, self._clock = times_of_keys(times, time_unit, jumps=jumps)
         self._scalar_first, self._source = scalar_first, {"repairs": repairs}
         values = {} if settings is None else _values_per_key(settings, kept, count)
         try:
+            seconds, self._clock = times_of_keys(times, time_unit, jumps=jumps)
             self._core = _core.Keys(seconds, orientations, **parts, settings=values, signs=signs, jumps=jumps)
         except DataError as error:
+            error._cure = next((f" ({cure})" for found, cure in CURES.items() if found in str(error)), "")
             raise error if kept is None or error.key is None else _at_row(error, int(kept[error.key])) from None
         if self._clock.origin:
             self._core = _core.keys_since(self._core, self._clock.epoch, self._clock.is_calendar)
@@ -148,7 +155,7 @@ class Keys(Writable):
     def from_pandas(cls, frame: Any, *, columns: Mapping[str, str] | None = None, **options: Any) -> Keys:
         """Of a DataFrame with the columns of `to_pandas()`: t, qw, qx, qy, qz, and where they are there px, py, pz [m], wx, wy, wz,
         ax, ay, az and jx, jy, jz (rates in the body frame, in rad and s), a_qw, …, b_qw, … (inner quaternions), and parameters of
-        methods. Without t the index has the times.
+        methods. Without t the index has the times. Seconds count from the epoch in its `attrs`, where that has one, as `to_pandas` notes it.
 
         `columns` names yours, such as `{"t": "stamp", "qw": "q0"}`; other columns are left alone. The options are those of `Keys`
         that are not in the frame. Raises ArgumentError for columns that are not there.
@@ -158,11 +165,42 @@ class Keys(Writable):
         >>> ori.Keys.from_pandas(frame, columns={"qw": "w"})
         Keys(2 keys, 0 … 2 s)
         """
-        if not hasattr(frame, "columns") or not hasattr(frame, "index"):
-            raise wrong_type("frame", frame, "a pandas DataFrame")
-        found: dict[str, Any] = {meaning: frame[name] for meaning, name in named(frame.columns, columns).items()}
-        found.setdefault("t", frame.index)
-        return cls._of_columns(found, **options)
+        return cls._of_columns(of_pandas(frame, columns), **options)
+
+    @classmethod
+    def from_polars(cls, frame: Any, *, columns: Mapping[str, str] | None = None, **options: Any) -> Keys:
+        """Of a Polars DataFrame or LazyFrame, as of `from_pandas`.
+
+        >>> import orispline as ori, polars
+        >>> frame = polars.DataFrame({"stamp": [0.0, 2.0], "qw": [1.0, 0.8], "qx": [0, 0], "qy": [0, 0], "qz": [0.0, 0.6]})
+        >>> ori.Keys.from_polars(frame, columns={"t": "stamp"})
+        Keys(2 keys, 0 … 2 s)
+        """
+        return cls._of_columns(of_polars(frame, columns), **options)
+
+    @classmethod
+    def from_arrow(cls, table: Any, *, columns: Mapping[str, str] | None = None, **options: Any) -> Keys:
+        """Of a pyarrow Table, batch or reader, or of what has `__arrow_c_stream__`, such as a relation of DuckDB, as of `from_pandas`.
+
+        >>> import orispline as ori
+        >>> keys = ori.Keys([0, 1], [[0, 0, 0, 1], [0, 0, 0.6, 0.8]])
+        >>> ori.Keys.from_arrow(keys.to_arrow()) == keys
+        True
+        """
+        return cls._of_columns(of_arrow(table, columns), **options)
+
+    @classmethod
+    def from_xarray(cls, dataset: Any, *, columns: Mapping[str, str] | None = None, **options: Any) -> Keys:
+        """Of an xarray Dataset with the variables of `to_xarray()`: t, orientation, and where they are there position, angular_velocity,
+        and so on, of which a coordinate such as `["x", "y", "z", "w"]` says what the components are; or with the columns of `from_pandas`
+        as variables. `columns` names yours, such as `{"t": "time", "orientation": "attitude"}`.
+
+        >>> import orispline as ori
+        >>> keys = ori.Keys([0, 1], [[0, 0, 0, 1], [0, 0, 0.6, 0.8]])
+        >>> ori.Keys.from_xarray(keys.to_xarray()) == keys
+        True
+        """
+        return cls._of_columns(of_xarray(dataset, columns), **options)
 
     @classmethod
     def _of_columns(cls, columns: Mapping[str, Any], *, scalar_first: bool = False, **options: Any) -> Keys:
@@ -182,8 +220,33 @@ class Keys(Writable):
         return len(self._core)
 
     def __getitem__(self, part: Any) -> Keys:
-        """The keys of a slice, of a mask or of rising indices, with all that belongs to them."""
-        return Keys._of(_core.part_of_keys(self._core, _chosen(part, len(self))), self._clock, scalar_first=self._scalar_first)
+        """The keys of a place, of a slice, of a mask or of rising indices, with all that belongs to them.
+
+        Whole numbers are places. A slice of other numbers, of stamps or of texts is of times, from the first one to the last, which
+        is not in it. A time of day alone is of the day on which the slice starts.
+
+        >>> import orispline as ori
+        >>> keys = ori.Keys([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
+        >>> keys[-1], keys[0.5:3.0]
+        (Keys(1 key, 3 … 3 s), Keys(1 key, 1 … 1 s))
+        """
+        from ._places import Rows
+        rows = Rows("keys", self._core.times, self._clock, _core.epoch_of_keys(self._core))
+        return Keys._of(_core.part_of_keys(self._core, rows.places(part, rising=True).tolist()), self._clock, scalar_first=self._scalar_first)
+
+    def __add__(self, more: Keys) -> Keys:
+        """Both, in their order, with all that they carry: rates and inner quaternions that one of them does not have are free there.
+
+        Raises DataError, with `key`, for times that do not come after these, and ArgumentError for what cannot be joined.
+
+        >>> import orispline as ori
+        >>> ori.Keys([0, 1], [[0, 0, 0, 1], [0, 0, 0.6, 0.8]]) + ori.Keys([3], [[0, 0, 1, 0]])
+        Keys(3 keys, 0 … 3 s)
+        """
+        if not isinstance(more, Keys):
+            return NotImplemented
+        from ._joining import joined
+        return Keys._of(joined(self, more), self._clock, scalar_first=self._scalar_first)
 
     def __iter__(self) -> Iterator[tuple[Any, Array]]:
         """Each key's time and quaternion."""
@@ -353,6 +416,25 @@ class Keys(Writable):
         """
         return as_pandas(self._columns(), self.epoch)
 
+    def to_polars(self) -> Any:
+        """A Polars DataFrame with the columns of `to_arrow()`, which has no place for the epoch. Needs Polars."""
+        return as_polars(self._columns())
+
+    def to_xarray(self) -> Any:
+        """An xarray Dataset along `t`: orientation along `quaternion` too, in the order of `rotations`, and where they have them position,
+        angular_velocity, angular_acceleration and angular_jerk along `axis`, inner_leaving, inner_arriving and settings. Its attribute
+        `epoch` is what the times count from. Needs xarray.
+
+        >>> import orispline as ori
+        >>> dict(ori.Keys([0, 1], [[0, 0, 0, 1], [0, 0, 0.6, 0.8]]).to_xarray()["orientation"].sizes)
+        {'t': 2, 'quaternion': 4}
+        """
+        return as_xarray(self.times, self.epoch, "body", "wxyz" if self._scalar_first else "xyzw",
+                         {"orientation": self.rotations, "position": self.positions, "angular_velocity": self.angular_velocities,
+                          "angular_acceleration": self.angular_accelerations, "angular_jerk": self.angular_jerks,
+                          "inner_leaving": self.inner_leaving, "inner_arriving": self.inner_arriving,
+                          **{name: np.array(values) for name, values in self.settings.items()}})
+
     def _columns(self) -> Columns:
         columns = columns_of(self.times, _wxyz(self._core.orientations),
                              [self.angular_velocities, self.angular_accelerations, self.angular_jerks], [self.positions, None, None], "body")
@@ -360,6 +442,11 @@ class Keys(Writable):
             if (rows := getattr(self._core, name)) is not None:
                 columns |= dict(zip(names, _wxyz(rows).T.copy()))
         return {**columns, **{name: np.array(values) for name, values in self.settings.items()}}
+
+    @property
+    def _is_dated(self) -> bool:
+        """Whether the epoch is since 1970."""
+        return bool(_core.origin_of_keys(self._core)[IS_DATED])
 
     @property
     def _signs_as_given(self) -> bool:
@@ -405,6 +492,15 @@ def axes_stated(world: str | None, body: str | None, world_rotation: Any, body_r
     return stated({"world_axes": world, "body_axes": body, **rotations})
 
 
+def keys_of(times: Any, given: dict[str, Any]) -> Keys:
+    """Of the times and what else is given for keys, or Keys themselves, beside which nothing may be given."""
+    if not isinstance(times, Keys):
+        return Keys(times, **{"rotations": None, **given})
+    if given:
+        raise TypeError(f"{next(iter(given))}: found {', '.join(given)} beside Keys, wanted them with the Keys: Keys(times, rotations, …)")
+    return times
+
+
 def orientations_of(rotations: Any, positions: Any, scalar_first: bool, euler: Any, angle_unit: Any) -> tuple[Array, Any]:
     """Quaternions x, y, z, w, and positions, which may stand in poses."""
     if euler is not None:
@@ -435,30 +531,10 @@ def _check_lengths(times: np.ndarray[Any, Any], columns: Mapping[str, Array | No
     return len(times)
 
 
-def _chosen(part: Any, count: int) -> list[int]:
-    """Rising indices of some of so many keys."""
-    if isinstance(part, slice):
-        first, last, step = part.indices(count)
-        if step < 0:
-            raise ArgumentError(f"keys: found the step {part.step}, wanted one above 0, since times rise")
-        return list(range(first, last, step))
-    array = array_of("keys", part)
-    if array.shape == (0,):
-        return []
-    if array.ndim != 1 or array.dtype.kind not in "biu":
-        raise wrong_type("keys", part, "a slice such as keys[2:5], a mask, or rising indices")
-    if array.dtype.kind == "b" and len(array) != count:
-        raise ArgumentError(f"keys: found a mask of {len(array)}, wanted one of {count}")
-    indices = np.flatnonzero(array) if array.dtype.kind == "b" else np.where(array < 0, array + count, array)
-    if ((indices < 0) | (indices >= count)).any() or (np.diff(indices) <= 0).any():
-        raise ArgumentError(f"keys: found indices that do not rise within the {count} keys, wanted such as [0, 2, 5]")
-    return [int(i) for i in indices]
-
-
 def _at_row(error: DataError, row: int) -> DataError:
     """About the row that was given, where rows were dropped or sorted since."""
-    told = DataError(str(error).replace(f"key {error.key}:", f"row {row}:", 1))
-    told.key = row
+    told = DataError(error.args[0].replace(f"key {error.key}:", f"row {row}:", 1))
+    told.key, told._cure = row, error._cure
     return told
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from ._arrays import inertia_tensor
-from ._charts import charts, sphere
+from ._charts import CHARTED, charts, sphere
 from ._checks import text
 from ._clock import Clock
 from ._files import Target, target_of
@@ -28,16 +28,16 @@ class Looks:
     _clock: Clock
     _keys: Keys
 
-    def plot(self, axes: Any = None, quantities: str | Sequence[str] = ("angle", "rate", "acceleration", "jerk"), *,
-             ghosts: int = 0) -> Any:
+    def plot(self, axes: Any = None, quantities: str | Sequence[str] | None = None, *, ghosts: int = 0, ax: Any = None) -> Any:
         """Charts over time by matplotlib: the angle from the start [deg], |ω| [rad/s], |α| [rad/s²] and |jerk| [rad/s³], the
         keys marked, and both sides of every jump. The peaks of a long curve are not missed.
 
         With `ghosts`, 2 to 60, the body itself stands below at so many even times from start to end, as `orispline plot
         --ghosts` draws it: that is one more chart.
 
-        `axes` are as many matplotlib Axes as charts, or None for a new figure. Returns an array of these Axes; nothing is
-        shown. Raises ArgumentError for a quantity that there is not, for another number of axes and of ghosts.
+        `axes`, or `ax`, are as many matplotlib Axes as charts, or one of them, or None for a new figure. Without `quantities` the first
+        of these are drawn, as many as there are Axes: in one the angle. Returns an array of these Axes; nothing is shown. Raises
+        ArgumentError for a quantity that there is not, for another number of axes and of ghosts.
 
         >>> import matplotlib, orispline as ori
         >>> matplotlib.use("Agg")
@@ -47,11 +47,11 @@ class Looks:
         >>> len(curve.plot(ghosts=12))
         5
         """
-        return charts({self._core.method: self}, None, axes, quantities, ghosts)
+        return charts({self._core.method: self}, None, axes, quantities, ghosts, CHARTED, ax)
 
-    def plot_sphere(self, axis: Any = "x", axes: Any = None) -> Any:
+    def plot_sphere(self, axis: Any = "x", axes: Any = None, *, ax: Any = None) -> Any:
         """The path of a body axis over the unit sphere, with the keys: `orispline.plot_sphere` of this curve."""
-        return sphere({self._core.method: self}, axis, axes)
+        return sphere({self._core.method: self}, axis, axes, ax)
 
     def report(self, path: Target, *, title: str = "", inertia: Any = None) -> None:
         """Writes a page to look at in a browser: the motion in space, on the sphere and over time, and its measures; with an

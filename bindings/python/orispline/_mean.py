@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
@@ -13,8 +15,8 @@ from ._arrays import numbers
 from ._checks import flag
 from ._errors import ArgumentError, DataError
 from ._html import table
-from ._keys import Keys, orientations_of
-from ._options import FIELDS, plain, states, takes
+from ._keys import Keys, keys_of, orientations_of
+from ._options import FIELDS, KEYS_ARGUMENTS, parted, plain, states, takes
 from ._request import Request
 from ._told import Told
 
@@ -96,11 +98,29 @@ class Mean(Told):
         return table(repr(self), ("", "", "meaning"), rows)
 
 
+def _of_times(task: Callable[..., Any]) -> Callable[..., Any]:
+    """Lets it take times before the rotations, and then the arguments of `Keys`."""
+    @functools.wraps(task)
+    def run(*given: Any, **stated: Any) -> Any:
+        """With the keys that two arguments make."""
+        if len(given) == 2:
+            of_them, stated = parted(stated, KEYS_ARGUMENTS)
+            given = (keys_of(given[0], {"rotations": given[1], **of_them}),)
+        return task(*given, **stated)
+
+    return run
+
+
 @overload
 def mean(rotations: Any, *, every: None = None, weights: Any = None, positions: Any = None, scalar_first: bool = False, normalize: bool = False,
          normalise: bool = False, euler: str | None = None, angle_unit: AngleUnit | None = None, **options: Any) -> Mean: ...
 @overload
 def mean(rotations: Keys, *, every: float | str, weights: Any = None, **options: Any) -> list[Mean]: ...
+@overload
+def mean(times: Any, rotations: Any, /, *, every: None = None, weights: Any = None, **options: Any) -> Mean: ...
+@overload
+def mean(times: Any, rotations: Any, /, *, every: float | str, weights: Any = None, **options: Any) -> list[Mean]: ...
+@_of_times
 @takes("MeanOptions")
 def mean(rotations: Any, *, every: float | str | None = None, weights: Any = None, positions: Any = None, scalar_first: bool = False,
          normalize: bool = False, normalise: bool = False, euler: str | None = None, angle_unit: AngleUnit | None = None,
@@ -114,6 +134,7 @@ def mean(rotations: Any, *, every: float | str | None = None, weights: Any = Non
     ----------
     rotations : Keys, (n, 4) quaternions, (n, 3, 3) matrices, (n, 4, 4) poses, a SciPy Rotation or RigidTransform, or a list of Rotations
         Body to world, as of `Keys`. Keys and poses bring positions. A list of Keys is one set of all their rows, without times.
+        With two arguments the first are the times, and the others those of `Keys`: `mean(times, rotations, every="1s")`.
     weights : (n,) array, optional
         0 or more; without them all weigh the same.
     positions : (n, 3) array, optional

@@ -2,18 +2,23 @@
 """Options and results of tasks as the library's tables of fields state them."""
 from __future__ import annotations
 
+import functools
 import inspect
-from typing import Any, Callable, Mapping, Sequence, TypeVar
+from typing import Any, Callable, Concatenate, Mapping, ParamSpec, Protocol, Sequence, TypeVar, overload
 
 import numpy as np
 
 from . import _core
 from ._checks import real, wrong_type
 from ._errors import ArgumentError
-from ._keys import Keys
+from ._frames import refuse_frame
+from ._keys import Keys, keys_of
 
 Task = TypeVar("Task", bound=Callable[..., Any])
 Class = TypeVar("Class", bound=type)
+P = ParamSpec("P")
+Found = TypeVar("Found", covariant=True)
+KEYS_ARGUMENTS = list(inspect.signature(Keys).parameters)
 FIELDS: dict[str, list[dict[str, Any]]] = _core.fields()
 
 
@@ -68,11 +73,64 @@ def checked_cutoff(cutoff: Any, options: Mapping[str, Any]) -> dict[str, Any]:
     return {"cutoff": float(hertz)}
 
 
-def checked_keys(keys: Any, name: str = "keys") -> Keys:
-    """Keys, or a TypeError that says so."""
-    if not isinstance(keys, Keys):
-        raise TypeError(f"{name}: found {type(keys).__name__}, wanted Keys")
-    return keys
+def checked_keys(given: Any, name: str = "keys", wanted: str = "Keys") -> Keys:
+    """Keys, or those of a pair of times and rotations; or a TypeError that says so."""
+    if isinstance(given, tuple) and len(given) == 2:
+        return Keys(*given)
+    if not isinstance(given, Keys):
+        refuse_frame(name, given)
+        cure = ", such as its .keys" if isinstance(getattr(given, "keys", None), Keys) else ", or times and rotations"
+        raise TypeError(f"{name}: found {type(given).__name__}, wanted {wanted}{cure}")
+    return given
+
+
+class OfKeys(Protocol[P, Found]):
+    """A task of Keys, or of the times and rotations that these are made of."""
+
+    @overload
+    def __call__(self, keys: Keys | tuple[Any, Any], /, *args: P.args, **options: P.kwargs) -> Found: ...
+    @overload
+    def __call__(self, times: Any, rotations: Any, /, *args: P.args, **options: P.kwargs) -> Found: ...
+
+
+def of_keys(task: Callable[Concatenate[Keys, P], Found]) -> OfKeys[P, Found]:
+    """Lets a task, whose first argument are keys, take what `Curve` takes instead: times and rotations, and the arguments of `Keys` by
+    their names, but for those that the task itself has."""
+    signature = inspect.signature(task)
+    first, *own = signature.parameters
+    names = [name for name in KEYS_ARGUMENTS if name not in own]
+
+    @functools.wraps(task)
+    def run(*given: Any, **stated: Any) -> Any:
+        """With the keys that were given, or those of what was given."""
+        of_them, stated = parted(stated, names)
+        if first in stated or "times" in of_them:
+            given = (stated.pop(first) if first in stated else of_them.pop("times"), *given)
+        if not given:
+            raise TypeError(f"{task.__name__}: found no keys, wanted Keys, or times and rotations")
+        keys, *rest = given
+        if isinstance(keys, tuple) and len(keys) == 2 and "rotations" not in of_them and not (rest and _is_rows(rest[0])):
+            keys, of_them["rotations"] = keys
+        elif rest and _is_rows(rest[0]):
+            of_them["rotations"], *rest = rest
+        elif "rotations" not in of_them:
+            keys = checked_keys(keys, first)
+        return task(keys_of(keys, of_them), *rest, **stated)
+
+    run.__signature__ = signature  # type: ignore[attr-defined]
+    return run
+
+
+def parted(stated: dict[str, Any], names: Sequence[str]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Arguments of these names, and the others."""
+    return {name: stated[name] for name in names if name in stated}, {name: value for name, value in stated.items() if name not in names}
+
+
+def _is_rows(given: Any) -> bool:
+    """Whether it may be rotations, and is no method, tolerance or list of methods."""
+    if isinstance(given, (list, tuple)):
+        return bool(given) and (hasattr(given[0], "as_quat") or np.ndim(given[0]) > 0)
+    return hasattr(given, "as_quat") or hasattr(given, "as_components") or np.ndim(given) > 1
 
 
 def checked_threads(threads: Any) -> int:
@@ -82,11 +140,12 @@ def checked_threads(threads: Any) -> int:
     return int(threads)
 
 
-def reference_of(keys: Keys, reference: Keys | None) -> dict[str, Any]:
+def reference_of(keys: Keys, reference: Keys | tuple[Any, Any] | None) -> dict[str, Any]:
     """A reference as an input beside the keys, where there is one. The library brings their times together by their epochs."""
     if reference is None:
         return {}
-    times = checked_keys(reference, "reference").times
+    reference = checked_keys(reference, "reference")
+    times = reference.times
     if reference._clock.kind != keys._clock.kind or keys._clock.kind:  # else the library says what is to be said
         keys._clock.check_met(keys._clock.seconds("reference", times), tuple(keys._core.times[[0, -1]]))
     return {"reference": reference}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Iterable, Mapping, Sequence
 
-from ._charts import charts, sphere
+from ._charts import CHARTED, charts, sphere
 from ._clock import Clock
 from ._curve import Curve
 from ._errors import ArgumentError
@@ -14,12 +14,13 @@ Curves = Any  # a Curve, several, or a mapping from names to curves
 
 
 def plot_comparison(curves: Curves, reference: Curve | Keys | None = None, *, axes: Any = None,
-                    quantities: str | Sequence[str] = ("angle", "rate", "acceleration"), ghosts: int = 0) -> Any:
+                    quantities: str | Sequence[str] | None = None, ghosts: int = 0, ax: Any = None) -> Any:
     """Curves over time in the same charts: several, or a mapping from names to curves. With a reference, another curve or
     keys such as a recording, the first chart is of the angles to it [deg], where both have a time. With `ghosts` the last
     one has the bodies of every curve in a row, as `Curve.plot` has.
 
-    `axes` are as many Axes as charts, or None for a new figure. Returns an array of these Axes; nothing is shown. Raises
+    The quantities are those of `Curve.plot`, without any the angle, the rate and the acceleration. `axes`, or `ax`, are as many Axes as
+    charts, or None for a new figure. Returns an array of these Axes; nothing is shown. Raises
     ArgumentError as `Curve.plot` does, and for curves whose times are of different kinds.
 
     >>> import matplotlib, orispline as ori
@@ -31,21 +32,21 @@ def plot_comparison(curves: Curves, reference: Curve | Keys | None = None, *, ax
     named = _named(curves)
     if reference is not None:
         _check_reference(reference, next(iter(named.values()))._clock)
-    return charts(named, reference, axes, quantities, ghosts)
+    return charts(named, reference, axes, quantities, ghosts, CHARTED[:3], ax)
 
 
-def plot_sphere(curves: Curves, axis: Any = "x", axes: Any = None) -> Any:
+def plot_sphere(curves: Curves, axis: Any = "x", axes: Any = None, *, ax: Any = None) -> Any:
     """The path of a body axis over the unit sphere, world frame, with the keys as dots: of a curve, of several, or of a
     mapping from names to curves. `axis` is "x", "y", "z" or (3,) of any length but 0.
 
-    `axes` are matplotlib Axes of three dimensions, or None for a new figure. Returns these Axes; nothing is shown.
+    `axes`, or `ax`, are matplotlib Axes of three dimensions, or None for a new figure. Returns these Axes; nothing is shown.
 
     >>> import matplotlib, orispline as ori
     >>> matplotlib.use("Agg")
     >>> ori.plot_sphere(ori.Curve([0, 1], [[0, 0, 0, 1], [0, 0, 0.6, 0.8]]), "y").get_title()
     'body axis y on the unit sphere'
     """
-    return sphere(_named(curves), axis, axes)
+    return sphere(_named(curves), axis, axes, ax)
 
 
 def _named(curves: Curves) -> dict[str, Curve]:

@@ -118,8 +118,6 @@ class _Side:
 def _side(name: str, one: Keys | Rates) -> _Side:
     if isinstance(one, Keys):
         return _Side(one._core, one._clock, _core.epoch_of_keys(one._core), np.arange(len(one)))
-    if not isinstance(one, Rates):
-        raise TypeError(f"{name}: found {type(one).__name__}, wanted Keys or Rates")
     whole = np.flatnonzero(np.isfinite(one.rates).all(axis=1))
     seconds, clock = times_of_keys(one.times[whole], None)
     epoch = clock.epoch if clock.origin else getattr(one.times, "epoch", "0")

@@ -393,12 +393,12 @@ class Alignment(Result):
             object.__setattr__(self, side, np.array(getattr(self, side))[order])
         object.__setattr__(self, "open", tuple(OpenDirection._of(row) for row in self.open))  # type: ignore[arg-type]
 
-    def apply(self, keys: Keys) -> Keys:
+    def apply(self, keys: Keys | tuple[Any, Any]) -> Keys:
         """Other keys of the clock and the axes of `a` as they lie beside `b`, with all that they carry.
 
         Raises ArgumentError for keys that have dates where those of `a` have none, and the other way round.
         """
-        checked_keys(keys)
+        keys = checked_keys(keys)
         self._given._clock.seconds("keys", keys.times[:1])
         return new_keys(self._task().aligned(keys._core), keys, clock_of=self._request.inputs["fixed"])
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,19 +13,37 @@ from . import _core
 from ._arrays import Array, same
 from ._checks import rate_text, whole
 from ._clock import Clock, clock_of_stamps
-from ._columns import Columns, as_arrow, as_pandas, columns_of
+from ._columns import Columns, as_arrow, as_pandas, as_polars, columns_of
 from ._errors import ArgumentError
 from ._files import Options, Writable, write
+from ._frames import as_xarray
 from ._html import few_rows, table
+from ._names import Named
 
 if TYPE_CHECKING:
     import decimal
 
     from ._keys import Keys
 
+COLUMNS = 8  # fields of samples: times, orientations and the vectors
+
+
+class Moment:
+    """Numbers at one time, which are equal where all of them are; NaN is as NaN."""
+
+    orientation: NDArray[Any]
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return NotImplemented
+        return all(same(one, another) for one, another in zip(vars(self).values(), vars(other).values()))
+
+    def __hash__(self) -> int:
+        return hash((self.orientation.astype(np.float64) + 0.0).tobytes())  # where -0 is 0
+
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class Motion:
+class Motion(Moment):
     """A curve at one time: an orientation with its rates, and where the keys have positions the position with its own."""
 
     orientation: NDArray[np.float64]
@@ -35,14 +54,19 @@ class Motion:
     velocity: NDArray[np.float64] | None = None
     acceleration: NDArray[np.float64] | None = None
 
-    def __eq__(self, other: object) -> bool:
-        """Whether all numbers are the same; NaN is as NaN."""
-        if not isinstance(other, Motion):
-            return NotImplemented
-        return all(same(getattr(self, field.name), getattr(other, field.name)) for field in dataclasses.fields(self))
 
-    def __hash__(self) -> int:
-        return hash(tuple(self.orientation.tolist()))
+@dataclasses.dataclass(frozen=True, eq=False)
+class Sample(Moment):
+    """One of `Samples`: a time, and what they have there; None is what was not asked for. Of a `CurveStack` a row for each joint."""
+
+    time: Any
+    orientation: NDArray[Any]
+    angular_velocity: NDArray[Any] | None = None
+    angular_acceleration: NDArray[Any] | None = None
+    angular_jerk: NDArray[Any] | None = None
+    position: NDArray[Any] | None = None
+    velocity: NDArray[Any] | None = None
+    acceleration: NDArray[Any] | None = None
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -59,11 +83,19 @@ class Origin:
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Samples(Writable):
+class Samples(Named, Writable):
     """Samples of a curve: (k,) times, (k, 4) orientations and (k, 3) of all else; None is what was not asked for. Those of a
     `CurveStack` of m joints have one axis more, (k, m, 4) and (k, m, 3).
 
-    Angular rates are in the frame that `frame` names, positions and their rates in the world frame.
+    Angular rates are in the frame that `frame` names, positions and their rates in the world frame. They are gone through one by one,
+    each a `Sample`, and taken by places, slices and masks as `Keys` are.
+
+    >>> import orispline as ori
+    >>> samples = ori.Curve([0, 1], [[0, 0, 0, 1], [0, 0, 1, 0]], "slerp").sample(rate="4 Hz", derivatives=1)
+    >>> [round(float(sample.time + sample.angular_velocity[2]), 4) for sample in samples[:2]]
+    [3.1416, 3.3916]
+    >>> samples[0.5:], samples[-1].orientation.round(9).tolist()
+    (Samples(3 samples, 0.5 … 1 s, orientations, angular_velocities), [0.0, 0.0, 1.0, 0.0])
     """
 
     times: np.ndarray[Any, Any]
@@ -79,6 +111,30 @@ class Samples(Writable):
 
     def __len__(self) -> int:
         return len(self.times)
+
+    def __iter__(self) -> Iterator[Sample]:
+        """Each in its turn."""
+        return (self._one(place) for place in range(len(self)))
+
+    @overload
+    def __getitem__(self, part: int | np.integer[Any]) -> Sample: ...
+    @overload
+    def __getitem__(self, part: slice | Sequence[int] | NDArray[Any]) -> Samples: ...
+    def __getitem__(self, part: Any) -> Sample | Samples:
+        """One of them by its place, or those of a slice, of a mask or of indices, as of `Keys`."""
+        from ._places import Rows, is_place
+        origin = self._from
+        rows = Rows("samples", origin.seconds, origin.clock, origin.epoch)
+        if is_place(part):
+            return self._one(rows.place(part))
+        places = rows.places(part, rising=False)
+        times = self.times[places]
+        some = [self.orientations[places], *(None if values is None else values[places] for values in self._vectors())]
+        origin = dataclasses.replace(origin, times=times, seconds=origin.seconds[places], grid=None)
+        return dataclasses.replace(Samples(times, *some), frame=self.frame, _origin=origin)  # type: ignore[arg-type]
+
+    def _one(self, place: int) -> Sample:
+        return Sample(self.times[place], self.orientations[place], *(None if rows is None else rows[place] for rows in self._vectors()))
 
     @property
     def epoch(self) -> decimal.Decimal:
@@ -126,8 +182,26 @@ class Samples(Writable):
         """A pandas DataFrame with the columns of `to_arrow()`; its `attrs` has the epoch. Needs pandas."""
         return as_pandas(self._columns(), self.epoch)
 
+    def to_polars(self) -> Any:
+        """A Polars DataFrame with the columns of `to_arrow()`, which has no place for the epoch. Needs Polars."""
+        return as_polars(self._columns())
+
+    def to_xarray(self) -> Any:
+        """An xarray Dataset along `t`: orientation along `quaternion` too, in the order of `orientations`, and what else there is,
+        angular_velocity and so on, along `axis`; of many joints along `joint`. Its attribute `epoch` is what the times count from. Needs
+        xarray.
+
+        >>> import orispline as ori
+        >>> samples = ori.Curve([0, 1], [[0, 0, 0, 1], [0, 0, 1, 0]]).sample(rate=4, derivatives=1)
+        >>> samples.to_xarray()["angular_velocity"].dims
+        ('t', 'axis')
+        """
+        vectors = dict(zip((field.name for field in dataclasses.fields(Sample)[2:]), self._vectors()))
+        return as_xarray(self.times, self.epoch, self.frame, "wxyz" if self._from.scalar_first else "xyzw",
+                         {"orientation": self.orientations, **vectors})
+
     def __repr__(self) -> str:
-        count, there = len(self), [field.name for field in dataclasses.fields(self)[1:8] if getattr(self, field.name) is not None]
+        count, there = len(self), [field.name for field in dataclasses.fields(self)[1:COLUMNS] if getattr(self, field.name) is not None]
         joints = "" if self._joints is None else f" of {self._joints} joint{'' if self._joints == 1 else 's'}"
         origin = self._from
         span = f", {origin.clock.span(origin.seconds)}" if count else ""

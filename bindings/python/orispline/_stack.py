@@ -68,7 +68,7 @@ class CurveStack:
     (CurveStack('auto', 2 tracks, 2 to 3 keys, 0 … 7 s), (2, 3, 4))
     """
 
-    __slots__ = ("_cores", "_curves", "_are_tracks", "_share_clock")
+    __slots__ = ("__weakref__", "_cores", "_curves", "_are_tracks", "_share_clock")
 
     def __init__(self, times: Any, rotations: Any = None, method: Method | None = None, *, extrapolate: Extrapolate = "hold",
                  positions: Any = None, angular_velocities: Any = None, angular_accelerations: Any = None, angular_jerks: Any = None,
@@ -279,7 +279,7 @@ def _each(word: str, things: Iterable[Any], curve_of: Callable[[Any], Curve]) ->
             with collected() as found:
                 curves.append(curve_of(thing))
         except Error as error:
-            error.joint = number
+            error.joint, error._cure = number, ""
             error.args = (f"{word} {number}: {error}", *error.args[1:])
             raise
         tell((f"{word} {number}: {warning}", warning.code, warning.numbers) for warning in found)

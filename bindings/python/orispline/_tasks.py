@@ -9,31 +9,35 @@ from typing import Any, overload
 import numpy as np
 
 from . import _core
+from ._arrays import array_of
 from ._checks import flag, wrong_type
 from ._clock import SecondsSince
 from ._errors import ArgumentError, DataError
 from ._keys import Keys
 from ._methods import method_words
-from ._options import checked_cutoff, checked_keys, checked_threads, plain, reference_of, takes
+from ._options import checked_cutoff, checked_keys, checked_threads, of_keys, plain, reference_of, takes
 from ._rate_alignment import RateAlignment, aligned_by_rates
 from ._rates import Rates
 from ._request import Request
 from ._results import Alignment, Reduction, Retiming, Smoothing, Tuning
 
+Pair = tuple[Any, Any]  # times, and rotations or rates
 SMOOTHNESS = ("noise", "smoothing_time", "position_noise")  # options of smoothing that reducing takes too
 
 
+@of_keys
 @takes("SmoothOptions")
-def smooth(keys: Keys, *, gyro: bool | Rates = False, cutoff: float | str | None = None, **options: Any) -> Smoothing:
+def smooth(keys: Keys, /, *, gyro: bool | Rates | tuple[Any, Any] = False, cutoff: float | str | None = None, **options: Any) -> Smoothing:
     """A noisy recording as a smooth motion with rates.
 
     Numbers are in the units that stand here, texts have their unit: `noise=0.01` and `noise="0.57deg"`.
 
     Parameters
     ----------
-    keys : Keys
-        The recording. With `gyro=True` its angular velocities are those of a gyro; with `gyro=Rates(...)` or
-        `gyro=read_rates(path)` the gyro has times of its own, at which the result has keys too.
+    keys : Keys, or times and rotations
+        The recording, or what `Curve` makes keys of: `smooth(times, rotations, normalize=True)`. With `gyro=True` its angular velocities
+        are those of a gyro; with `gyro=(times, rates)`, `gyro=Rates(...)` or `gyro=read_rates(path)` the gyro has times of its own, at
+        which the result has keys too.
     cutoff : float or str, optional
         Cut-off frequency 1/(2πτ) [Hz] in the place of the smoothing time τ: half of a motion at this frequency is left.
     {options}
@@ -64,17 +68,19 @@ def smooth(keys: Keys, *, gyro: bool | Rates = False, cutoff: float | str | None
     >>> noise = np.random.default_rng(1).normal(size=(201, 3)) * 0.005
     >>> half = 0.5 * np.sin(t)
     >>> q = np.column_stack([noise, np.cos(half)]) + np.outer(np.sin(half), [0, 0, 1, 0])
-    >>> smoothing = ori.smooth(ori.Keys(t, q, normalize=True))
+    >>> smoothing = ori.smooth(t, q, normalize=True)
     >>> bool(0.005 < smoothing.noise < 0.015)
     True
     >>> smoothing.curve.angular_velocity(1.0).shape
     (3,)
     """
-    inputs: dict[str, Any] = {"recording": checked_keys(keys)}
+    inputs: dict[str, Any] = {"recording": keys}
+    if isinstance(gyro, tuple) and len(gyro) == 2:
+        gyro = Rates(*gyro)
     if isinstance(gyro, Rates):
         inputs["gyro"], gyro = _finite_rates(keys, gyro), True
     elif gyro is not None and not np.isscalar(gyro):
-        raise wrong_type("gyro", gyro, "True, False or Rates")
+        raise wrong_type("gyro", gyro, "True, False, Rates, or a pair of times and rates")
     settings = checked_cutoff(cutoff, options)
     return Smoothing._found(Request("smooth", inputs, plain({**options, "gyro": gyro}), settings), keys)
 
@@ -106,8 +112,9 @@ def _reduced(tracks: Sequence[Keys], tolerance: Any, method: Any, smooth: bool, 
             for core, keys in zip(request.told(), tracks)]
 
 
+@of_keys
 @takes("ReduceOptions", also={"SmoothOptions": SMOOTHNESS})
-def reduce(keys: Keys, tolerance: Any, *, method: Any = None, smooth: bool = False, cutoff: float | str | None = None,
+def reduce(keys: Keys, /, tolerance: Any, *, method: Any = None, smooth: bool = False, cutoff: float | str | None = None,
            threads: int = 0, **options: Any) -> Reduction:
     """The fewest keys whose curve is within a tolerance of every sample of a recording.
 
@@ -155,17 +162,17 @@ def reduce(keys: Keys, tolerance: Any, *, method: Any = None, smooth: bool = Fal
     >>> len(reduction.keys), bool(reduction.error_max < np.radians(0.1))
     (2, True)
     """
-    return _reduced([checked_keys(keys)], tolerance, method, smooth, cutoff, threads, options)[0]
+    return _reduced([keys], tolerance, method, smooth, cutoff, threads, options)[0]
 
 
 @takes("ReduceOptions", also={"SmoothOptions": SMOOTHNESS})
-def reduce_tracks(tracks: Iterable[Keys], tolerance: Any, *, method: Any = None, smooth: bool = False,
+def reduce_tracks(tracks: Iterable[Keys | tuple[Any, Any]], tolerance: Any, *, method: Any = None, smooth: bool = False,
                   cutoff: float | str | None = None, threads: int = 0, **options: Any) -> list[Reduction]:
     """`reduce` for many recordings at once, in their order.
 
     Parameters
     ----------
-    tracks : iterable of Keys
+    tracks : iterable of Keys or (times, rotations)
         The recordings.
     method, smooth, cutoff, threads
         As of `reduce`. The threads share the recordings.
@@ -189,8 +196,9 @@ def reduce_tracks(tracks: Iterable[Keys], tolerance: Any, *, method: Any = None,
     return _reduced(listed, tolerance, method, smooth, cutoff, threads, options) if listed else []
 
 
+@of_keys
 @takes("RetimeOptions")
-def retime(keys: Keys, *, method: Any = None, per_interval: bool = False, fastest_keys: bool = False, **options: Any) -> Retiming:
+def retime(keys: Keys, /, *, method: Any = None, per_interval: bool = False, fastest_keys: bool = False, **options: Any) -> Retiming:
     """The least slowing with which the curve stays within limits everywhere, certified by bounds.
 
     Limits are in the units that stand here, as one number for the length of the vector or three for its components;
@@ -198,8 +206,8 @@ def retime(keys: Keys, *, method: Any = None, per_interval: bool = False, fastes
 
     Parameters
     ----------
-    keys : Keys
-        Whose times are to change.
+    keys : Keys, or times and rotations
+        Whose times are to change, as of `smooth`.
     method : str, Blending or Curve, optional
         The method of the curve, in its text form. Without it that of the keys' file, else `auto`, with the body at
         rest between equal keys.
@@ -234,7 +242,6 @@ def retime(keys: Keys, *, method: Any = None, per_interval: bool = False, fastes
     >>> bool(slow.certificates["rate"].bound <= 0.7854), slow.time_scale > 1
     (True, True)
     """
-    checked_keys(keys)
     for name, given in (("per_interval", per_interval), ("fastest_keys", fastest_keys)):
         word = name.replace("_", "-")
         if not flag(name, given):
@@ -246,17 +253,18 @@ def retime(keys: Keys, *, method: Any = None, per_interval: bool = False, fastes
     return Retiming._found(Request("retime", {"keys": keys}, plain(options), method=words), keys)
 
 
+@of_keys
 @takes("TuneOptions")
-def tune(keys: Keys, method: Any, *, reference: Keys | None = None, **options: Any) -> Tuning:
+def tune(keys: Keys, /, method: Any, *, reference: Keys | tuple[Any, Any] | None = None, **options: Any) -> Tuning:
     """The tensions of a curve that make an integral over it least, such as that of the squared angular acceleration.
 
     Parameters
     ----------
-    keys : Keys
-        What the curve goes through.
+    keys : Keys, or times and rotations
+        What the curve goes through, as of `smooth`.
     method : str, Blending or Curve
         The method whose tensions to find, in its text form; they start from its settings.
-    reference : Keys, optional
+    reference : Keys or (times, rotations), optional
         Dense recording that the curve comes near to, for the objective `"fit"`.
     {options}
 
@@ -288,18 +296,20 @@ def tune(keys: Keys, method: Any, *, reference: Keys | None = None, **options: A
     (True, ['tension'])
     """
     words = method_words(method)
-    inputs = {"keys": checked_keys(keys), **reference_of(keys, reference)}
+    inputs = {"keys": keys, **reference_of(keys, reference)}
     return Tuning._found(Request("tune", inputs, plain(options), method=words), keys)
 
 
 @overload
 def align(a: Keys, b: Keys, **options: Any) -> Alignment: ...
 @overload
-def align(a: Rates, b: Keys | Rates, **options: Any) -> RateAlignment: ...
+def align(a: Rates, b: Keys | Rates | Pair, **options: Any) -> RateAlignment: ...
 @overload
-def align(a: Keys, b: Rates, **options: Any) -> RateAlignment: ...
+def align(a: Keys | Pair, b: Rates, **options: Any) -> RateAlignment: ...
+@overload
+def align(a: Keys | Pair, b: Keys | Pair, **options: Any) -> Any: ...
 @takes("AlignOptions")
-def align(a: Keys | Rates, b: Keys | Rates, **options: Any) -> Alignment | RateAlignment:
+def align(a: Keys | Rates | Pair, b: Keys | Rates | Pair, **options: Any) -> Alignment | RateAlignment:
     """What brings a recording onto another one of the same motion: the constant rotations of the axes of world and body, the
     offset of the clocks, and where both have positions their scale and the place of the origin.
 
@@ -311,9 +321,9 @@ def align(a: Keys | Rates, b: Keys | Rates, **options: Any) -> Alignment | RateA
 
     Parameters
     ----------
-    a : Keys or Rates
-        The recording that is moved.
-    b : Keys or Rates
+    a : Keys, Rates, (times, rotations) or (times, rates)
+        The recording that is moved. A pair with (n, 3) numbers is of rates.
+    b : Keys, Rates, (times, rotations) or (times, rates)
         The one that stays as it is. Either may have dates where the other has seconds.
     {options}
 
@@ -342,7 +352,7 @@ def align(a: Keys | Rates, b: Keys | Rates, **options: Any) -> Alignment | RateA
     >>> turns = np.column_stack([np.sin(t), np.cos(1.3 * t), 0.5 * np.sin(0.7 * t)])
     >>> half = np.linalg.norm(turns, axis=1, keepdims=True) / 2
     >>> q = np.hstack([turns / 2 * np.sinc(half / np.pi), np.cos(half)])
-    >>> alignment = ori.align(ori.Keys(t + 0.25, q), ori.Keys(t, q))
+    >>> alignment = ori.align((t + 0.25, q), (t, q))
     >>> abs(alignment.offset - 0.25) < 1e-6, alignment.distance_max < 1e-4
     (True, True)
     >>> rates = np.column_stack([np.cos(t), -1.3 * np.sin(1.3 * t), 0.35 * np.cos(0.7 * t)])
@@ -350,7 +360,17 @@ def align(a: Keys | Rates, b: Keys | Rates, **options: Any) -> Alignment | RateA
     >>> abs(found.offset - 0.25) < 1e-6, found.body.round(6).tolist(), found.aligned
     (True, [-0.5, -0.5, -0.5, 0.5], Rates(501 rates))
     """
-    if isinstance(a, Rates) or isinstance(b, Rates):
-        return aligned_by_rates(a, b, plain(options))
-    fixed = checked_keys(b, "b")
-    return Alignment._found(Request("align", {"moved": checked_keys(a, "a"), "fixed": fixed}, plain(options)), a)
+    moved, fixed = _recording("a", a), _recording("b", b)
+    if isinstance(moved, Rates) or isinstance(fixed, Rates):
+        return aligned_by_rates(moved, fixed, plain(options))
+    return Alignment._found(Request("align", {"moved": moved, "fixed": fixed}, plain(options)), moved)
+
+
+def _recording(name: str, given: Any) -> Keys | Rates:
+    """Of a pair those of its second part."""
+    if isinstance(given, Rates):
+        return given
+    is_pair = isinstance(given, tuple) and len(given) == 2
+    if is_pair and not hasattr(given[1], "as_quat") and array_of(name, given[1]).shape[1:] == (3,):
+        return Rates(*given)
+    return checked_keys(given, name, "Keys or Rates")

@@ -5,8 +5,10 @@ from __future__ import annotations
 import copy
 from typing import Any
 
+from ._names import Named
 
-class Told:
+
+class Told(Named):
     """What has a document and a summary."""
 
     _members: dict[str, Any]

@@ -23,22 +23,23 @@ FINEST = "us"  # unit of Spark's stamps
 
 def resample(df: Any, *, by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION,
              position: Sequence[str] | None = None, rate: Any = 100.0, align: str = "start", method: Method = "auto",
-             derivatives: int = 1, frame: str = "body", gap: float | None = None, errors: str = "row", **settings: Any) -> Any:
+             derivatives: int = 1, frame: str = "body", gap: float | None = None, errors: str = "row", normalize: bool = False,
+             normalise: bool = False, **settings: Any) -> Any:
     """Even samples of the curve of every track, with their rates: `orispline.tables.resample` of a data frame.
 
     The rows are shuffled once, by track. Within a track they come out in order of time. Memory stays small however long a
     track is, where the method is local.
     """
-    job = jobs.resampling(layout(by, time, quaternion, position), rate, align, method, derivatives, frame, gap, errors, ONE_THREAD,
-                          settings)
-    return _run(job, df)
+    columns = layout(by, time, quaternion, position, normalize, normalise)
+    return _run(jobs.resampling(columns, rate, align, method, derivatives, frame, gap, errors, ONE_THREAD, settings), df)
 
 
 def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION,
              position: Sequence[str] | None = None, method: Method = "auto", derivatives: int = 0, frame: str = "body",
-             extrapolate: Extrapolate = "nan", errors: str = "row", **settings: Any) -> Any:
+             extrapolate: Extrapolate = "nan", errors: str = "row", normalize: bool = False,
+             normalise: bool = False, **settings: Any) -> Any:
     """The orientation of each track at the rows of another data frame: `orispline.tables.evaluate`."""
-    columns = layout(by, time, quaternion, position)
+    columns = layout(by, time, quaternion, position, normalize, normalise)
     read, beside = columns.read(arrow_schema(keys), "keys"), jobs.beside_schema(columns, arrow_schema(at))
     tell_of_types(time, arrow_schema(at).field(time).type, beside.field(time).type, None)
     keys, at = readable(keys, read, columns), readable(at, beside, Layout(columns.by, columns.time, ()))
@@ -53,29 +54,31 @@ def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str
 
 def smooth(df: Any, *, by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION,
            position: Sequence[str] | None = None, rate: Any = None, derivatives: int = 1, frame: str = "body", errors: str = "row",
-           **options: Any) -> Any:
+           normalize: bool = False, normalise: bool = False, **options: Any) -> Any:
     """Every track without its noise, with rates: `orispline.tables.smooth`. Warnings are in the logs of the workers."""
-    return _run(jobs.smoothing(layout(by, time, quaternion, position), rate, derivatives, frame, errors, ONE_THREAD, options), df)
+    columns = layout(by, time, quaternion, position, normalize, normalise)
+    return _run(jobs.smoothing(columns, rate, derivatives, frame, errors, ONE_THREAD, options), df)
 
 
 def reduce(df: Any, tolerance: Any, *, by: str | Sequence[str] = "track", time: str = "t",
            quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, errors: str = "row",
-           **options: Any) -> Any:
+           normalize: bool = False, normalise: bool = False, **options: Any) -> Any:
     """The fewest keys of every track within a tolerance: `orispline.tables.reduce`."""
-    return _run(jobs.reduction(layout(by, time, quaternion, position), tolerance, errors, ONE_THREAD, options), df)
+    return _run(jobs.reduction(layout(by, time, quaternion, position, normalize, normalise), tolerance, errors, ONE_THREAD, options), df)
 
 
 def mean(df: Any, *, by: str | Sequence[str] = "track", every: Any = None, kind: str = "mean", weight: str | None = None,
-         time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, errors: str = "row") -> Any:
+         time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, errors: str = "row",
+         normalize: bool = False, normalise: bool = False) -> Any:
     """The mean or the median of every group of rows, or of its windows in time: `orispline.tables.mean`."""
-    return _run(jobs.averaging(by, every, kind, weight, time, quaternion, position, errors, ONE_THREAD), df)
+    return _run(jobs.averaging(by, every, kind, weight, time, quaternion, position, errors, ONE_THREAD, normalize, normalise), df)
 
 
 def compare(df: Any, methods: Sequence[Method] | Method | None = None, keep_every: int | Sequence[int] = 8, *,
             by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION, errors: str = "row",
-            **options: Any) -> Any:
+            normalize: bool = False, normalise: bool = False, **options: Any) -> Any:
     """How near the curves of methods come to every track: `orispline.tables.compare`."""
-    return _run(jobs.comparison(layout(by, time, quaternion, None), methods, keep_every, errors, ONE_THREAD, options), df)
+    return _run(jobs.comparison(layout(by, time, quaternion, None, normalize, normalise), methods, keep_every, errors, ONE_THREAD, options), df)
 
 
 def checked(job: Any, df: Any) -> tuple[Any, Any]:

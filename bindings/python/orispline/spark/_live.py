@@ -43,7 +43,8 @@ class LiveTrack:
         if any(value is None or value != value for value in self._key):
             self._errors.append((None, NO_ID))
         else:
-            self._append(given, [rows[name].to_numpy(np.float64, na_value=np.nan) for name in self._job.layout.numbers])
+            numbers = [rows[name].to_numpy(np.float64, na_value=np.nan) for name in self._job.layout.numbers]
+            self._append(given, self._job.layout.normalized(numbers))
         yield from self._ready()
         yield from self._failures()
 

@@ -27,7 +27,7 @@ STATE = StructType([StructField("sampler", BinaryType()), StructField("origin", 
 def resample_stream(df: Any, *, by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION,
                     position: Sequence[str] | None = None, rate: Any = 100.0, align: str = "start", method: Method = "auto",
                     derivatives: int = 1, frame: str = "body", gap: float | None = None, errors: str = "row",
-                    idle: Any = "10 minutes", **settings: Any) -> Any:
+                    normalize: bool = False, normalise: bool = False, idle: Any = "10 minutes", **settings: Any) -> Any:
     """Even samples of tracks whose keys keep coming: `resample` of a streaming data frame, for the output mode append.
 
     A sample comes out when the keys have come that it depends on, once, with the bits of the batch job; of a method that
@@ -42,8 +42,8 @@ def resample_stream(df: Any, *, by: str | Sequence[str] = "track", time: str = "
     The state of a track is the keys that coming samples depend on. It needs pandas on the executors. Latency is that of
     triggers, seconds: a control loop takes `orispline.OnlineCurve`.
     """
-    job = jobs.resampling(layout(by, time, quaternion, position), rate, align, method, derivatives, frame, gap, errors, ONE_THREAD,
-                          settings)
+    columns = layout(by, time, quaternion, position, normalize, normalise)
+    job = jobs.resampling(columns, rate, align, method, derivatives, frame, gap, errors, ONE_THREAD, settings)
     job, rows = checked(job, df)
     known, given = types_of(rows), arrow_schema(rows)
     answer = job.answer(given).schema

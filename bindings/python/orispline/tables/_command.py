@@ -5,9 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 import re
-import shutil
 import sys
-import time
 import warnings
 from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
@@ -20,9 +18,8 @@ from .._errors import AccessError, ArgumentError, Error
 from .._options import FIELDS
 from . import _jobs
 from ._files import written
+from ._progress import Bar
 
-WIDTH = 30  # of the bar
-BETWEEN_SHOWS = 0.2  # s
 _ARGUMENT = re.compile(r"(?<![\w'])([a-z_]+)=(?=[, ]|$)")  # as messages for Python name an argument
 
 
@@ -43,7 +40,7 @@ def _run(arguments: Sequence[str] | None) -> int:
     command, output, partition_by, quiet = (options.pop(name) for name in ("command", "output", "partition_by", "quiet"))
     if os.path.lexists(output) and partition_by is None and os.path.isdir(output):
         return _failed(ArgumentError(f"--output: found the folder {output}, wanted a file, or --partition-by"))
-    shown = _Bar() if not quiet and sys.stderr.isatty() else None
+    shown = Bar() if not quiet and sys.stderr.isatty() else None
     places = [options.pop(name) for name in ("source", "at") if name in options]
     files = options.pop("blending", None) or []
     stated = {name: value for name, value in options.items() if value is not None}
@@ -88,43 +85,6 @@ def _failed(why: Any, code: int | None = None) -> int:
     return 2 if isinstance(why, ArgumentError) else 3 if isinstance(why, AccessError) else 1
 
 
-class _Bar:
-    """A line on a terminal that says how far a job is."""
-
-    def __init__(self) -> None:
-        self._began = self._last = time.monotonic()
-        self._share, self._rows = 0.0, 0
-
-    def keys(self, share: float) -> None:
-        """So many of the keys are done: a share, or a number."""
-        self._share = share
-        self._show()
-
-    def rows(self, count: int) -> None:
-        """So many rows are written."""
-        self._rows = count
-        self._show()
-
-    def _show(self) -> None:
-        now = time.monotonic()
-        if now - self._last < BETWEEN_SHOWS:
-            return
-        self._last = now
-        done = f"{self._share:.0f} keys" if self._share > 1 else \
-            f"[{'#' * round(WIDTH * self._share):<{WIDTH}}] {self._share:4.0%}"
-        self._write(f"{done}  {self._rows} rows  {now - self._began:.0f} s")
-
-    def clear(self) -> None:
-        """Takes the line away."""
-        self._write("")
-
-    @staticmethod
-    def _write(text: str) -> None:
-        columns = shutil.get_terminal_size().columns
-        sys.stderr.write(f"\r{text[:columns - 1]:<{columns - 1}}\r{text[:columns - 1]}")
-        sys.stderr.flush()
-
-
 class _Parser(argparse.ArgumentParser):
     """One that says in a line what it does not understand."""
 
@@ -160,6 +120,7 @@ def _command(commands: Any, name: str, summary: str, *, sides: bool = False) -> 
     parser.add_argument("--by", type=_names, metavar="NAME,…", help="columns that tell tracks apart (default: track)")
     parser.add_argument("--time", metavar="NAME", help="column of times: seconds, timestamps, durations or dates (default: t)")
     parser.add_argument("--quaternion", type=_names, metavar="X,Y,Z,W", help="columns of the quaternion, or one of structs or lists (default: qx,qy,qz,qw)")
+    parser.add_argument("--normalise", "--normalize", action="store_true", default=None, help="take quaternions of any norm but 0")
     parser.add_argument("--errors", choices=_jobs.ERRORS, help="what a bad track becomes: a row with its message (default), the end of "
                         "the work, or nothing")
     parser.add_argument("--threads", type=int, metavar="N", help="at most so many at work; 0, the default, means one for each core")

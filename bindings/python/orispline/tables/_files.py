@@ -24,7 +24,7 @@ from .. import _core
 from .._errors import AccessError, ArgumentError, Error
 from ._readers import taken
 from ._sealed import Summary, close, seal, sealed
-from ._source import files_named
+from ._source import files_named, is_frame, table_of
 
 ROWS_OF_A_GROUP = 1 << 17
 COMPRESSION = "zstd"
@@ -84,8 +84,13 @@ def write(reader: Any, path: Any, partition_by: str | Sequence[str] | None = Non
 def written(reader: Any, path: Any, partition_by: str | Sequence[str] | None = None, made_by: str | None = None,
             shown: Callable[[int], None] | None = None) -> Summary:
     """The same, with somebody who is told of the rows so far; a file that says by what it was made is sealed."""
+    if is_frame(reader):
+        reader = table_of(reader, "reader")
+        messages = reader.schema.get_field_index("error")
+        if messages >= 0 and pa.types.is_null(reader.schema.field(messages).type):  # as which Arrow has a column of pandas without any
+            reader = reader.set_column(messages, "error", pa.nulls(len(reader), pa.string()))
     if not hasattr(reader, "__arrow_c_stream__"):
-        raise TypeError(f"reader: found {type(reader).__name__}, wanted a pyarrow reader or table, such as resample() gives")
+        raise TypeError(f"reader: found {type(reader).__name__}, wanted a pyarrow reader or table or a frame, such as resample() gives")
     place = os.fspath(path)
     ending = PARQUET[0] if partition_by is not None or made_by is not None else _ending(place)
     schema, stream = taken(reader, "reader")

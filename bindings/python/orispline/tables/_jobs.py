@@ -14,20 +14,21 @@ from .._checks import FRAMES, flag, in_world, index_of, rate_text, real, text, t
 from .._evaluation import BEYOND
 from .._errors import ArgumentError
 from .._methods import method_text
+from ._frames import answered, beside, check_new, index_as_columns, kind_of
 from ._kinds import converted, id_type, plain_type, time_type
-from ._layout import UNIT_QUATERNION, Layout, layout, set_layout
+from ._layout import UNIT_QUATERNION, Layout, check_once, layout, set_layout
 from ._means import Means
 from ._per_track import PerTrack
+from ._progress import Progress, check, telling
 from ._readers import giving
 from ._resampling import Resampling, sampled_schema
-from ._source import Source, ordered, selected, source_of
+from ._source import Source, ordered, selected, source_of, with_metadata
 from ._times import tell_of_types
 from ._works import SIDE, SIDES, Comparison, Evaluation, Reduction, Smoothing, united
 
 if TYPE_CHECKING:
     from .._types import Extrapolate, Method
 
-Progress = Callable[[float], None]
 ALIGNMENTS = ("start", "epoch")
 ERRORS = ("row", "raise", "drop")
 
@@ -35,8 +36,8 @@ ERRORS = ("row", "raise", "drop")
 def resample(source: Any, *, by: str | Sequence[str] = "track", time: str = "t",
              quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, rate: Any = 100.0,
              align: str = "start", method: Method = "auto", derivatives: int = 1, frame: str = "body", gap: float | None = None,
-             errors: str = "row", assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB",
-             progress: Progress | None = None, **settings: Any) -> Any:
+             errors: str = "row", normalize: bool = False, normalise: bool = False, assume_sorted: bool = False, threads: int = 0,
+             memory_limit: str = "1GB", progress: Progress | bool | None = None, **settings: Any) -> Any:
     """Even samples of the curve of every track, with their rates.
 
     Parameters
@@ -70,6 +71,8 @@ def resample(source: Any, *, by: str | Sequence[str] = "track", time: str = "t",
         A longer interval between two keys [s] is left empty: a new curve begins behind it.
     errors : {"row", "raise", "drop"}
         Whether a bad track is one row with its message in the column `error`, ends the job, or is left out.
+    normalize, normalise : bool
+        Take quaternions of any norm but 0. Both spellings mean the same.
     assume_sorted : bool
         The rows are in order of `by`, and of `time` within a track: nothing is put in order, and it is checked that it
         need not.
@@ -77,13 +80,17 @@ def resample(source: Any, *, by: str | Sequence[str] = "track", time: str = "t",
         At most so many at work, 0 means one for each core. The numbers are the same on any.
     memory_limit : str
         What DuckDB may take to put files and streams in order; beyond it the disk is used.
-    progress : callable, optional
+    progress : callable or bool, optional
         Is told from time to time which share of the keys is done, 0 to 1, where it is known how many there are, else how
-        many keys are done.
+        many keys are done. True shows a bar, that of tqdm where it is installed.
 
     Returns
     -------
-    pyarrow.RecordBatchReader
+    pandas or Polars DataFrame, Polars LazyFrame, or pyarrow.RecordBatchReader
+        Of the kind that the source is; of files, Arrow and all else a reader. A DataFrame of pandas keeps its index where that has the
+        times or the ids, its time zone, its `attrs` and the types of ids and times; a LazyFrame is made when it is collected; fields of
+        Arrow keep their metadata.
+
         The columns of `by`, of time, quaternion and position, then `wx`, `wy`, `wz` [rad/s], `ax` … [rad/s²], `jx` …
         [rad/s³] and of positions `vx` … [m/s], `apx` … [m/s²], and `error`. Angular rates in the world frame have names
         that end in `_world`. Track by track in the order of `by`; rows with errors come behind the tracks beside them.
@@ -113,18 +120,21 @@ def resample(source: Any, *, by: str | Sequence[str] = "track", time: str = "t",
     >>> tables.resample(keys, rate=2).read_all().select(["track", "t", "qw"]).to_pylist()[1]
     {'track': 'a', 't': 0.5, 'qw': 0.9486832980505138}
     """
-    job = resampling(layout(by, time, quaternion, position), rate, align, method, derivatives, frame, gap, errors, threads, settings)
-    return run(job, source_of(source), assume_sorted=assume_sorted, memory_limit=memory_limit, progress=progress)
+    columns = layout(by, time, quaternion, position, normalize, normalise)
+    job = resampling(columns, rate, align, method, derivatives, frame, gap, errors, threads, settings)
+    return run(job, source, assume_sorted=assume_sorted, memory_limit=memory_limit, progress=progress)
 
 
 def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str = "t",
              quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, method: Method = "auto",
-             derivatives: int = 0, frame: str = "body", extrapolate: Extrapolate = "nan", errors: str = "row", threads: int = 0,
-             memory_limit: str = "1GB", progress: Progress | None = None, **settings: Any) -> Any:
+             derivatives: int = 0, frame: str = "body", extrapolate: Extrapolate = "nan", errors: str = "row", normalize: bool = False,
+             normalise: bool = False, threads: int = 0, memory_limit: str = "1GB", progress: Progress | bool | None = None,
+             **settings: Any) -> Any:
     """The orientation of each track at the rows of another table, such as a camera's at the times of a sensor.
 
     `at` has the columns `by` and `time`, and any others: its rows come back, track by track in the order of time, each
-    with all of its columns and with those of the orientation. `keys` and the other arguments are those of `resample`. A
+    with all of its columns and with those of the orientation. Where `at` is a frame of pandas or Polars it is that frame which comes
+    back, in its order, with the new columns behind its own. `keys` and the other arguments are those of `resample`. A
     time outside the keys of its track has no orientation and says so in `error`, and stamps with a time zone do not meet those
     without one; `extrapolate="hold"`, `"rate"` or
     `"segment"` give it one, as of `Curve`. `errors="drop"` leaves rows without an orientation out.
@@ -140,51 +150,59 @@ def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str
     [{'t': 0.5, 'range_m': 12.5, 'qw': 0.9486832980505138, 'error': None}, \
 {'t': 1.5, 'range_m': 12.0, 'qw': None, 'error': 'found a time outside the keys of the track'}]
     """
-    columns = layout(by, time, quaternion, position)
-    given, beside = source_of(keys, "keys"), source_of(at, "at")
-    kind = beside_schema(columns, beside.schema)
-    tell_of_types(time, beside.schema.field(time).type, kind.field(time).type, None)
-    given = selected(given, columns.read(given.schema, "keys"), columns, "keys")
-    beside = selected(beside, kind, Layout(columns.by, columns.time, ()), "at")
-    schema, job = evaluation(columns, given.schema, beside.schema, method, derivatives, frame, extrapolate, errors, threads, settings)
-    count = None if given.rows is None or beside.rows is None else given.rows + beside.rows
-    both = Source(schema, Both(given, beside, schema), given.in_memory and beside.in_memory, count)
-    order = [*columns.by, SIDE, columns.time]
-    rows = counted(both, lambda: ordered(both, order, assume_sorted=False, threads=job.threads, memory_limit=memory_limit), progress)
-    return reader(job, both, rows)
+    columns = layout(by, time, quaternion, position, normalize, normalise)
+    check(progress)
+
+    def work(other: Source, keys: Any) -> Any:
+        kind = beside_schema(columns, other.schema)
+        if not kind_of(at):
+            tell_of_types(time, other.schema.field(time).type, kind.field(time).type, None)
+        given = source_of(index_as_columns(keys, columns), "keys")
+        given = selected(given, columns.read(given.schema, "keys"), columns, "keys")
+        rows = selected(other, kind, Layout(columns.by, columns.time, ()), "at")
+        schema, job = evaluation(columns, given.schema, rows.schema, method, derivatives, frame, extrapolate, errors, threads, dict(settings))
+        count = None if given.rows is None or rows.rows is None else given.rows + rows.rows
+        both = Source(schema, Both(given, rows, schema), given.in_memory and rows.in_memory, count)
+        order = [*columns.by, SIDE, columns.time]
+        made = counted(both, lambda: ordered(both, order, assume_sorted=False, threads=job.threads, memory_limit=memory_limit), progress)
+        return reader(job, both, made, other)
+
+    return beside(at, keys, columns, work)
 
 
 def smooth(source: Any, *, by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION,
            position: Sequence[str] | None = None, rate: Any = None, derivatives: int = 1, frame: str = "body",
-           errors: str = "row", assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB",
-           progress: Progress | None = None, **options: Any) -> Any:
+           errors: str = "row", normalize: bool = False, normalise: bool = False, assume_sorted: bool = False, threads: int = 0,
+           memory_limit: str = "1GB", progress: Progress | bool | None = None, **options: Any) -> Any:
     """Every track without its noise, with rates, at the times of its keys or at `rate` per second.
 
     `options` are those of `orispline.smooth`, the others those of `resample`. Warnings are given once for each kind, with
     the number of tracks. A track is held as a whole.
     """
-    job = smoothing(layout(by, time, quaternion, position), rate, derivatives, frame, errors, threads, options)
-    return run(job, source_of(source), assume_sorted=assume_sorted,
-               memory_limit=memory_limit, progress=progress)
+    columns = layout(by, time, quaternion, position, normalize, normalise)
+    job = smoothing(columns, rate, derivatives, frame, errors, threads, options)
+    return run(job, source, assume_sorted=assume_sorted, memory_limit=memory_limit, progress=progress)
 
 
 def reduce(source: Any, tolerance: Any, *, by: str | Sequence[str] = "track", time: str = "t",
-           quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, errors: str = "row",
-           assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB",
-           progress: Progress | None = None, **options: Any) -> Any:
+           quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, errors: str = "row", normalize: bool = False,
+           normalise: bool = False, assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB",
+           progress: Progress | bool | None = None, **options: Any) -> Any:
     """The fewest keys of every track whose curve stays within the tolerance: a number [rad], or a text such as `"0.1deg"`.
 
     The column `method` says which curve goes through them. `method="hermite-c1"` seeks the rates of the keys too and adds
     the columns `wx`, `wy`, `wz` [rad/s], body frame. `options` are those of `orispline.reduce`, the others those of
     `resample`. A track is held as a whole.
     """
-    job = reduction(layout(by, time, quaternion, position), tolerance, errors, threads, options)
-    return run(job, source_of(source), assume_sorted=assume_sorted, memory_limit=memory_limit, progress=progress)
+    columns = layout(by, time, quaternion, position, normalize, normalise)
+    job = reduction(columns, tolerance, errors, threads, options)
+    return run(job, source, assume_sorted=assume_sorted, memory_limit=memory_limit, progress=progress)
 
 
 def mean(source: Any, *, by: str | Sequence[str] = "track", every: Any = None, kind: str = "mean", weight: str | None = None,
          time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, errors: str = "row",
-         assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB", progress: Progress | None = None) -> Any:
+         normalize: bool = False, normalise: bool = False, assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB",
+         progress: Progress | bool | None = None) -> Any:
     """The mean or the median of every group of rows, or of its windows in time, as of `orispline.mean`.
 
     Parameters
@@ -203,7 +221,7 @@ def mean(source: Any, *, by: str | Sequence[str] = "track", every: Any = None, k
 
     Returns
     -------
-    pyarrow.RecordBatchReader
+    of the kind of the source, as of `resample`
         The columns of `by`, with `every` the middle of the window in the column of time, those of quaternion and position, then `count`,
         `weight_sum`, `rms_distance_rad`, `largest_distance_rad`, `sigma_x_rad` … (one standard deviation of the mean along the axes of its
         body), `certified`, whether it is proved to be the only one, and `error`.
@@ -215,22 +233,22 @@ def mean(source: Any, *, by: str | Sequence[str] = "track", every: Any = None, k
     >>> tables.mean(shots, by="camera").read_all().select(["camera", "count", "certified"]).to_pylist()
     [{'camera': 'a', 'count': 2, 'certified': True}, {'camera': 'b', 'count': 1, 'certified': True}]
     """
-    job = averaging(by, every, kind, weight, time, quaternion, position, errors, threads)
-    return run(job, source_of(source), assume_sorted=assume_sorted, memory_limit=memory_limit, progress=progress)
+    job = averaging(by, every, kind, weight, time, quaternion, position, errors, threads, normalize, normalise)
+    return run(job, source, assume_sorted=assume_sorted, memory_limit=memory_limit, progress=progress)
 
 
 def compare(source: Any, methods: Sequence[Method] | Method | None = None, keep_every: int | Sequence[int] = 8, *,
             by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION, errors: str = "row",
-            assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB",
-           progress: Progress | None = None, **options: Any) -> Any:
+            normalize: bool = False, normalise: bool = False, assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB",
+            progress: Progress | bool | None = None, **options: Any) -> Any:
     """How near the curves of methods come to every track, of which some samples become keys: a row for each track and method.
 
     The columns are the members of `orispline compare --json`, but for the times that it took. `options` are those of
     `orispline.compare`, the others those of `resample`. A track is held as a whole.
     """
-    job = comparison(layout(by, time, quaternion, None), methods, keep_every, errors, threads, options)
-    return run(job, source_of(source), assume_sorted=assume_sorted,
-               memory_limit=memory_limit, progress=progress)
+    columns = layout(by, time, quaternion, None, normalize, normalise)
+    job = comparison(columns, methods, keep_every, errors, threads, options)
+    return run(job, source, assume_sorted=assume_sorted, memory_limit=memory_limit, progress=progress)
 
 
 Job = Resampling | PerTrack
@@ -250,7 +268,8 @@ def resampling_of(options: dict[str, Any]) -> Resampling:
     given = inspect.signature(resample).bind(None, **options)
     given.apply_defaults()
     a = given.arguments
-    return resampling(layout(a["by"], a["time"], a["quaternion"], a["position"]), a["rate"], a["align"], a["method"],
+    columns = layout(a["by"], a["time"], a["quaternion"], a["position"], a["normalize"], a["normalise"])
+    return resampling(columns, a["rate"], a["align"], a["method"],
                       a["derivatives"], a["frame"], a["gap"], a["errors"], a["threads"], dict(a["settings"]))
 
 
@@ -268,9 +287,10 @@ def reduction(columns: Layout, tolerance: Any, errors: str, threads: int, option
     return PerTrack(columns, Reduction(tolerance, options), _errors(errors), thread_count(threads))
 
 
-def averaging(by: Any, every: Any, kind: str, weight: Any, time: Any, quaternion: Any, position: Any, errors: str, threads: int) -> PerTrack:
+def averaging(by: Any, every: Any, kind: str, weight: Any, time: Any, quaternion: Any, position: Any, errors: str, threads: int,
+              normalize: bool, normalise: bool) -> PerTrack:
     """The job of these arguments."""
-    columns = set_layout(by, None if every is None else time, quaternion, position, weight)
+    columns = set_layout(by, None if every is None else time, quaternion, position, weight, normalize, normalise)
     return PerTrack(columns, Means({"kind": kind, "every": every}), _errors(errors), thread_count(threads))
 
 
@@ -287,17 +307,15 @@ def evaluation(columns: Layout, keys: Any, at: Any, method: Method, derivatives:
     work = Evaluation(_method(method, settings), _derivatives(derivatives), FRAMES[index_of("frame", frame, FRAMES)],
                       BEYOND[index_of("extrapolate", extrapolate, BEYOND)], at.field(columns.time).type, beside)
     names = [SIDE, *sampled_schema(columns, keys, work.derivatives, work.frame == "world").names]
-    twice = next((name for name in beside if name in names), None)
-    if twice is not None:
-        raise ArgumentError(f"at: found the column {twice!r}, which the result has too: leave it out or give it another name")
+    for name in beside:
+        check_new(name, names)
     return united(columns, keys, at, beside), PerTrack(columns, work, _errors(errors), thread_count(threads))
 
 
 def beside_schema(columns: Layout, at: Any) -> Any:
     """The columns of the other table as they are read. Raises ArgumentError where one is missing or of a type that it cannot have."""
-    for name in (*columns.by, columns.time):
-        if at.names.count(name) != 1:
-            raise ArgumentError(f"at: found the columns {', '.join(map(repr, at.names))}, wanted {name!r} once")
+    for name in columns.order:
+        check_once("at", at.names, name, columns.time)
     roles = {**dict.fromkeys(columns.by, id_type), columns.time: time_type}
     return pa.schema([pa.field(field.name, roles[field.name]("at", field.name, field.type) if field.name in roles else plain_type(field.type))
                       for field in at])
@@ -328,34 +346,41 @@ class Both:
         return converted(batch.column(field.name), field.type, SIDES[side], field.name, row)
 
 
-def run(job: Job, source: Source, *, assume_sorted: bool, memory_limit: str, progress: Progress | None) -> Any:
-    """The reader of a job over a source."""
-    rows = selected(source, job.layout.read(source.schema), job.layout)
+def run(job: Job, given: Any, *, assume_sorted: bool, memory_limit: str, progress: Progress | bool | None) -> Any:
+    """What a job makes of a source, in its kind of frame."""
     assume_sorted, memory_limit = flag("assume_sorted", assume_sorted), text("memory_limit", memory_limit)
-    made = reader(job, rows, counted(rows, lambda: ordered(rows, job.layout.order, assume_sorted=assume_sorted, threads=job.threads,
-                                                           memory_limit=memory_limit), progress))
-    if job.layout.time in made.schema.names:
-        job.layout.tell_of_times(source.schema.field(job.layout.time).type, job.step)
-    return made
+    check(progress)
+
+    def work(source: Source) -> Any:
+        rows = selected(source, job.layout.read(source.schema), job.layout)
+        made = reader(job, rows, counted(rows, lambda: ordered(rows, job.layout.order, assume_sorted=assume_sorted, threads=job.threads,
+                                                               memory_limit=memory_limit), progress), source)
+        if job.layout.time in made.schema.names:
+            job.layout.tell_of_times(source.schema.field(job.layout.time).type, job.step)
+        return made
+
+    return answered(given, job.layout, work)
 
 
-def reader(job: Job, source: Source, rows: Callable[[], Iterable[Any]]) -> Any:
-    """The job's rows, made as they are asked for."""
+def reader(job: Job, source: Source, rows: Callable[[], Iterable[Any]], described: Source) -> Any:
+    """The job's rows, made as they are asked for, with what the fields of that source say of themselves."""
     job.check()
-    return giving(job.answer(source.schema).schema, lambda: job(rows(), source.schema))
+    schema = with_metadata(job.answer(source.schema).schema, described)
+    return giving(schema, lambda: job(rows(), source.schema))
 
 
-def counted(source: Source, rows: Callable[[], Iterable[Any]], progress: Progress | None) -> Callable[[], Iterable[Any]]:
+def counted(source: Source, rows: Callable[[], Iterable[Any]], progress: Progress | bool | None) -> Callable[[], Iterable[Any]]:
     """The same rows, of which somebody is told how many have passed."""
-    if progress is None:
+    if progress is None or progress is False:
         return rows
 
     def watched() -> Iterator[Any]:
         done = 0
-        for batch in rows():
-            yield batch
-            done += batch.num_rows
-            progress(done / source.rows if source.rows else done)
+        with telling(progress, source.rows) as tell:
+            for batch in rows():
+                yield batch
+                done += batch.num_rows
+                tell(done)
 
     return watched
 

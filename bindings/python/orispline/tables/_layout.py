@@ -11,9 +11,11 @@ import numpy as np
 import pyarrow as pa
 
 from .._checks import wrong_type
+from .._columns import like_times
 from .._errors import ArgumentError
+from .._mending import one_spelling, scaled
 from ._kinds import id_type, number_type, part_type, time_type
-from ._times import Times, Whole, absent, number_column, result_type, tell_of_types, too_far
+from ._times import Floats, Times, Whole, absent, number_column, result_type, tell_of_types, too_far
 
 UNIT_QUATERNION = ("qx", "qy", "qz", "qw")
 POSITION = ("px", "py", "pz")
@@ -24,7 +26,7 @@ class Layout:
     """The columns of keys by name: those that tell tracks apart, the time, and x, y, z, w of quaternions.
 
     `packed`: columns of the source that hold several of these numbers in one, with the names of these. `finest`: the shortest
-    unit that stamps of a result may have.
+    unit that stamps of a result may have. `normalize`: quaternions may have any norm but 0.
     """
 
     by: tuple[str, ...]
@@ -33,6 +35,7 @@ class Layout:
     position: tuple[str, ...] = ()
     packed: tuple[tuple[str, tuple[str, ...]], ...] = ()
     finest: str = "ns"
+    normalize: bool = False
 
     @property
     def names(self) -> list[str]:
@@ -49,6 +52,21 @@ class Layout:
         """Those that rows are put in order by."""
         return [*self.by, self.time]
 
+    @property
+    def columns(self) -> list[str]:
+        """Those of the source that all of them are read from."""
+        return list(dict.fromkeys(self.place(name)[0] for name in self.names))
+
+    def numbers_of(self, batch: Any) -> list[Floats]:
+        """The columns of `numbers`, as doubles, the quaternions of norm 1 where any norm is taken."""
+        return self.normalized([np.ascontiguousarray(number_column(batch.column(name))) for name in self.numbers])
+
+    def normalized(self, columns: list[Floats]) -> list[Floats]:
+        """The same columns with those of quaternions scaled, where that is wanted."""
+        if not self.normalize:
+            return columns
+        return [*(np.ascontiguousarray(column) for column in scaled(np.column_stack(columns[:4]), {})[0].T), *columns[4:]]
+
     def place(self, name: str) -> tuple[str, tuple[str, ...], int]:
         """The column of the source that a column of that name is read from, and where it is among the names of those that are packed in
         it, if they are."""
@@ -56,11 +74,8 @@ class Layout:
 
     def read(self, schema: Any, what: str = "source") -> Any:
         """The columns as they are read. Raises ArgumentError where one is missing or of a type that it cannot have."""
-        for column in dict.fromkeys(self.place(name)[0] for name in self.names):
-            if schema.names.count(column) != 1:
-                found = ", ".join(map(repr, schema.names)) or "none"
-                raise ArgumentError(f"{what}: found the columns {found}, wanted {column!r} once: name the columns by by=, time=, "
-                                    "quaternion= and position=")
+        for column in self.columns:
+            check_once(what, schema.names, column, self.time)
 
         def kind(name: str) -> Any:
             column, names, k = self.place(name)
@@ -92,6 +107,14 @@ class Layout:
                 values = numbers[np.flatnonzero(rows == row)[0]].tolist()
                 found[int(track)] = absent(self.time, dict(zip(self.numbers, values)))
         return found
+
+
+def check_once(what: str, names: Sequence[str], column: str, time: str) -> None:
+    """Raises ArgumentError where a column is not there once, which names one that may be it where the time is missing."""
+    if names.count(column) != 1:
+        found, meant = ", ".join(map(repr, names)) or "none", like_times(names) if column == time else []
+        raise ArgumentError(f"{what}: found the columns {found}, wanted {column!r} once: name the columns by by=, time=, quaternion= and position="
+                            + (f", such as time={meant[0]!r}" if meant else ""))
 
 
 def _first_of_each(starts: Whole, rows: Whole) -> list[tuple[int, int]]:
@@ -127,17 +150,19 @@ class SetLayout(Layout):
         return [*self.quaternion, *self.position, *self.weight]
 
 
-def layout(by: Any, time: Any, quaternion: Any, position: Any) -> Layout:
+def layout(by: Any, time: Any, quaternion: Any, position: Any, normalize: bool = False, normalise: bool = False) -> Layout:
     """Of arguments. Raises TypeError and ArgumentError."""
-    made = Layout(_names("by", by, None), _names("time", time, 1)[0], *_of_poses(quaternion, position))
+    made = Layout(_names("by", by, None), _names("time", time, 1)[0], *_of_poses(quaternion, position),
+                  normalize=one_spelling(normalize, normalise))
     _check_named_once(made, "by, time, quaternion and position")
     return made
 
 
-def set_layout(by: Any, time: Any, quaternion: Any, position: Any, weight: Any) -> SetLayout:
+def set_layout(by: Any, time: Any, quaternion: Any, position: Any, weight: Any, normalize: bool = False,
+               normalise: bool = False) -> SetLayout:
     """Of arguments, of which time and weight may be None. Raises TypeError and ArgumentError."""
     made = SetLayout(_names("by", by, None), "" if time is None else _names("time", time, 1)[0], *_of_poses(quaternion, position),
-                     weight=() if weight is None else _names("weight", weight, 1))
+                     weight=() if weight is None else _names("weight", weight, 1), normalize=one_spelling(normalize, normalise))
     _check_named_once(made, "by, time, quaternion, position and weight")
     return made
 

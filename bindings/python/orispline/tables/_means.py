@@ -13,7 +13,6 @@ import pyarrow as pa
 from .._mean import Mean, mean
 from ._layout import Layout, SetLayout
 from ._per_track import Result, columns_of, track_of
-from ._times import number_column
 from ._works import tried, turning_keys
 
 AXES = "xyz"
@@ -55,7 +54,7 @@ class Means:
             found = mean(track.keys(), weights=_weights(layout, columns), **self.options)
             times = [track.back(np.array([one.time for one in found]))]
         else:
-            columns = np.column_stack([number_column(rows.column(name)) for name in layout.numbers])
+            columns = np.column_stack(layout.numbers_of(rows))
             found = [mean(columns[:, :4], positions=columns[:, 4:7] if layout.position else None, weights=_weights(layout, columns),
                           **self.options)]
             times = []

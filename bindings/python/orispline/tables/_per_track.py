@@ -16,7 +16,7 @@ from .._errors import DataError, Error, ShapeWarning, collected, tell
 from .._keys import Keys
 from ._layout import Layout, text_of
 from ._resampling import NO_ID, Answer
-from ._times import Floats, Times, Whole, number_column
+from ._times import Floats, Times, Whole
 from ._tracks import LongTrack, tracks_in, without_id
 
 START = np.zeros(1, np.int64)
@@ -34,7 +34,11 @@ class Track:
     def keys(self) -> Keys:
         """Raises the errors of Keys."""
         columns = np.column_stack(self.numbers)
-        return Keys(self.seconds, columns[:, :4], positions=columns[:, 4:7] if columns.shape[1] > 6 else None)
+        try:
+            return Keys(self.seconds, columns[:, :4], positions=columns[:, 4:7] if columns.shape[1] > 6 else None)
+        except DataError as error:
+            error._cure = ""  # which a table has not
+            raise
 
     def back(self, seconds: Floats) -> Any:
         """Times as the table has them."""
@@ -168,7 +172,7 @@ def track_of(layout: Layout, rows: Any, step: fractions.Fraction | None = None) 
     for fault in layout.faults(rows, START, times).values():
         raise DataError(fault)
     seconds, origin = times.seconds(rows.column(layout.time), START)
-    return Track(times, origin, np.ascontiguousarray(seconds), [number_column(rows.column(name)) for name in layout.numbers])
+    return Track(times, origin, np.ascontiguousarray(seconds), layout.numbers_of(rows))
 
 
 def columns_of(*tables: Any) -> list[Any]:

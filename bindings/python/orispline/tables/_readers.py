@@ -14,9 +14,10 @@ _spent: weakref.WeakSet[Any] = weakref.WeakSet()  # as far as they are ours, or 
 
 
 def giving(schema: Any, batches: Callable[[], Iterable[Any]]) -> Any:
-    """A reader of what the function gives, which is called when it is asked for."""
+    """A reader of what the function gives, which is called when it is asked for; all with the metadata of this schema."""
     def watched() -> Iterator[Any]:
-        yield from batches()
+        for batch in batches():
+            yield pa.RecordBatch.from_arrays(batch.columns, schema=schema)
         if (reader := own()) is not None:
             _spent.add(reader)
 

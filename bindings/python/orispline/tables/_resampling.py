@@ -16,7 +16,7 @@ from .. import _core
 from .._errors import DataError, Error
 from .._methods import blending_of
 from ._layout import Layout, text_of
-from ._times import Times, Whole, number_column, period_of
+from ._times import Times, Whole, period_of
 from ._tracks import LongTrack, Tracks, tracks_in, without_id
 
 SAMPLES_AT_A_TIME = 1 << 17
@@ -115,7 +115,7 @@ class Resampling:
         if faults:
             seconds = seconds.copy()
             seconds[starts[list(faults)]] = np.nan  # so that nothing comes of them
-        columns = [np.ascontiguousarray(seconds), *self._numbers(batch)]
+        columns = [np.ascontiguousarray(seconds), *self.layout.numbers_of(batch)]
         core = _core.TrackBatch(self.method, np.append(starts, batch.num_rows), columns, self.rate, self.at_multiples, self.gap,
                                 self.threads)
         counts, errors = core.counts_and_errors
@@ -139,7 +139,7 @@ class Resampling:
             refused = refused or self.layout.faults(piece, start, times).get(0)
             if refused is None:
                 seconds, origin = times.seconds(piece.column(self.layout.time), start, origin)
-                refused = _refusal(sampler.append, [np.ascontiguousarray(seconds), *self._numbers(piece)])
+                refused = _refusal(sampler.append, [np.ascontiguousarray(seconds), *self.layout.numbers_of(piece)])
             if refused is None:
                 refused = yield from self._ready(sampler, track.first_row, times, origin, answer)
             if refused is not None:
@@ -165,9 +165,6 @@ class Resampling:
     def sampler(self) -> Any:
         """For one track whose keys come in pieces."""
         return _core.TrackSampler(self.method, self.rate, self.at_multiples, self.gap)
-
-    def _numbers(self, batch: Any) -> list[Any]:
-        return [np.ascontiguousarray(number_column(batch.column(name))) for name in self.layout.numbers]
 
 
 def sampled_schema(layout: Layout, given: Any, derivatives: int, world: bool, step: fractions.Fraction | None = None) -> Any:

@@ -45,8 +45,8 @@ def source_of(given: Any, what: str = "source") -> Source:
         return _files(given, what)
     if isinstance(given, pa.RecordBatch):
         given = pa.Table.from_batches([given])
-    if isinstance(given, pa.Table) or _is_frame(given):
-        table = given if isinstance(given, pa.Table) else _table_of(given, what)
+    if isinstance(given, pa.Table) or is_frame(given):
+        table = given if isinstance(given, pa.Table) else table_of(given, what)
         return Source(table.schema, table.to_batches(max_chunksize=ROWS_AT_A_TIME), True, table.num_rows)
     if isinstance(given, ds.Dataset):
         return _of_dataset(given)
@@ -55,7 +55,8 @@ def source_of(given: Any, what: str = "source") -> Source:
     raise TypeError(f"{what}: found {type(given).__name__}, wanted {WANTED}")
 
 
-def _table_of(frame: Any, what: str) -> Any:
+def table_of(frame: Any, what: str) -> Any:
+    """A frame of pandas or Polars as a table. Raises ArgumentError, with the column, where it is none."""
     frame = frame.collect() if hasattr(frame, "collect") else frame
     try:
         return _arrow_of(frame)
@@ -79,7 +80,7 @@ def _column_at_fault(frame: Any) -> str:
     return ""
 
 
-def _is_frame(given: Any) -> bool:
+def is_frame(given: Any) -> bool:
     """One of pandas or Polars, which is in memory or is made there."""
     library, _, _ = type(given).__module__.partition(".")
     return library in ("pandas", "polars") and type(given).__name__ in ("DataFrame", "LazyFrame")
@@ -179,6 +180,18 @@ def _bit_by_bit(path: str, names: list[str]) -> Iterator[Any]:
     """A file without ever holding a whole row group of it, as datasets do."""
     with pq.ParquetFile(path, buffer_size=1 << 20, pre_buffer=False) as file:
         yield from file.iter_batches(ROWS_AT_A_TIME, columns=names, use_threads=False)
+
+
+def with_metadata(schema: Any, source: Source) -> Any:
+    """A schema whose fields have what those of the same names say of themselves in the source; of one that is no file the schema too."""
+    names = source.schema.names
+    fields = [field.with_metadata(_own(source.schema.field(field.name).metadata)) if names.count(field.name) == 1 else field for field in schema]
+    return pa.schema(fields, None if isinstance(source.batches, _Scanned) else _own(source.schema.metadata))
+
+
+def _own(metadata: Any) -> dict[bytes, bytes] | None:
+    """Without what pandas, Arrow and Parquet say there of types and places that the result has not."""
+    return {key: value for key, value in (metadata or {}).items() if key != b"pandas" and not key.startswith((b"ARROW:", b"PARQUET:"))} or None
 
 
 def selected(source: Source, schema: Any, layout: Layout, what: str = "source") -> Source:
