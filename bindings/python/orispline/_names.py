@@ -29,7 +29,7 @@ ELSEWHERE: dict[str, dict[str, str]] = {
         **dict.fromkeys(("resample", "to_pandas", "to_polars", "to_arrow", "to_xarray", "to_csv", "to_numpy"),
                         "sample(rate=…), whose samples go to every frame and file"),
         **dict.fromkeys(("t", "x", "knots", "index"), "times, of its keys"),
-        **dict.fromkeys(("integrate", "antiderivative", "length"), "angle_travelled(t)"),
+        **dict.fromkeys(("integrate", "antiderivative"), "angle_travelled(t): rotations have no antiderivative"), "length": "angle_travelled()",
         **dict.fromkeys(("start", "end", "duration", "bounds"), "domain, its first and last time"),
         **dict.fromkeys(("interpolator", "kind"), "method")},
     "Keys": {
