@@ -84,6 +84,9 @@ def product(left: OrientationCurve, right: OrientationCurve, like: OrientationCu
     return ComposedCurve._of((left, right), _core.Curve(left._core, right._core, like._core, *offsets), like)
 
 
+OrientationCurve._inverse_of, OrientationCurve._product_of = staticmethod(inverse), staticmethod(product)
+
+
 def angle_between(a: Any, b: Any, t: Any) -> Any:
     """The angle [rad] of the turn from one orientation to the other over time, 0 to π: a float for one time, else an array of the
     shape of `t`.

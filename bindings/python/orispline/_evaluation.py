@@ -2,6 +2,7 @@
 """What every curve of orientations can do: what it is at times, what it is worth, and the curves that are made of it."""
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, ClassVar, overload
 
 import numpy as np
@@ -49,6 +50,8 @@ class OrientationCurve(Named, Orienting):
 
     __slots__ = ("__weakref__", "_beyond", "_clock", "_core", "_keys", "_leaves_out", "_of_one_time", "_scalar_first")
     __array_ufunc__: ClassVar[None] = None  # NumPy leaves `array * curve` to the curve
+    _inverse_of: ClassVar[Callable[[OrientationCurve], OrientationCurve]]  # both set by the module of such curves, which knows this one
+    _product_of: ClassVar[Callable[[OrientationCurve, OrientationCurve, OrientationCurve], OrientationCurve]]
     _clock: Clock
     _keys: Keys  # whose clock it has
     _scalar_first: bool
@@ -358,8 +361,7 @@ class OrientationCurve(Named, Orienting):
         >>> bool(np.allclose(curve.inv().angular_velocity(0.7), -curve.angular_velocity(0.7, frame="world")))
         True
         """
-        from ._composed import inverse
-        return inverse(self)
+        return self._inverse_of(self)
 
     def relative_to(self, other: OrientationCurve) -> OrientationCurve:
         """The curve other(t)⁻¹ q(t): how this body turns as the other one sees it, where both curves are, with exact rates. The body
@@ -376,17 +378,15 @@ class OrientationCurve(Named, Orienting):
         >>> bool(np.allclose(relative.angular_velocity(1.0), [0, 0, np.pi / 4]))
         True
         """
-        from ._composed import product
         if not isinstance(other, OrientationCurve):
             raise wrong_type("other", other, "a curve")
-        return product(other.inv(), self, self)
+        return self._product_of(other.inv(), self, self)
 
     def __mul__(self, other: Any) -> Any:
         """`curve * R` turns the body by a SciPy Rotation: q(t) R, with the rates in its new frame. `a * b` is the curve
         a(t) b(t) where both curves are."""
-        from ._composed import product
         if isinstance(other, OrientationCurve):
-            return product(self, other, self)
+            return self._product_of(self, other, self)
         return self._turned(None, inverse_text("rotation", other)) if hasattr(other, "as_quat") else NotImplemented
 
     def __rmul__(self, other: Any) -> Any:
