@@ -203,7 +203,9 @@ TEST(Mean, OfRoughSumsIsNearTheExactOnes) {
     const mean_of::RoughSums rough(kind, given);
     for (int k = 0; k < 100; ++k) {
       const Eigen::Quaterniond q = any_orientation(random);
-      EXPECT_NEAR(rough.at(q), mean_of::pull_at(kind, given, q).sum, 2e-6);
+      const double exact = mean_of::pull_at(kind, given, q).sum;
+      EXPECT_NEAR(rough.at(q, exact + 1e-5), exact, 2e-6);
+      EXPECT_EQ(rough.at(q, exact - 1e-5), std::numeric_limits<double>::infinity());
     }
   }
 }

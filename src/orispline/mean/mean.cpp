@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -117,10 +118,10 @@ Eigen::Quaterniond best_start(MeanKind kind, const Weighted<Eigen::Quaterniond>&
   const std::size_t tried = std::min(given.size(), std::max(fewest_tried, most_ways / given.size()));
   const mean_of::RoughSums sums(kind, given);
   Eigen::Quaterniond best = middle;
-  double least = sums.at(middle);
+  double least = sums.at(middle, std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < tried; ++i) {
     const Eigen::Quaterniond& point = given.points[i * given.size() / tried];
-    if (const double sum = sums.at(point); sum < least) least = sum, best = point;
+    if (const double sum = sums.at(point, least); sum < least) least = sum, best = point;
   }
   return best;
 }

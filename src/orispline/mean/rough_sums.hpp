@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <orispline/mean/mean.hpp>
@@ -25,23 +26,17 @@ class RoughSums {
     }
   }
 
-  [[nodiscard]] double at(const Eigen::Quaterniond& point) const {
-    // arccos x = √(1 − x) times this, to 2e-8. Source: Abramowitz, Stegun 1964, 4.4.46.
-    constexpr std::array a{1.5707963050f, -0.2145988016f, 0.0889789874f, -0.0501743046f,
-                           0.0308918810f, -0.0170881256f, 0.0066700901f, -0.0012624911f};
+  /// Infinite where it is clear on the way that the sum is above `most`.
+  [[nodiscard]] double at(const Eigen::Quaterniond& point, double most) const {
+    constexpr std::size_t at_a_time = 32;
     const Eigen::Vector4f q = point.coeffs().cast<float>();
     Four sums = Four::Zero();
-    for (const Rows& rows : rows_) {
-      const auto& [x, y, z, w] = rows.components;
-      const Four cosine = (q[0] * x + q[1] * y + q[2] * z + q[3] * w).abs().min(1.0f);
-      Four series = Four::Constant(a.back());
-      for (std::size_t i = a.size() - 1; i-- > 0;) series = series * cosine + a[i];
-      const Four versine = 1.0f - cosine;
-      if (kind_ == MeanKind::median)
-        sums += rows.weights * series * versine.unaryExpr([](float v) { return std::sqrt(v); });
-      else sums += rows.weights * versine * series * series;
+    for (std::size_t begin = 0; begin < rows_.size(); begin += at_a_time) {
+      const std::size_t end = std::min(begin + at_a_time, rows_.size());
+      for (std::size_t i = begin; i < end; ++i) sums += terms(q, rows_[i]);
+      if (sum_of(sums) > most) return std::numeric_limits<double>::infinity();
     }
-    return 2.0 * static_cast<double>((sums[0] + sums[1]) + (sums[2] + sums[3]));
+    return sum_of(sums);
   }
 
  private:
@@ -50,6 +45,22 @@ class RoughSums {
     std::array<Four, 4> components{Four::Zero(), Four::Zero(), Four::Zero(), Four::Zero()};
     Four weights = Four::Zero();
   };
+
+  [[nodiscard]] Four terms(const Eigen::Vector4f& q, const Rows& rows) const {
+    // arccos x = √(1 − x) times this, to 2e-8. Source: Abramowitz, Stegun 1964, 4.4.46.
+    constexpr std::array a{1.5707963050f, -0.2145988016f, 0.0889789874f, -0.0501743046f,
+                           0.0308918810f, -0.0170881256f, 0.0066700901f, -0.0012624911f};
+    const auto& [x, y, z, w] = rows.components;
+    const Four cosine = (q[0] * x + q[1] * y + q[2] * z + q[3] * w).abs().min(1.0f);
+    Four series = Four::Constant(a.back());
+    for (std::size_t i = a.size() - 1; i-- > 0;) series = series * cosine + a[i];
+    const Four versine = 1.0f - cosine;
+    if (kind_ != MeanKind::median) return rows.weights * versine * series * series;
+    return rows.weights * series * versine.unaryExpr([](float v) { return std::sqrt(v); });
+  }
+  [[nodiscard]] static double sum_of(const Four& lanes) {
+    return 2.0 * static_cast<double>((lanes[0] + lanes[1]) + (lanes[2] + lanes[3]));
+  }
 
   MeanKind kind_;
   std::vector<Rows> rows_;
