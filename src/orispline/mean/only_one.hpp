@@ -54,7 +54,7 @@ struct HalvedAngle {
     double rise = 0.0;
     for (std::size_t k = 0; k < given.size(); ++k) rise += given.weights[k] * least_rise(angles[k], here, to);
     if (rise > margin) from = to, step = std::min(longest, 2.0 * step);
-    else if ((step *= 0.5) < shortest) return false;
+    else if ((step *= 0.25) < shortest) return false;
   }
   return true;
 }
