@@ -25,7 +25,7 @@ FUNCTIONS = {
     "angle travelled": CURVE.angle_travelled, "time at angle": CURVE.time_at_angle, "at angle": CURVE.at_angle, "derivative": CURVE.derivative(2),
     "matrix": CURVE.as_matrix, "rotation vector": CURVE.as_rotvec, "Euler": lambda t: CURVE.as_euler(t, "ZYX"),
     "stack": STACK, "stack's rate": STACK.angular_velocity, "baked": BAKED, "baked, scalar first": FIRST.bake(1e-9), "baked rate": BAKED.angular_velocity,
-    "online": ONLINE,
+    "online": ONLINE, "composed": CURVE.inv(), "angle between": lambda t: ori.angle_between(CURVE, FIRST, t),
     "twin's rate": lambda t: ori.RotationSpline(TIMES, CURVE.rotation(TIMES))(t, 1),
 }
 
