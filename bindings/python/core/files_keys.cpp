@@ -56,7 +56,8 @@ nb::tuple origin_of(const Keys& keys) {
                         as_read ? nb::object(array_of(as_read, track.as_read.size(), 4)) : nb::object(nb::none()),
                         track.recipe.method, track.recipe.signs == Signs::as_given, track.recipe.line, track.is_dated,
                         track.recipe.blending ? io::blending_json(*track.recipe.blending) : "", track.recipe.gap,
-                        track.positions_apart.times, flat(track.positions_apart.positions), track.recipe.jumps);
+                        track.positions_apart.times, flat(track.positions_apart.positions),
+                        track.recipe.jumps || track.keys.data().jumps);
 }
 
 std::vector<Decimal> decimals_in(std::string_view lines) {

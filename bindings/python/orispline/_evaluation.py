@@ -313,7 +313,7 @@ class OrientationCurve(Named, Orienting):
         """
         seconds, rows = self._series(times, quaternions("rotations", rotations, scalar_first=self._scalar_first), "rotations")
         self._clock.check_rising(seconds)
-        reference = _core.Keys(seconds, rows, **dict.fromkeys(PARTS), settings={}, signs="as-given")
+        reference = _core.Keys(seconds, rows, **dict.fromkeys(PARTS), settings={}, signs="as-given", jumps=False)
         return self._statistics(self._core.distance(reference))
 
     def rate_error(self, times: Any, rates: Any) -> DistanceStatistics:
@@ -361,7 +361,7 @@ class OrientationCurve(Named, Orienting):
         >>> bool(np.allclose(curve.inv().angular_velocity(0.7), -curve.angular_velocity(0.7, frame="world")))
         True
         """
-        return self._inverse_of(self)
+        return OrientationCurve._inverse_of(self)
 
     def relative_to(self, other: OrientationCurve) -> OrientationCurve:
         """The curve other(t)⁻¹ q(t): how this body turns as the other one sees it, where both curves are, with exact rates. The body
@@ -380,13 +380,13 @@ class OrientationCurve(Named, Orienting):
         """
         if not isinstance(other, OrientationCurve):
             raise wrong_type("other", other, "a curve")
-        return self._product_of(other.inv(), self, self)
+        return OrientationCurve._product_of(other.inv(), self, self)
 
     def __mul__(self, other: Any) -> Any:
         """`curve * R` turns the body by a SciPy Rotation: q(t) R, with the rates in its new frame. `a * b` is the curve
         a(t) b(t) where both curves are."""
         if isinstance(other, OrientationCurve):
-            return self._product_of(self, other, self)
+            return OrientationCurve._product_of(self, other, self)
         return self._turned(None, inverse_text("rotation", other)) if hasattr(other, "as_quat") else NotImplemented
 
     def __rmul__(self, other: Any) -> Any:

@@ -35,7 +35,8 @@ def joined(keys: Keys, more: Keys) -> Any:
     parts = {name: _stacked(getattr(keys._core, name), getattr(more._core, name), counts) for name in PARTS}
     settings = {name: [*values, *more.settings[name]] for name, values in keys.settings.items()}
     core = _core.Keys(np.append(before, after), np.vstack([keys._core.orientations, more._core.orientations]), **parts, settings=settings,
-                      signs="as-given" if keys._signs_as_given else "shortest")
+                      signs="as-given" if keys._signs_as_given else "shortest",
+                      jumps=any(_core.origin_of_keys(one._core)[-1] for one in (keys, more)))
     core = _core.keys_since(core, _core.epoch_of_keys(keys._core), keys._is_dated)
     return core if keys.gap is None else _core.keys_as_read(core, stated({"gap": keys.gap}))
 

@@ -554,7 +554,7 @@ def _values_per_key(settings: Any, kept: Indices | None, count: int) -> dict[str
 def _restored(times: Array, orientations: Array, rows: dict[str, Array | None], settings: dict[str, list[float]],
               clock: Clock, scalar_first: bool, origin: tuple[Any, ...], source: dict[str, Any]) -> Keys:
     as_given = origin[SIGNS_AS_GIVEN]
-    made = _core.Keys(times, orientations, **rows, settings=settings, signs="as-given" if as_given else "shortest", jumps=True)
+    made = _core.Keys(times, orientations, **rows, settings=settings, signs="as-given" if as_given else "shortest", jumps=origin[-1])
     keys = Keys._of(_core.keys_from(made, *origin), clock, scalar_first=scalar_first)
     keys._source = source
     return keys

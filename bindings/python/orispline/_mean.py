@@ -79,7 +79,7 @@ class Mean(Told):
         """Of a chordal mean what is found only when it is asked for: all but the orientation and the kind."""
         find = self.__dict__.pop("_find", None)
         if find is None:
-            raise AttributeError(f"'Mean' object has no attribute {name!r}")
+            return super().__getattr__(name)  # type: ignore[misc]
         self.__dict__.update({**find().__dict__, **self.__dict__})
         return getattr(self, name)
 
