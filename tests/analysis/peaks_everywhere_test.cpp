@@ -115,11 +115,17 @@ void expect_largest_of(const Method& method) {
   EXPECT_GT(seen, 0) << method.name;
 }
 
-TEST(PeaksEverywhere, AreNotBelowAnySampleOfAnyMethodHoweverUnevenTheKeys) {
-  for (const FamilyInfo& info : families_info()) expect_largest_of(Method(info));
-}
+class PeaksEverywhere : public testing::TestWithParam<FamilyInfo> {};
 
-TEST(PeaksEverywhere, AreNotBelowAnySampleOfOwnBlendingFunctions) {
+INSTANTIATE_TEST_SUITE_P(Methods, PeaksEverywhere, testing::ValuesIn(families_info()), [](const auto& test) {
+  std::string name(test.param.name);
+  std::ranges::replace(name, '-', '_');
+  return name;
+});
+
+TEST_P(PeaksEverywhere, AreNotBelowAnySampleHoweverUnevenTheKeys) { expect_largest_of(Method(GetParam())); }
+
+TEST(OwnPeaksEverywhere, AreNotBelowAnySampleOfOwnBlendingFunctions) {
   const std::vector<BlendingData> all{
       {.name = "of-lengths",
        .title = "With the lengths of the segments",

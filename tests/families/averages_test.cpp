@@ -2,6 +2,7 @@
 // Spherical averages: the equation that defines them, its derivatives, symmetry, interpolation, ends, refusals.
 #include <gtest/gtest.h>
 
+#include <orispline/curve/key_knots.hpp>
 #include <orispline/families/registry.hpp>
 #include <support/near.hpp>
 #include <support/specimens.hpp>
@@ -52,6 +53,45 @@ Vector3<T> missing(std::span<const double> times, std::span<const Eigen::Quatern
 }
 
 const CurveOptions keys_as_control_points{.choices = {{"points", "control"}}};
+
+/// Σ w_k |log(q⁻¹ p_k)|².
+double squares(const AverageCurve& curve, const Eigen::Quaterniond& q, double t) {
+  const auto weights = curve.weights(t, 0);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < AverageCurve::active; ++k)
+    sum += weights[k] * increment<double>(q, curve.points()[k]).squaredNorm();
+  return sum;
+}
+
+TEST(Averages, AreWhereTheSumOfSquaresIsLeastAllAround) {
+  // The equation holds at saddles and maxima too, where control points stand all around. Newton's steps lead there from
+  // where one point is opposite to the average of the others.
+  Dice dice(463);
+  const Knots knots = key_knots(keyframes(random_walk(464, 2, Spacing::even)));
+  const double start = knots.times()[0], step = knots.times()[1] - start;
+  BSplineBasis<3> basis;
+  for (int k = -2; k <= 3; ++k) basis.knots.push_back(start + k * step);
+  for (int i = 0; i < 3000; ++i) {
+    std::vector<Eigen::Quaterniond> points;
+    while (points.size() < AverageCurve::active) points.push_back(exp<double>(6.0 * dice.vector()));
+    if (i % 2 == 0) {
+      const Eigen::Vector3d half = 2.2 * dice.vector().normalized();
+      points[0] = Eigen::Quaterniond(-(points[1] * exp<double>(half)).coeffs()) * exp<double>(0.3 * dice.vector());
+      points[2] = points[1] * exp<double>(2.0 * half);
+    }
+    const AverageCurve curve(knots, basis, points);
+    const double t = start + step * dice();
+    const Eigen::Quaterniond q = curve.point(t, 0);
+    Eigen::Vector4d mean = Eigen::Vector4d::Zero();
+    for (std::size_t k = 0; k < AverageCurve::active; ++k) mean += curve.weights(t, 0)[k] * points[k].coeffs();
+    const double least = squares(curve, q, t);
+    EXPECT_LE(least, squares(curve, Eigen::Quaterniond(mean.normalized()), t) + tolerance::algebra) << i;
+    EXPECT_LE(curve.missing(q, curve.weights(t, 0), 0).norm(), tolerance::series) << i;
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double turn : {-1e-3, 1e-3})
+        EXPECT_LE(least, squares(curve, q * exp<double>(turn * Eigen::Vector3d::Unit(axis)), t)) << i;
+  }
+}
 
 TEST(Averages, SolveTheirEquation) {
   const Keyframes keys = keyframes(random_walk(451, 8, Spacing::uneven));
@@ -240,7 +280,21 @@ TEST(Averages, OfControlPointsAllAroundAreRefusedRatherThanJump) {
   const auto c = make_curve("averages", keyframes(data));
   ASSERT_FALSE(c);
   EXPECT_EQ(c.error().code, ErrorCode::not_converged);
-  EXPECT_NE(c.error().message.find("the average jumps by "), std::string::npos) << c.error().message;
+  EXPECT_NE(c.error().message.find("are too far apart to have one average"), std::string::npos) << c.error().message;
+}
+
+TEST(Averages, TellWhereOneWouldJumpToAnother) {
+  const auto keys = Keyframes::make(random_walk(2424, 6, Spacing::uneven, 4.5), Signs::as_given);
+  const auto c = make_curve({"averages", keys_as_control_points}, *keys);
+  ASSERT_FALSE(c);
+  EXPECT_EQ(c.error().code, ErrorCode::not_converged);
+  EXPECT_NE(c.error().message.find("the average jumps by 0.37"), std::string::npos) << c.error().message;
+}
+
+TEST(Averages, TellInNumbersOrWordsWhereTheyHaveNoRates) {
+  const auto c = make_curve("averages", keyframes(random_walk(2269, 5, Spacing::uneven, 3.0)));
+  ASSERT_FALSE(c);
+  EXPECT_EQ(c.error().message.find("nan"), std::string::npos) << c.error().message;
 }
 
 }}  // namespace orispline

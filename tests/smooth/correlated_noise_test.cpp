@@ -61,6 +61,24 @@ TEST(CorrelatedNoise, IsKnownToTheStandardDeviations) {
   EXPECT_LT(said, 1.6 * off);
 }
 
+TEST(CorrelatedNoise, OfSeveralTracksIsFoundBesideOneThatRestsOrTurnsEvenly) {
+  std::vector<Keyframes> tracks;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed)
+    tracks.push_back(Keyframes::make(recorded_with(0.05, seed, 1200).noisy).value());
+  const auto without = shared_noise_time(tracks, 1);
+  ASSERT_TRUE(without);
+  for (const double rate : {0.0, 0.3}) {
+    Recording quiet = recorded(1200, 0.3 * sigma, 7);  // of which samples at either end show noise
+    auto& orientations = quiet.noisy.orientations;
+    for (std::size_t i = 90; i < 1110; ++i)
+      orientations[i] =
+          orientations[89] * exp<double>(rate * interval * static_cast<double>(i) * Eigen::Vector3d::UnitX());
+    std::vector<Keyframes> with = tracks;
+    with.push_back(Keyframes::make(quiet.noisy).value());
+    EXPECT_EQ(shared_noise_time(with, 1), without) << rate;
+  }
+}
+
 TEST(CorrelatedNoise, OfSeveralTracksIsFoundAndWhiteNoiseIsNot) {
   for (const double time : {0.0, 0.05}) {
     SCOPED_TRACE(time);

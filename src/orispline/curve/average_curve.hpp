@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <orispline/curve/bspline_basis.hpp>
@@ -13,8 +14,10 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// Spherical averages of control orientations: q(t) solves Σ N_k(t) log(q⁻¹ p_k) = 0 with the cubic B-spline functions
 /// N.
 ///
-/// Newton's method finds the average; once converged, each further step with the same Jacobian over jets makes one more
-/// order of the derivatives exact. Source: Buss & Fillmore 2001, section 3 (the averages), 4.1 (the splines).
+/// Newton's method finds the average, which is where the weighted sum of squared distances is least: a step counts only
+/// where that sum does not rise, since the equation holds at its saddles and maxima too. Once converged, each further
+/// step with the same Jacobian over jets makes one more order of the derivatives exact. Source: Buss & Fillmore 2001,
+/// section 3 (the averages), 4.1 (the splines).
 class AverageCurve {
  public:
   static constexpr std::size_t active = 4;  ///< control orientations that a segment averages
@@ -45,7 +48,7 @@ class AverageCurve {
     if constexpr (std::is_same_v<T, double>) {
       return average;
     } else {
-      const Eigen::Matrix3d newton = jacobian(average, values, segment).inverse();
+      const Eigen::Matrix3d newton = jacobian(ways<double>(average, segment), values).inverse();
       Quaternion<T> q = constant<T>(average);
       for (std::size_t order = 1; order < T::size; ++order)
         q = q * exp<T>(Vector3<T>(newton.template cast<T>() * missing<T>(q, w, segment)));
@@ -56,18 +59,30 @@ class AverageCurve {
   /// What q misses the average by [rad]: Σ w_k log(q⁻¹ p_k).
   template <Number T>
   [[nodiscard]] Vector3<T> missing(const Quaternion<T>& q, const Weights<T>& w, std::size_t segment) const noexcept {
-    Vector3<T> sum = Vector3<T>::Zero();
-    for (std::size_t k = 0; k < active; ++k) sum += increment<T>(q, constant<T>(points_[segment + k])) * w[k];
-    return sum;
+    return weighted(ways<T>(q, segment), w);
   }
 
  private:
+  template <Number T>
+  using Ways = std::array<Vector3<T>, active>;  // log(q⁻¹ p_k) [rad]
+
+  template <Number T>
+  [[nodiscard]] Ways<T> ways(const Quaternion<T>& q, std::size_t segment) const noexcept {
+    Ways<T> all;
+    for (std::size_t k = 0; k < active; ++k) all[k] = increment<T>(q, constant<T>(points_[segment + k]));
+    return all;
+  }
+  template <Number T>
+  [[nodiscard]] static Vector3<T> weighted(const Ways<T>& ways, const Weights<T>& w) noexcept {
+    Vector3<T> sum = Vector3<T>::Zero();
+    for (std::size_t k = 0; k < active; ++k) sum += ways[k] * w[k];
+    return sum;
+  }
+
   /// Less the derivative of what is missing by a turn of q.
-  [[nodiscard]] Eigen::Matrix3d jacobian(const Eigen::Quaterniond& q, const Weights<double>& w,
-                                         std::size_t segment) const noexcept {
+  [[nodiscard]] static Eigen::Matrix3d jacobian(const Ways<double>& ways, const Weights<double>& w) noexcept {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    for (std::size_t k = 0; k < active; ++k)
-      sum += w[k] * left_jacobian_inverse<double>(increment<double>(q, points_[segment + k]));
+    for (std::size_t k = 0; k < active; ++k) sum += w[k] * left_jacobian_inverse<double>(ways[k]);
     return sum;
   }
 
@@ -82,26 +97,65 @@ class AverageCurve {
     return sum.norm() <= 1e-3 ? points_[segment + heaviest] : Eigen::Quaterniond(sum.normalized());  // NaN stays NaN
   }
 
-  /// Newton's steps, or where they lead nowhere those of steepest descent, as long as less and less is missing.
+  /// An orientation, and how far it is from the average.
+  struct Place {
+    Eigen::Quaterniond orientation;
+    Ways<double> ways;
+    Eigen::Vector3d missing;
+    double squares = 0.0;  ///< weighted sum of squared distances [rad²]
+
+    Place(const AverageCurve& curve, const Eigen::Quaterniond& q, const Weights<double>& w, std::size_t segment)
+        : orientation(q), ways(curve.ways<double>(q, segment)), missing(weighted(ways, w)) {
+      for (std::size_t k = 0; k < active; ++k) squares += w[k] * ways[k].squaredNorm();
+    }
+
+    [[nodiscard]] bool misses_less(const Place& other) const { return missing.norm() < other.missing.norm(); }
+    /// Of the squares, by more than their rounding.
+    [[nodiscard]] bool is_lower(const Place& other) const { return squares < (1.0 - rounding) * other.squares; }
+    [[nodiscard]] bool is_higher(const Place& other) const { return !(squares <= (1.0 + rounding) * other.squares); }
+    static constexpr double rounding = 1e-12;
+  };
+
+  /// Whether the sum of squares is curved upwards in every direction; the skew part of a Jacobian bends nothing.
+  [[nodiscard]] static bool is_convex(const Eigen::Matrix3d& jacobian) {
+    return Eigen::LLT<Eigen::Matrix3d>(0.5 * (jacobian + jacobian.transpose())).info() == Eigen::Success;
+  }
+
+  /// Newton's steps where they lead to the least sum of squares, else those of steepest descent.
   [[nodiscard]] Eigen::Quaterniond averaged(const Weights<double>& w, std::size_t segment) const noexcept {
     constexpr int enough = 100;  // steps; a handful reach rounding
-    Eigen::Quaterniond q = mean(w, segment);
-    Eigen::Vector3d left = missing<double>(q, w, segment);
+    Place here(*this, mean(w, segment), w, segment);
     for (int i = 0; i < enough; ++i) {
-      const Eigen::Vector3d newton = jacobian(q, w, segment).inverse() * left, descent = left;
-      bool nearer = false;
-      for (const Eigen::Vector3d& step : {newton, descent}) {
-        const Eigen::Quaterniond there = (q * exp<double>(step)).normalized();
-        const Eigen::Vector3d then = missing<double>(there, w, segment);
-        nearer = then.norm() < left.norm();
-        if (!nearer) continue;
-        q = there;
-        left = then;
-        break;
+      const Eigen::Matrix3d slope = jacobian(here.ways, w);
+      const bool convex = is_convex(slope);
+      Place there = beside(here, slope.inverse() * here.missing, w, segment);
+      if (!convex || there.is_higher(here) || !there.misses_less(here)) {
+        there = convex ? beside(here, here.missing, w, segment) : far_below(here, w, segment);
+        const bool goes_on = there.is_lower(here) || there.misses_less(here) || (!convex && here.missing.norm() > 0.0);
+        if (there.is_higher(here) || !goes_on) break;
       }
-      if (!nearer) return q;
+      here = there;
     }
-    return q;
+    return here.orientation;
+  }
+
+  [[nodiscard]] Place beside(const Place& place, const Eigen::Vector3d& step, const Weights<double>& w,
+                             std::size_t segment) const noexcept {
+    return Place(*this, (place.orientation * exp<double>(step)).normalized(), w, segment);
+  }
+
+  /// By steepest descent away from a saddle, the farther the lower. A step as long as what is missing lowers the
+  /// squares by |missing|² at least, since no squared distance bends more than in flat space.
+  [[nodiscard]] Place far_below(const Place& place, const Weights<double>& w, std::size_t segment) const noexcept {
+    constexpr double longest = 1.0;  // [rad]
+    Eigen::Vector3d step = place.missing;
+    Place there = beside(place, step, w, segment);
+    while (step.norm() > 0.0 && (step *= 2.0).norm() < longest) {
+      const Place beyond = beside(place, step, w, segment);
+      if (beyond.is_higher(there)) break;
+      there = beyond;
+    }
+    return there;
   }
 
   Knots knots_;

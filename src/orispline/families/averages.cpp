@@ -83,8 +83,7 @@ bool points_in_one_half_of_the_sphere(const AverageCurve& curve, std::size_t seg
 std::optional<double> jump_between(const Motion& before, const Motion& after, double duration) {
   const double way = increment<double>(before.orientation, after.orientation).norm();
   const double rate = std::max(before.angular_velocity.norm(), after.angular_velocity.norm());
-  const bool has_rates = before.angular_velocity.allFinite() && after.angular_velocity.allFinite();
-  return has_rates && way <= 2.0 * rate * duration + 1e-9 ? std::nullopt : std::optional(way);
+  return way <= 2.0 * rate * duration + 1e-9 ? std::nullopt : std::optional(way);
 }
 
 /// Whether a segment's average exists, and moves without jumps where there may be several.
@@ -100,6 +99,7 @@ std::optional<Error> without_average(const AverageCurve& curve, std::size_t segm
     if (!(missing <= allowed)) return misses_average(segment, missing);
     if (one_at_most) continue;
     const Motion here = motion_from_jet(curve.point(Jet<double, 3>::variable(t), segment));
+    if (!here.angular_velocity.allFinite()) return too_far_apart(segment, "the average has no rates");
     const auto jump = before ? jump_between(*before, here, span.step() / parts) : std::nullopt;
     if (jump) return too_far_apart(segment, formatted("the average jumps by {:.3g} rad", *jump));
     before = here;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <orispline/base/parallel.hpp>
+#include <orispline/curve/stretches.hpp>
 #include <orispline/math/chain_elimination.hpp>
 #include <orispline/math/median.hpp>
 #include <orispline/math/number.hpp>
@@ -36,8 +37,14 @@ struct Way {
   std::vector<Eigen::Vector3d> places{};
 };
 
+/// The middle of a track, which is all that is looked at.
+Stretch middle_of(const Keyframes& track) {
+  const std::size_t count = std::min(track.size(), most_samples);
+  return {(track.size() - count) / 2, count};
+}
+
 Way way_of(const Keyframes& track) {
-  const std::size_t count = std::min(track.size(), most_samples), first = (track.size() - count) / 2;
+  const auto [first, count] = middle_of(track);
   const double interval = median_interval(track.times());
   Way way;
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
@@ -90,13 +97,19 @@ Evidence evidences(const Way& way) {
   return all;
 }
 
-/// The quietest third of the tracks.
+/// Not of a track that rests there or is drawn.
+bool shows_noise(const Keyframes& track) {
+  const auto [first, count] = middle_of(track);
+  return local_noise(track.times().subspan(first, count), track.orientations().subspan(first, count)) > 0.0;
+}
+
+/// The quietest third of the tracks that show noise.
 std::vector<const Keyframes*> quietest(std::span<const Keyframes> tracks) {
   std::vector<std::pair<double, std::size_t>> noises;
   for (std::size_t i = 0; i < tracks.size(); ++i)
-    noises.emplace_back(local_noise(tracks[i].times(), tracks[i].orientations()), i);
+    if (shows_noise(tracks[i])) noises.emplace_back(local_noise(tracks[i].times(), tracks[i].orientations()), i);
   std::ranges::sort(noises);
-  noises.resize(std::min(most_tracks, tracks.size() / share_of_tracks));
+  noises.resize(noises.size() < fewest_tracks ? 0 : std::min(most_tracks, noises.size() / share_of_tracks));
   std::vector<const Keyframes*> quiet;
   for (const auto& [noise, i] : noises) quiet.push_back(&tracks[i]);
   return quiet;
@@ -105,8 +118,8 @@ std::vector<const Keyframes*> quietest(std::span<const Keyframes> tracks) {
 }  // namespace
 
 std::optional<double> shared_noise_time(std::span<const Keyframes> tracks, unsigned threads) {
-  if (tracks.size() < fewest_tracks) return std::nullopt;
   const std::vector<const Keyframes*> quiet = quietest(tracks);
+  if (quiet.empty()) return std::nullopt;
   std::vector<Evidence> each(quiet.size());
   parallel_for(quiet.size(), threads, [&](std::size_t i) { each[i] = evidences(way_of(*quiet[i])); });
   Evidence all{};
