@@ -156,7 +156,8 @@ class Keys(Named, Writable):
     def from_pandas(cls, frame: Any, *, columns: Mapping[str, str] | None = None, **options: Any) -> Keys:
         """Of a DataFrame with the columns of `to_pandas()`: t, qw, qx, qy, qz, and where they are there px, py, pz [m], wx, wy, wz,
         ax, ay, az and jx, jy, jz (rates in the body frame, in rad and s), a_qw, …, b_qw, … (inner quaternions), and parameters of
-        methods. Without t the index has the times, but for one that only counts the rows. Seconds count from the epoch in its `attrs`, where that has one, as `to_pandas` notes it.
+        methods. Without t the index has the times, but for one that only counts the rows. Seconds count from the epoch in its `attrs`,
+        where that has one, as `to_pandas` notes it.
 
         `columns` names yours, such as `{"t": "stamp", "qw": "q0"}`; other columns are left alone. The options are those of `Keys`
         that are not in the frame. Raises ArgumentError for columns that are not there.
