@@ -56,7 +56,7 @@ BAD = [(KEYS, slice(5.0, 6.0), ori.DataError, "keys: found none from 5.0 to 6.0,
        (DATED, slice(np.datetime64("NaT"), None), ori.ArgumentError, "in a slice, wanted a time"),
        (KEYS, slice(np.array([0.0, 1.0]), None), ori.ArgumentError, "in a slice, wanted a time"),
        (KEYS, slice(0.5, 3.0, 2), ori.ArgumentError, r"keys: found the step 2 in a slice of times, wanted none"),
-       (KEYS, slice(100, 200), ori.DataError, r"keys: found no places from 100 to 200, wanted some of 3: .* such as keys\[2.0:5.0\]"),
+       (KEYS, slice(100, 200), ori.DataError, r"keys: found no keys at the places 100:200 of 3, wanted one at least: .* such as keys\[2.0:5.0\]"),
        (KEYS, slice(2, 0, -1), ori.ArgumentError, "keys: found the step -1, wanted one above 0, since times rise"),
        (KEYS, 3, IndexError, "keys: found the place 3, wanted one of 3, from -3 to 2"), (KEYS, -4, IndexError, "keys: found the place -4")]
 

@@ -52,8 +52,9 @@ class Rows:
                 raise ArgumentError(f"{self.what}: found the step {part.step}, wanted one above 0, since times rise")
             found = np.arange(*part.indices(count))
             if rising and not len(found):
-                raise DataError(f"{self.what}: found no places from {part.start} to {part.stop}, wanted some of {count}: whole numbers "
-                                f"are places, times have a point, such as {self.what}[2.0:5.0]")
+                shown = ":".join("" if bound is None else str(bound) for bound in (part.start, part.stop))
+                raise DataError(f"{self.what}: found no {self.what} at the places {shown} of {count}, wanted one at least: "
+                                f"whole numbers are places, times have a point, such as {self.what}[2.0:5.0]")
             return found
         array = array_of(self.what, part)
         if array.shape == (0,):
