@@ -149,7 +149,7 @@ def test_dates_and_epochs_of_both_are_one_time():
     same_turns(relative.rotation(t), early.rotation(t).inv() * late.rotation(t))
     with pytest.raises(ori.ArgumentError, match="whose times are numbers and one whose times are dates"):
         late.relative_to(ori.Curve([0, 1, 2], q))
-    with pytest.raises(ori.ArgumentError, match="wanted two curves with a time in common"):
+    with pytest.raises(ori.ArgumentError, match="a curve of 2026-11-28T10:00:02.5.* … 2026.* and one of 2026.*, wanted two curves with a time in common"):
         late * ori.Curve(start + np.array([100, 200, 300], "m8[s]"), q)
 
 
@@ -193,3 +193,22 @@ def test_what_is_no_rotation_is_refused(curve):
         curve.relative_to([0, 0, 0, 1])
     with pytest.raises(TypeError, match="wanted it made of curves"):
         ori.ComposedCurve([0, 1], [[0, 0, 0, 1]] * 2)
+
+
+def test_what_is_no_rotation_is_named_as_it_is_given(keys):
+    curve = ori.Curve(*keys)
+    for rotation, error, text in ((None, TypeError, "rotation: found None"), ([0, 0, 0, 0], ori.ArgumentError, "rotation: the quaternion has norm 0"),
+                                  ([0, 0, 0, np.nan], ori.ArgumentError, "rotation: found qw=nan")):
+        with pytest.raises(error, match=f"^{text}"):
+            curve.rotated(rotation)
+    for work, side in ((curve.in_frame, "world"), (lambda axes: curve.keys.in_axes(body=axes), "body")):
+        with pytest.raises(TypeError, match=f"{side}: found Rotation.*, wanted letters such as 'NED:ENU'; {side}_rotation= takes a rotation") as found:
+            work(Rotation.identity())
+        assert "\n" not in str(found.value)
+
+
+def test_arrays_are_no_curves(keys):
+    curve = ori.Curve(*keys)
+    for thing in (curve, curve.inv(), curve.keys, curve.sample(count=3), ori.CurveStack([curve, curve])):
+        for array in (np.zeros(3), np.zeros((len(keys[0]), 2)), np.zeros(2)):
+            assert (thing == array) is (array == thing) is False and thing != array

@@ -56,6 +56,7 @@ BAD = [(KEYS, slice(5.0, 6.0), ori.DataError, "keys: found none from 5.0 to 6.0,
        (DATED, slice(np.datetime64("NaT"), None), ori.ArgumentError, "in a slice, wanted a time"),
        (KEYS, slice(np.array([0.0, 1.0]), None), ori.ArgumentError, "in a slice, wanted a time"),
        (KEYS, slice(0.5, 3.0, 2), ori.ArgumentError, r"keys: found the step 2 in a slice of times, wanted none"),
+       (KEYS, slice(100, 200), ori.DataError, r"keys: found no keys at the places 100:200 of 3, wanted one at least: .* such as keys\[2.0:5.0\]"),
        (KEYS, slice(2, 0, -1), ori.ArgumentError, "keys: found the step -1, wanted one above 0, since times rise"),
        (KEYS, 3, IndexError, "keys: found the place 3, wanted one of 3, from -3 to 2"), (KEYS, -4, IndexError, "keys: found the place -4")]
 
@@ -64,7 +65,7 @@ BAD = [(KEYS, slice(5.0, 6.0), ori.DataError, "keys: found none from 5.0 to 6.0,
 def test_what_is_outside_or_no_time_is_told(keys, part, error, text):
     with pytest.raises(error, match=text):
         keys[part]
-    if "step -1" not in text:
+    if "step -1" not in text and "places" not in text:
         with pytest.raises(error, match=text.replace("keys: ", "samples: ")):
             keys.curve().sample(times=keys.times)[part]
 
@@ -141,6 +142,13 @@ def test_rates_have_units(rate, count):
     samples = KEYS.curve().sample(rate=rate)
     assert len(samples) == count
     assert len(ori.CurveStack(T, [[q] for q in Q]).sample(rate=rate)) == count
+
+
+@pytest.mark.parametrize("times", [T, np.array(T), [0.5]])
+def test_times_in_the_place_of_a_rate_are_told(times):
+    for thing in (KEYS.curve(), ori.CurveStack([KEYS])):
+        with pytest.raises(ori.ArgumentError, match="^rate: found an array, wanted a number of samples per second, or times= for the times of the samples$"):
+            thing.sample(times)
 
 
 @pytest.mark.parametrize("rate", ["100 hertz", "Hz", "-1 Hz", "0 kHz", "10ms", "1/0 Hz"])

@@ -170,3 +170,42 @@ def test_a_clock_that_does_not_rise_is_told_what_mends_it(times, key, cure):
     assert len(ori.Keys(times, Q, **{option: True})) == (2 if "drop" in option else 3)
     with pytest.raises(ori.DataError, match="^joint 0: key .* wanted strictly increasing times$"):
         ori.CurveStack(times, np.array(Q)[:, None])
+
+
+def test_frames_go_through_parquet(tmp_path):
+    for thing in (ori.Keys(STAMPS, Q), ori.Curve(STAMPS, Q).sample(count=3, derivatives=1)):
+        thing.to_pandas().to_parquet(tmp_path / "frame.parquet")
+        found = ori.Keys.from_pandas(pandas.read_parquet(tmp_path / "frame.parquet"))
+        assert found.epoch == thing.epoch and np.array_equal(found.times, thing.times)
+
+
+def test_an_index_that_counts_rows_has_no_times():
+    bare = KEYS.to_pandas().drop(columns="t")
+    filtered = pandas.concat([bare, bare]).reset_index(drop=True)[::2].assign(time=T)
+    for frame, named in ((bare, "stamp"), (bare.set_index(STAMPS).reset_index(names="timestamp"), "timestamp"), (filtered.loc[[0, 2, 4]], "time"),
+                         (filtered.set_index(pandas.Index([0, 1, 5])), "time")):
+        with pytest.raises(ori.ArgumentError, match=f"columns: found no t, wanted .*: name yours by columns=, such as {{'t': '{named}'}}"):
+            ori.Keys.from_pandas(frame)
+    for index in (pandas.Index([0, 1, 3]), pandas.RangeIndex(3, name="time"), pandas.Index(T), STAMPS):
+        assert len(ori.Keys.from_pandas(bare.set_index(index))) == 3
+
+
+def test_columns_that_are_missing_or_twice_there_are_told():
+    for name in ("rot_w", "W"):
+        with pytest.raises(ori.ArgumentError, match=f"found no qw, wanted .* such as {{'qw': '{name}'}}"):
+            ori.Keys.from_pandas(KEYS.to_pandas().rename(columns={"qw": name}))
+    frame = KEYS.to_pandas()
+    with pytest.raises(ori.ArgumentError, match="columns: found 't' twice, wanted it once"):
+        ori.Keys.from_pandas(pandas.concat([frame["t"], frame], axis=1))
+
+
+def test_quaternions_in_a_frame_stand_in_the_order_in_which_they_are_read():
+    frame = KEYS.to_pandas()
+    for given in (frame, polars.from_pandas(frame)):
+        w_first, w_last = given[["qw", "qx", "qy", "qz"]], given[["qx", "qy", "qz", "qw"]]
+        assert ori.Keys(T, w_last) == KEYS and np.array_equal(ori.Keys(T, w_first, scalar_first=True).rotations, np.roll(Q, 1, axis=1))
+        for work in (lambda q: ori.Keys(T, q), lambda q: ori.Curve(T, q), ori.mean, lambda q: ori.CurveStack([(T, q)]), lambda q: ori.reduce(T, q, 0.1)):
+            with pytest.raises(ori.ArgumentError, match="rotations: found the columns qw, qx, qy, qz, wanted qx, qy, qz, qw, or scalar_first=True"):
+                work(w_first)
+        with pytest.raises(ori.ArgumentError, match="found the columns qx, qy, qz, qw, wanted qw, qx, qy, qz, or scalar_first=False"):
+            ori.Curve(T, w_last, scalar_first=True)

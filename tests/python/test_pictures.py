@@ -311,3 +311,19 @@ def test_bad_input(draw, error, text):
         draw()
     assert text in str(found.value) and "\n" not in str(found.value)
     pyplot.close("all")
+
+
+def test_curves_that_are_made_of_curves_are_drawn():
+    other = ori.Curve(CURVE.times + 0.25, CURVE.keys.rotations[::-1])
+    relative = CURVE.relative_to(other)
+    charts = ori.plot_comparison(relative, quantities="rate")
+    seconds, rates = charts[0].lines[0].get_data()
+    assert np.allclose(rates, np.linalg.norm(relative.angular_velocity(seconds), axis=1), atol=1e-9)
+    marks = charts[0].collections[0].get_segments()
+    assert np.allclose([line[0][0] for line in marks], relative.times) and relative.times[0] == other.times[0]
+    charts = ori.plot_comparison([CURVE, relative, relative.inv()], relative)
+    assert [text.get_text() for text in charts[0].get_legend().get_texts()] == ["auto", "composed", "composed (3)"]
+    assert np.abs(charts[0].lines[1].get_ydata()).max() < 1e-6
+    dots = ori.plot_sphere(relative).collections[-1]
+    assert len(dots._offsets3d[0]) == len(relative.times)
+    assert np.allclose(np.transpose(dots._offsets3d), relative.as_matrix(relative.times)[:, :, 0])

@@ -38,7 +38,7 @@ def test_tables_of_dates_and_single_numbers():
     frame, table = samples.to_pandas(), samples.to_arrow()
     assert frame["t"].iloc[0] == pandas.Timestamp("2026-11-22T12:00:00.000000007") and frame["qw"].dtype == "float32"
     assert table.schema.field("t").type == pyarrow.timestamp("ns")
-    assert samples.epoch == frame.attrs["epoch"] == decimal.Decimal(table.schema.metadata[b"epoch"].decode())
+    assert frame.attrs["epoch"] == table.schema.metadata[b"epoch"].decode() and samples.epoch == decimal.Decimal(frame.attrs["epoch"])
     assert str(samples.epoch) == "1795348800.000000007"
 
 

@@ -234,6 +234,13 @@ def test_bad_tracks_are_named(tracks):
                            ([tracks[0], ori.Curve(*tracks[1], extrapolate="nan")], "track 1: found extrapolate='nan', wanted 'hold'")):
         with pytest.raises(ori.ArgumentError, match=message):
             ori.CurveStack(wrong)
+    keys, curve = ori.Keys(*tracks[0]), ori.Curve(*tracks[0], extrapolate="nan")
+    for made, more, which in (([keys], {"euler": "ZYX"}, "Keys"), ([keys, curve], {"gap": 1}, "Keys"), ([curve], {"normalize": True}, "Keys"),
+                              ([curve], {"method": "slerp"}, "Curves"), ([curve], {"tension": [0.1, 0.2]}, "Curves"),
+                              ([curve], {"extrapolate": "error"}, "Curves")):
+        with pytest.raises(ori.ArgumentError, match=f"{next(iter(more))}: found it beside {which}, which have their own, wanted it where"):
+            ori.CurveStack(made, **more)
+    assert ori.CurveStack([curve], extrapolate="nan").method == "auto" and ori.CurveStack([keys], method="slerp").method == "slerp"
     with pytest.raises(TypeError, match="track 0: |wanted a pair"):
         ori.CurveStack([5])
     with pytest.raises(TypeError, match="in the place of both a list of tracks"):

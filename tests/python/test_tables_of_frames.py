@@ -250,3 +250,13 @@ def test_progress_is_shown_by_tqdm_or_by_a_bar_of_ours(monkeypatch):
     for wrong in (3, "yes", [1]):
         with pytest.raises(TypeError, match="progress: found .* wanted True for a bar, or a function"):
             tables.resample(FRAME, by="id", progress=wrong)
+
+
+def test_an_empty_frame_has_no_tracks():
+    """pandas says of a column of texts without rows only that it has objects."""
+    empty = FRAME.assign(id=FRAME["id"].astype(str).astype(object))[:0]
+    assert empty["id"].dtype == object
+    for job, more in (("resample", {"rate": 10}), ("smooth", {}), ("mean", {}), ("reduce", {"tolerance": 0.1})):
+        found = getattr(tables, job)(empty, by="id", **more)
+        assert isinstance(found, pandas.DataFrame) and not len(found) and {"id", "qw", "error"} <= set(found.columns)
+    assert not len(tables.evaluate(FRAME, empty[["id", "t"]], by="id"))

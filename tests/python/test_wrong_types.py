@@ -12,6 +12,8 @@ TYPES = [
     ("threads", lambda x: CURVE.sample(rate=2, threads=x), ["two", 1.5, None]),
     ("include_end", lambda x: CURVE.sample(rate=2, include_end=x), ["yes", 1, None]),
     ("include_end", lambda x: CURVE.sample(count=2, include_end=x), ["yes", 2.5]),
+    ("times", ori.Curve, [CURVE]),
+    ("rotations", ori.Curve, [T, CURVE.sample(rate=1)]),
     ("closed", lambda x: ori.Curve(T, Q, "timed-c2", closed=x), ["yes", 1]),
     ("period", lambda x: ori.Curve(T, Q, "timed-c2", period=x), ["long", [1.0], True]),
     ("method", lambda x: ori.Curve(T, Q, x), [3, b"auto", ["auto"]]),

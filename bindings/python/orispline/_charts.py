@@ -81,7 +81,7 @@ def sphere(named: Mapping[str, Any], axis: Any, axes: Any, ax: Any = None) -> An
                         linewidth=0.6, rstride=5, cstride=5)
     for label, curve in named.items():
         axes.plot(*_core.directions(curve._core.drawn()[1], direction).T, label=label)
-    keys = [_core.directions(curve._keys._core.orientations, direction) for curve in named.values()]
+    keys = [_core.directions(_marked(curve)[1], direction) for curve in named.values()]
     for dots in {rows.tobytes(): rows for rows in keys if len(rows) <= _core.most_marked_keys}.values():
         axes.scatter(*dots.T, color=look()["light"]["ink"], s=14, depthshade=False)
     middle = keys[0].mean(axis=0)
@@ -131,10 +131,17 @@ def _axes(axes: Any, count: int) -> Any:
 
 
 def _mark_keys(chart: Any, curves: Iterable[Any]) -> None:
-    for times in {curve._keys._core.times.tobytes(): curve._clock.charted(curve._keys._core.times) for curve in curves}.values():
+    marked = [(curve._clock, _marked(curve)[0]) for curve in curves]
+    for times in {seconds.tobytes(): clock.charted(seconds) for clock, seconds in marked}.values():
         if len(times) <= _core.most_marked_keys:
             chart.vlines(times, 0, 1, transform=chart.get_xaxis_transform(), color=look()["light"]["reference"], linewidth=0.6,
                          linestyle=(0, (3, 3)))
+
+
+def _marked(curve: Any) -> tuple[Array, Array]:
+    """Times [s] and orientations of its keys, or of the knots of a curve that is made of curves."""
+    keys = getattr(curve, "keys", None)
+    return (keys._core.times, keys._core.orientations) if isinstance(keys, Keys) else (curve._core.knots, curve._quaternions(curve.times))
 
 
 def _errors(name: str, curve: Any, times: Any, orientations: Array, reference: Any) -> tuple[Any, Array]:

@@ -90,4 +90,5 @@ def rate_text(rate: Any) -> str:
     elif not isinstance(rate, (bool, np.bool_)) and np.ndim(rate) == 0 and np.asarray(rate).dtype.kind in "fiu" \
             and np.isfinite(rate) and rate > 0:
         return repr(rate.item() if isinstance(rate, np.generic) else rate)
-    raise ArgumentError(f"rate: found {rate!r}, wanted a number of samples per second greater than 0, or a text such as '100 Hz'")
+    found = reprlib.repr(rate).replace("\n", " ")
+    raise ArgumentError(f"rate: found {found}, wanted a number of samples per second greater than 0, or a text such as '100 Hz'")

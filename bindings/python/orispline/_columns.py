@@ -53,9 +53,9 @@ def as_arrow(columns: Columns, epoch: decimal.Decimal) -> Any:
 
 
 def as_pandas(columns: Columns, epoch: decimal.Decimal) -> Any:
-    """A pandas DataFrame; its `attrs` has the epoch."""
+    """A pandas DataFrame; its `attrs` has the epoch, as a text, which Parquet and JSON take."""
     frame = needed("to_pandas", "pandas").DataFrame(columns)
-    frame.attrs["epoch"] = epoch
+    frame.attrs["epoch"] = f"{epoch:f}"
     return frame
 
 
@@ -77,9 +77,10 @@ def arguments_of(columns: Mapping[str, Any]) -> dict[str, Any]:
     Others are left alone."""
     missing = [name for name in ("t", *QUATERNION) if name not in columns]
     if missing:
-        meant = like_times(columns)[:1] or ["stamp"]
+        meaning, letter = missing[0], missing[0][-1]
+        meant = like_times(columns) if meaning == "t" else [name for name in columns if str(name).lower().endswith(letter)]
         raise ArgumentError(f"columns: found no {', '.join(missing)}, wanted t, qw, qx, qy and qz: name yours by columns=, such as "
-                            f"{{'t': {meant[0]!r}}}")
+                            f"{{{meaning!r}: {(meant or ['stamp' if meaning == 't' else 'q' + letter.upper()])[0]!r}}}")
     stacked: dict[str, Array] = {}
     for argument, names in PARTS.items():
         found = [name for name in names if name in columns]

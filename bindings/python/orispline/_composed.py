@@ -80,6 +80,9 @@ def product(left: OrientationCurve, right: OrientationCurve, like: OrientationCu
     if left._clock.kind != right._clock.kind:
         found = ["dates" if side._clock.is_calendar else "durations" if side._clock.kind else "numbers" for side in (left, right)]
         raise ArgumentError(f"found a curve whose times are {found[0]} and one whose times are {found[1]}, wanted the same of both")
+    spans = [side._clock.span(np.array(side._core.domain)) for side in (left, right)] if like._clock.is_calendar else []
+    if spans and max(side.domain[0] for side in (left, right)) > min(side.domain[1] for side in (left, right)):
+        raise ArgumentError(f"found a curve of {spans[0]} and one of {spans[1]}, wanted two curves with a time in common")
     offsets = [float(like._keys.epoch - side._keys.epoch) for side in (left, right)]
     return ComposedCurve._of((left, right), _core.Curve(left._core, right._core, like._core, *offsets), like)
 

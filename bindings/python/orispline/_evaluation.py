@@ -350,7 +350,13 @@ class OrientationCurve(Named, Orienting):
         >>> bool(np.allclose(curve.rotated(R).as_matrix(0.5), (R * curve.rotation(0.5)).as_matrix()))
         True
         """
-        return self._turned(rotation_text("rotation", rotation, scalar_first=self._scalar_first), None)
+        if rotation is None:
+            raise wrong_type("rotation", rotation, "a SciPy Rotation, a quaternion, a matrix or a text by names")
+        try:
+            return self._turned(rotation_text("rotation", rotation, scalar_first=self._scalar_first), None)
+        except ArgumentError as error:  # the library calls it as `Keys.in_axes` does
+            error.args = (str(error).replace("world_rotation:", "rotation:", 1), *error.args[1:])
+            raise
 
     def inv(self) -> OrientationCurve:
         """The curve q(t)⁻¹, such as that of the world as the body sees it: its rates are minus those of q in the world frame. It has
@@ -433,6 +439,8 @@ class OrientationCurve(Named, Orienting):
         """The grid of the samples, None where their times are given."""
         if sum(given is not None for given in (rate, count, times)) != 1:
             raise ArgumentError("sample: wanted one of rate, count and times")
+        if np.ndim(rate) > 0:
+            raise ArgumentError("rate: found an array, wanted a number of samples per second, or times= for the times of the samples")
         if isinstance(derivatives, (bool, np.ndarray)) or derivatives not in (0, 1, 2, 3):
             raise ArgumentError(f"derivatives: found {derivatives!r}, wanted 0, 1, 2 or 3")
         include_end = flag("include_end", include_end)

@@ -27,6 +27,7 @@ def poses(name: str, rotations: Any, *, scalar_first: bool) -> tuple[Array, Arra
         return quaternions(name, rotations, scalar_first=False), np.array(positions, ndmin=2)
     if hasattr(rotations, "as_quat"):
         rotations, scalar_first = rotations.as_quat(), False
+    _check_columns(name, rotations, "wxyz" if scalar_first else "xyzw")
     array = array_of(name, rotations)
     if array.ndim == 3 and array.shape[1:] == (4, 4):
         return _of_poses(name, numbers(name, array, (None, 4, 4)))
@@ -34,6 +35,14 @@ def poses(name: str, rotations: Any, *, scalar_first: bool) -> tuple[Array, Arra
         return _of_matrices(name, numbers(name, array, (None, 3, 3))), None
     array = numbers(name, array, (None, 4), FORMS)
     return np.ascontiguousarray(array[:, [1, 2, 3, 0]]) if scalar_first else array, None
+
+
+def _check_columns(name: str, frame: Any, order: str) -> None:
+    """That the columns of a frame whose names end in w, x, y and z stand in that order, in which they are read."""
+    columns = {str(column)[-1:].lower(): column for column in getattr(frame, "columns", ()) if isinstance(column, str)}
+    if sorted(columns) == sorted(order) and "".join(columns) != order:
+        raise ArgumentError(f"{name}: found the columns {', '.join(columns.values())}, wanted {', '.join(columns[letter] for letter in order)}, "
+                            f"or scalar_first={order[0] != 'w'}")
 
 
 def quaternions(name: str, rotations: Any, *, scalar_first: bool) -> Array:

@@ -9,7 +9,7 @@ import numpy as np
 
 from ._checks import wrong_type
 from ._clock import SecondsSince
-from ._columns import INNER, VECTORS, named, needed
+from ._columns import INNER, QUATERNION, VECTORS, like_times, named, needed
 from ._errors import ArgumentError
 
 if TYPE_CHECKING:
@@ -49,12 +49,24 @@ def refuse_frame(name: str, thing: Any) -> None:
 
 
 def of_pandas(frame: Any, columns: Any) -> dict[str, Any]:
-    """Without t the index has the times."""
+    """Without t the index has the times, but for one that only counts the rows."""
     if not hasattr(frame, "columns") or not hasattr(frame, "index"):
         raise wrong_type("frame", frame, "a pandas DataFrame")
     found = {meaning: frame[name] for meaning, name in named(frame.columns, columns).items()}
-    found.setdefault("t", frame.index)
+    for name in ("t", *QUATERNION):
+        if name in found and hasattr(found[name], "columns"):
+            raise ArgumentError(f"columns: found {name!r} twice, wanted it once")
+    if "t" not in found and not _counts_rows(frame):
+        found["t"] = frame.index
     return _since(found, frame.attrs.get("epoch"))
+
+
+def _counts_rows(frame: Any) -> bool:
+    """Whether its index has no times: whole numbers as pandas itself gives them, or beside a column that says that it has the times."""
+    index = frame.index
+    if like_times([index.name]) or getattr(index.dtype, "kind", "") not in "iu":
+        return False
+    return type(index).__name__ == "RangeIndex" or bool(like_times(frame.columns))
 
 
 def of_polars(frame: Any, columns: Any) -> dict[str, Any]:

@@ -103,6 +103,7 @@ class Keys(Named, Writable):
     """
 
     __slots__ = ("__weakref__", "_clock", "_core", "_scalar_first", "_source")
+    __array_ufunc__: ClassVar[None] = None  # NumPy leaves `array == keys` to the keys
     _source: dict[str, Any]  # what is known of the file that they are from
     _curve_class: ClassVar[type[Curve]]  # set by the module of curves, which knows this one
 
@@ -155,7 +156,8 @@ class Keys(Named, Writable):
     def from_pandas(cls, frame: Any, *, columns: Mapping[str, str] | None = None, **options: Any) -> Keys:
         """Of a DataFrame with the columns of `to_pandas()`: t, qw, qx, qy, qz, and where they are there px, py, pz [m], wx, wy, wz,
         ax, ay, az and jx, jy, jz (rates in the body frame, in rad and s), a_qw, …, b_qw, … (inner quaternions), and parameters of
-        methods. Without t the index has the times. Seconds count from the epoch in its `attrs`, where that has one, as `to_pandas` notes it.
+        methods. Without t the index has the times, but for one that only counts the rows. Seconds count from the epoch in its `attrs`,
+        where that has one, as `to_pandas` notes it.
 
         `columns` names yours, such as `{"t": "stamp", "qw": "q0"}`; other columns are left alone. The options are those of `Keys`
         that are not in the frame. Raises ArgumentError for columns that are not there.
@@ -487,6 +489,9 @@ class Keys(Named, Writable):
 
 def axes_stated(world: str | None, body: str | None, world_rotation: Any, body_rotation: Any, scalar_first: bool) -> Options:
     """Other axes, as options of reading state them."""
+    for side, axes in (("world", world), ("body", body)):
+        if axes is not None and not isinstance(axes, str):
+            raise wrong_type(side, axes, f"letters such as 'NED:ENU'; {side}_rotation= takes a rotation")
     rotations = {f"{side}_rotation": rotation_text(f"{side}_rotation", given, scalar_first=scalar_first)
                  for side, given in (("world", world_rotation), ("body", body_rotation))}
     return stated({"world_axes": world, "body_axes": body, **rotations})
@@ -495,7 +500,9 @@ def axes_stated(world: str | None, body: str | None, world_rotation: Any, body_r
 def keys_of(times: Any, given: dict[str, Any]) -> Keys:
     """Of the times and what else is given for keys, or Keys themselves, beside which nothing may be given."""
     if not isinstance(times, Keys):
-        return Keys(times, **{"rotations": None, **given})
+        if "rotations" not in given and isinstance(getattr(times, "keys", None), Keys):
+            raise TypeError(f"times: found {type(times).__name__}, wanted times and rotations, or Keys, such as its .keys")
+        return Keys(times, **given)
     if given:
         raise TypeError(f"{next(iter(given))}: found {', '.join(given)} beside Keys, wanted them with the Keys: Keys(times, rotations, …)")
     return times

@@ -20,6 +20,7 @@ P = ParamSpec("P")
 Found = TypeVar("Found", covariant=True)
 KEYS_ARGUMENTS = list(inspect.signature(Keys).parameters)
 FIELDS: dict[str, list[dict[str, Any]]] = _core.fields()
+OPTIONS = {field["name"] for table, fields in FIELDS.items() if table.endswith("Options") or table == "Decimation" for field in fields}
 
 
 def _plain(name: str, value: Any) -> Any:
@@ -51,8 +52,8 @@ def _six(name: str, matrix: np.ndarray[Any, Any]) -> list[float]:
 
 
 def plain(options: Mapping[str, Any]) -> dict[str, Any]:
-    """Options as the binding takes them."""
-    return {name: _plain(name, value) for name, value in options.items()}
+    """Options as the binding takes them. About a name that no task has the library says so, whatever its value is."""
+    return {name: _plain(name, value) if name in OPTIONS else 0 for name, value in options.items()}
 
 
 def checked_cutoff(cutoff: Any, options: Mapping[str, Any]) -> dict[str, Any]:

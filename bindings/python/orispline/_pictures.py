@@ -8,12 +8,13 @@ from ._charts import CHARTED, charts, sphere
 from ._clock import Clock
 from ._curve import Curve
 from ._errors import ArgumentError
+from ._evaluation import OrientationCurve
 from ._keys import Keys
 
 Curves = Any  # a Curve, several, or a mapping from names to curves
 
 
-def plot_comparison(curves: Curves, reference: Curve | Keys | None = None, *, axes: Any = None,
+def plot_comparison(curves: Curves, reference: OrientationCurve | Keys | None = None, *, axes: Any = None,
                     quantities: str | Sequence[str] | None = None, ghosts: int = 0, ax: Any = None) -> Any:
     """Curves over time in the same charts: several, or a mapping from names to curves. With a reference, another curve or
     keys such as a recording, the first chart is of the angles to it [deg], where both have a time. With `ghosts` the last
@@ -49,21 +50,21 @@ def plot_sphere(curves: Curves, axis: Any = "x", axes: Any = None, *, ax: Any = 
     return sphere(_named(curves), axis, axes, ax)
 
 
-def _named(curves: Curves) -> dict[str, Curve]:
+def _named(curves: Curves) -> dict[str, OrientationCurve]:
     """Curves by their names; those of the same method are numbered."""
-    if isinstance(curves, Curve):
-        return {curves._core.method: curves}
+    if isinstance(curves, OrientationCurve):
+        return {_method(curves): curves}
     if isinstance(curves, Mapping):
         named = {str(name): curve for name, curve in curves.items()}
     elif isinstance(curves, Iterable):
         named = {}
         for curve in curves:
-            method = curve.method if isinstance(curve, Curve) else ""
+            method = _method(curve)
             named[method if method not in named else f"{method} ({len(named) + 1})"] = curve
     else:
         raise TypeError(f"curves: found {type(curves).__name__}, wanted curves")
     for curve in named.values():
-        if not isinstance(curve, Curve):
+        if not isinstance(curve, OrientationCurve):
             raise TypeError(f"curves: found {type(curve).__name__} among them, wanted curves")
     if not named:
         raise ArgumentError("curves: found none, wanted one at least")
@@ -73,12 +74,17 @@ def _named(curves: Curves) -> dict[str, Curve]:
     return named
 
 
+def _method(curve: Any) -> str:
+    """What a curve is called that was given no name."""
+    return curve.method if isinstance(curve, Curve) else "composed"
+
+
 def _kind(clock: Clock) -> tuple[str, str]:
     return clock.kind, "" if clock.kind else clock.unit
 
 
 def _check_reference(reference: Any, clock: Clock) -> None:
-    if not isinstance(reference, (Keys, Curve)):
+    if not isinstance(reference, (Keys, OrientationCurve)):
         raise TypeError(f"reference: found {type(reference).__name__}, wanted a Curve or Keys")
     if _kind(reference._clock) != _kind(clock):
         raise ArgumentError("reference: found times of another kind than those of the curves, wanted the same")

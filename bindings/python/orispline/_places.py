@@ -50,7 +50,12 @@ class Rows:
                 return self._between(part)
             if rising and part.step is not None and part.step < 0:
                 raise ArgumentError(f"{self.what}: found the step {part.step}, wanted one above 0, since times rise")
-            return np.arange(*part.indices(count))
+            found = np.arange(*part.indices(count))
+            if rising and not len(found):
+                shown = ":".join("" if bound is None else str(bound) for bound in (part.start, part.stop))
+                raise DataError(f"{self.what}: found no {self.what} at the places {shown} of {count}, wanted one at least: "
+                                f"whole numbers are places, times have a point, such as {self.what}[2.0:5.0]")
+            return found
         array = array_of(self.what, part)
         if array.shape == (0,):
             return np.zeros(0, np.intp)

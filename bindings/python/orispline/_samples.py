@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, ClassVar, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -98,6 +98,7 @@ class Samples(Named, Writable):
     (Samples(3 samples, 0.5 … 1 s, orientations, angular_velocities), [0.0, 0.0, 1.0, 0.0])
     """
 
+    __array_ufunc__: ClassVar[None] = None  # NumPy leaves `array == samples` to the samples
     times: np.ndarray[Any, Any]
     orientations: NDArray[Any]
     angular_velocities: NDArray[Any] | None = None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -69,6 +69,7 @@ class CurveStack:
     """
 
     __slots__ = ("__weakref__", "_cores", "_curves", "_are_tracks", "_share_clock")
+    __array_ufunc__: ClassVar[None] = None  # NumPy leaves `array == stack` to the stack
 
     def __init__(self, times: Any, rotations: Any = None, method: Method | None = None, *, extrapolate: Extrapolate = "hold",
                  positions: Any = None, angular_velocities: Any = None, angular_accelerations: Any = None, angular_jerks: Any = None,
@@ -88,7 +89,9 @@ class CurveStack:
         if rotations is None:
             if given:
                 raise ArgumentError(f"{next(iter(given))}: found it beside tracks, wanted it in the Keys of each track")
-            self._set(_each("track", _listed(times), lambda track: _of_track(track, of_keys, how)), are_tracks=True)
+            tracks = _listed(times)
+            _check_taken(tracks, of_keys, how)
+            self._set(_each("track", tracks, lambda track: _of_track(track, of_keys, how)), are_tracks=True)
             return
         if hasattr(rotations, "as_quat"):
             rotations = rotations.as_quat(scalar_first=flag("scalar_first", scalar_first))
@@ -296,6 +299,17 @@ def _listed(tracks: Any) -> list[Any]:
     if not listed:
         raise ArgumentError(f"tracks: found none, wanted {TRACKS}")
     return listed
+
+
+def _check_taken(tracks: list[Any], of_keys: dict[str, Any], how: dict[str, Any]) -> None:
+    """That some track takes what is stated: Keys and Curves are made already."""
+    if all(isinstance(track, Curve) and track._extrapolate == how["extrapolate"] for track in tracks):
+        how = {**how, "extrapolate": None}
+    for stated, made, which in ((of_keys, (Keys, Curve), "Keys"), (how, Curve, "Curves")):
+        for name, value in stated.items():
+            is_default = value is None or value is False or name == "signs" and value == "shortest" or name == "extrapolate" and value == "hold"
+            if not is_default and all(isinstance(track, made) for track in tracks):
+                raise ArgumentError(f"{name}: found it beside {which}, which have their own, wanted it where each of them is made")
 
 
 def _of_track(track: Any, of_keys: dict[str, Any], how: dict[str, Any]) -> Curve:

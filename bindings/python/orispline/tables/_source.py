@@ -67,7 +67,13 @@ def table_of(frame: Any, what: str) -> Any:
 
 
 def _arrow_of(frame: Any) -> Any:
-    return frame.to_arrow() if hasattr(frame, "to_arrow") else pa.table(frame)
+    if hasattr(frame, "to_arrow"):
+        return frame.to_arrow()
+    table = pa.table(frame)
+    if table.num_rows:
+        return table
+    of_texts = [field.with_type(pa.string()) if pa.types.is_null(field.type) else field for field in table.schema]
+    return table.cast(pa.schema(of_texts, table.schema.metadata))  # pandas says of texts without rows only that they are objects
 
 
 def _column_at_fault(frame: Any) -> str:
