@@ -124,8 +124,18 @@ def test_keys_may_jump_where_that_is_asked_for(file, tmp_path):
         assert np.array_equal(ori.read(tmp_path / "again.csv").times, t)
         with pytest.raises(ori.ArgumentError, match="jumps: found two orientations at one time, wanted one curve"):
             ori.tune(keys, "quintic")
+        assert keys[:2] + keys[2:] == keys
+    with pytest.raises(ori.DataError, match="key 2: duplicate time 0, .* \\(a jump has two keys of one time, and this is a third\\)"):
+        ori.Keys(t * 0, q, jumps=True)
     with pytest.raises(ori.ArgumentError, match="jumps: wanted no drop_duplicates"):
         ori.Keys(t, q, jumps=True, drop_duplicates=True)
+
+
+def test_pickles_from_before_keys_could_jump_are_read():
+    keys = ori.Keys([0, 1], [[0, 0, 0, 1], [0, 0, 0.6, 0.8]], gap=2)
+    restored, arguments = keys.__reduce__()
+    *others, origin, source = arguments
+    assert restored(*others, origin[:13], source) == keys
 
 
 def test_arrays_have_gaps_as_files_have(tmp_path):
