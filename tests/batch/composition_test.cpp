@@ -146,6 +146,16 @@ TEST(Product, HoldsItsEndsAndIsNothingAtNoTime) {
   EXPECT_FALSE(sampler.sample_at<double>(times, samples.spans(), Extrapolation::error));
 }
 
+TEST(Product, OfManyCurvesTakesLittleOfTheStack) {
+  const AnyCurve curve = specimen_curve("slerp", 309);
+  PoseSampler sampler = sampler_of(curve);
+  for (int i = 0; i < 1000; ++i) sampler = PoseSampler::product(sampler, sampler_of(curve)).value();
+  const std::vector times{curve.domain().start, curve.domain().end};
+  Sampled<double> samples(times.size(), Wanted::jerk);
+  ASSERT_TRUE(sampler.sample_at<double>(times, samples.spans(), Extrapolation::hold, RateFrame::body, {.threads = 2}));
+  EXPECT_FALSE(samples.jerk(1).hasNaN());
+}
+
 /// Slerps that break off twice: a gap from 0.3 to 0.7 s, and a jump at 0.9 s.
 AnyCurve broken_curve() {
   KeyframeData data{.times = {0.0, 0.1, 0.2, 0.3, 0.7, 0.8, 0.9, 0.9, 1.0, 1.1}, .jumps = true};

@@ -3,8 +3,8 @@
 import decimal
 import importlib.resources
 import pickle
-import warnings
 import subprocess
+import warnings
 
 import numpy as np
 import pytest

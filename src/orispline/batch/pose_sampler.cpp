@@ -58,6 +58,12 @@ class Block {
   std::array<double, 3 * samples_of_a_block> velocities_{}, accelerations_{}, jerks_{};
 };
 
+/// What a block of a product takes; not of the stack, for factors may be products, and these in turn.
+struct RoomOfBlock {
+  std::array<double, samples_of_a_block> times_of_a, times_of_b;
+  Block a, b;
+};
+
 }  // namespace
 
 struct PoseSampler::Factors {
@@ -80,7 +86,8 @@ struct PoseSampler::Factors {
  private:
   template <class T>
   void fill(const Domain& domain, std::span<const double> times, std::size_t begin, const Samples<T>& out) const {
-    std::array<double, samples_of_a_block> room_a, room_b;
+    const auto room_of_block = std::make_unique_for_overwrite<RoomOfBlock>();
+    auto& [times_of_a, times_of_b, left, right] = *room_of_block;
     const auto clocked = [&](std::array<double, samples_of_a_block>& room, const PoseSampler& factor,
                              const ShiftedClock& clock) {
       const Domain own = factor.curve().orientation.domain();
@@ -88,9 +95,8 @@ struct PoseSampler::Factors {
         room[k] = std::clamp(clock(std::clamp(times[k], domain.start, domain.end)), own.start, own.end);
       return std::span<const double>(room).first(times.size());
     };
-    Block left, right;
-    left.fill(a, clocked(room_a, a, clock_a), out);
-    right.fill(b, clocked(room_b, b, clock_b), out);
+    left.fill(a, clocked(times_of_a, a, clock_a), out);
+    right.fill(b, clocked(times_of_b, b, clock_b), out);
     for (std::size_t k = 0; k < times.size(); ++k) {
       const Motion motion = orispline::product(left.motion(k), right.motion(k));
       const bool is_held = times[k] < domain.start || times[k] > domain.end;
