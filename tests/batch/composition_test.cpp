@@ -2,6 +2,7 @@
 // Curves made of curves: their rates are those of the quaternions, multiplied as power series in time.
 #include <orispline/curve/composition.hpp>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -9,6 +10,8 @@
 
 #include <batch/agreement.hpp>
 #include <batch/specimen_curves.hpp>
+#include <orispline/analysis/curve_in_stretches.hpp>
+#include <orispline/batch/baked_curve.hpp>
 #include <orispline/batch/pose_sampler.hpp>
 #include <orispline/curve/taylor.hpp>
 #include <support/near.hpp>
@@ -141,6 +144,58 @@ TEST(Product, HoldsItsEndsAndIsNothingAtNoTime) {
   EXPECT_GT(samples.velocity(2).norm(), 0.01);
   EXPECT_TRUE(samples.orientation(4).hasNaN() && samples.velocity(4).hasNaN());
   EXPECT_FALSE(sampler.sample_at<double>(times, samples.spans(), Extrapolation::error));
+}
+
+TEST(Product, OfManyCurvesTakesLittleOfTheStack) {
+  const AnyCurve curve = specimen_curve("slerp", 309);
+  PoseSampler sampler = sampler_of(curve);
+  for (int i = 0; i < 1000; ++i) sampler = PoseSampler::product(sampler, sampler_of(curve)).value();
+  const std::vector times{curve.domain().start, curve.domain().end};
+  Sampled<double> samples(times.size(), Wanted::jerk);
+  ASSERT_TRUE(sampler.sample_at<double>(times, samples.spans(), Extrapolation::hold, RateFrame::body, {.threads = 2}));
+  EXPECT_FALSE(samples.jerk(1).hasNaN());
+}
+
+/// Slerps that break off twice: a gap from 0.3 to 0.7 s, and a jump at 0.9 s.
+AnyCurve broken_curve() {
+  KeyframeData data{.times = {0.0, 0.1, 0.2, 0.3, 0.7, 0.8, 0.9, 0.9, 1.0, 1.1}, .jumps = true};
+  for (std::size_t i = 0; i < data.times.size(); ++i)
+    data.orientations.push_back(exp<double>(Eigen::Vector3d(0.3 * static_cast<double>(i), 0.0, 0.2)));
+  return curve_beside_gaps("slerp", keyframes(std::move(data)), 0.3).value().orientation;
+}
+
+TEST(Product, HasItsBreaksWhereItsFactorsHaveThemOnEveryClock) {
+  const AnyCurve broken = broken_curve(), other = specimen_curve("auto", 308);
+  const double start = other.domain().start;
+  for (int k = 0; k < 200; ++k) {
+    const double offset = 0.0137 * k - 1.7e5, of_other = start + offset;
+    const PoseSampler sampler =
+        PoseSampler::product(sampler_of(broken), sampler_of(other), {.a = offset, .b = of_other}).value();
+    const AnyCurve& made = sampler.curve().orientation;
+    const std::vector times{0.3 - offset, 0.7 - offset, 0.9 - offset};
+    Sampled<double> samples(times.size(), Wanted::orientation);
+    ASSERT_TRUE(sampler.sample_at<double>(times, samples.spans()));
+    const std::array own{0.3, 0.7, 0.9};
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      const Eigen::Quaterniond wanted = broken(own[i]) * other(own[i] + start);
+      EXPECT_LT(angular_distance(made(times[i]), wanted), 1e-8) << k << " " << i;
+      EXPECT_LT(angular_distance(Eigen::Quaterniond(samples.orientation(i)), wanted), 1e-8) << k << " " << i;
+    }
+    const Eigen::Quaterniond before = broken.motion(0.9, Side::left).orientation * other(0.9 + start);
+    EXPECT_LT(angular_distance(made.motion(times[2], Side::left).orientation, before), 1e-8) << k;
+  }
+}
+
+TEST(Product, IsNotBakedOverABreak) {
+  const AnyCurve broken = broken_curve(), other = specimen_curve("auto", 308);
+  const auto gap = bake<double>(product_of(other, broken, {.a = other.domain().start}).value(), 1e-6);
+  ASSERT_FALSE(gap);
+  EXPECT_EQ(gap.error().message.substr(0, 18), "found a gap from 0");
+  const Keyframes keys = keyframes(
+      {.times = {0.0, 1.0, 1.0, 2.0}, .orientations = std::vector(4, Eigen::Quaterniond::Identity()), .jumps = true});
+  const auto jump = bake<double>(curve_beside_gaps("slerp", keys, std::nullopt).value().orientation, 1e-6);
+  ASSERT_FALSE(jump);
+  EXPECT_EQ(jump.error().message, "found a jump of the motion at 1 s, wanted one curve without a break");
 }
 
 }}  // namespace orispline

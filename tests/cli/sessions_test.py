@@ -161,7 +161,7 @@ class Reports(Recordings):
         self.assert_fails("convert stated.csv -o out.glb", BAD_USAGE,
                           "--jumps: found two orientations at one time, as line 1 of the keys says, wanted one curve through all keys")
         self.assert_fails("sample r22_jump.csv --jumps --rate 1 --closed --method timed-c2", BAD_USAGE,
-                          "--jumps: found gaps in the keys of a closed curve, wanted one of the two")
+                          "--jumps: found jumps in the keys of a closed curve, wanted one of the two")
 
     @with_pages
     def test_tasks_keep_to_both_sides_of_a_jump(self):
@@ -359,6 +359,20 @@ class Gaps(Recordings):
         for task in ("tune turns.csv", "retime turns.csv --max-rate 10deg/s", "compare turns.csv --keep-every 10 --tune"):
             self.assert_fails(f"{task} --gap 0.1{'' if 'compare' in task else ' -o out.csv'}", BAD_USAGE,
                               "--gap: found gaps longer than 0.1 s, wanted one curve through all keys")
+
+    def test_a_gap_that_reduced_keys_cannot_state_is_not_written(self):
+        def rows(times):
+            return "".join(f"{t},{math.cos(0.15 * t)!r},0,0,{math.sin(0.15 * t)!r}\n" for t in times)
+        header, times = "t,qw,qx,qy,qz\n", [k / 10 for k in range(101)]
+        self.write("even.csv", header + rows(times))
+        self.write("kick.csv", header + rows(times[:51]) + f"5.0,{math.cos(1.25)!r},0,0,{math.sin(1.25)!r}\n" + rows(times[51:]))
+        self.write("lonely.csv", header + rows(times[:30]) + rows(range(5, 20, 2)))
+        for name, options, stated in (("even", "--gap 0.5", []), ("even", "--gap 0.5 --jumps", []), ("kick", "--gap 0.5 --jumps", ["jumps"]),
+                                      ("even", "--gap 20", ["gap=20"]), ("lonely", "--gap 0.5", [])):
+            said = self.said(f"reduce {name}.csv {options} --tolerance 0.1deg --method slerp -o out.csv")
+            self.assertEqual(self.read("out.csv").splitlines()[0].split()[3:], stated)
+            self.assertEqual("their file cannot say where the gaps are" in said, name == "lonely", said)
+            self.output_of("sample out.csv --rate 1")
 
     def test_files_of_skeletons_which_know_no_gaps_are_refused_keys_with_some(self):
         self.output_of("convert gaps.csv --gap 1 -o stated.csv")

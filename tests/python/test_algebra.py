@@ -162,6 +162,37 @@ def test_gaps_of_either_are_gaps_of_both(keys):
         assert np.isnan(made(middle)).all() and not np.isnan(made(times[5])).any() and np.isnan(made.angular_jerk(middle)).all()
 
 
+def test_a_curve_beside_one_with_gaps_is_not_baked(keys):
+    times, rotations = keys
+    gapped = ori.Curve(np.where(np.arange(40) < 20, times, times + 30), rotations, gap=10)
+    with pytest.raises(ori.ArgumentError, match="found a gap from .*, wanted one curve without a break"):
+        (ori.Curve(times * 2, rotations) * gapped).bake(1e-6)
+
+
+def test_before_a_jump_stands_what_was_there():
+    angles = np.array([0.0, 0.4, 1.4, 2.0])
+    q = np.column_stack([np.zeros(4), np.zeros(4), np.sin(angles / 2), np.cos(angles / 2)])
+    whole = ori.Curve([0, 1, 2], [[0, 0, 0, 1], [0.6, 0, 0, 0.8], [1, 0, 0, 0]])
+    for scalar_first in (False, True):
+        given = q[:, [3, 0, 1, 2]] if scalar_first else q
+        curve = ori.Curve([0, 1, 1, 2], given, "slerp", jumps=True, positions=given[:, :3], scalar_first=scalar_first)
+        before, after = curve.motion(1.0, side="left"), curve.motion(1.0)
+        same(before.orientation, given[1], 1e-15), same(after.orientation, given[2], 1e-15)
+        same(before.position, given[1, :3], 1e-15), same(after.position, given[2, :3], 1e-15)
+        assert before.angular_velocity[2] == pytest.approx(0.4) and after.angular_velocity[2] == pytest.approx(0.6)
+    product = (curve * whole).motion(1.0, side="left").orientation
+    same_turns(Rotation.from_quat(product, scalar_first=True), Rotation.from_quat(q[1]) * whole.rotation(1.0))
+
+
+def test_the_angle_between_knows_both_clocks(tmp_path):
+    q = [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]]
+    seconds, counted = ori.Curve([0, 1, 2], q, "slerp"), ori.Curve(np.array([0, 1000, 2000]), q, "slerp", time_unit="ms")
+    assert ori.angle_between(counted, seconds, [0, 300, 1500]).max() < 1e-12 and ori.angle_between(seconds, counted, [0, 0.3, 1.5]).max() < 1e-12
+    (tmp_path / "late.csv").write_text("t,qw,qx,qy,qz\n10.5,1,0,0,0\n11.5,0.8,0,0,0.6\n12.5,0,0,0,1\n")
+    late = ori.read(tmp_path / "late.csv").curve("slerp")  # whose times count from 10.5 s, when the other one is at its end
+    assert ori.angle_between(late, seconds, [0.5, 2.0]) == pytest.approx([np.pi - np.arctan(0.75), 0], abs=1e-12)
+
+
 def test_the_angle_between_is_right_near_nothing_and_near_half_a_turn():
     times = [0.0, 1.0, 2.0]
     still = ori.Curve(times, [[0, 0, 0, 1]] * 3, "slerp")

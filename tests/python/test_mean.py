@@ -240,6 +240,14 @@ def test_what_else_there_is_of_a_chordal_mean_is_found_later():
     assert found.largest_distance == pytest.approx(2 * DEGREE) and np.array_equal(found.orientation, orientation)
     assert "_find" not in vars(found) and weighted.weight == 6 and weighted.count == 5
     assert "chordal of 6" in repr(found) and str(found).startswith("6 rows\norientation chordal\n")
+    stopped = ori.mean(SHOTS, kind="chordal")
+    find = vars(stopped)["_find"]
+    vars(stopped)["_find"] = lambda: 1 / 0
+    for _ in range(2):  # what failed is tried again when it is asked for again
+        with pytest.raises(ZeroDivisionError):
+            _ = stopped.count
+    vars(stopped)["_find"] = find
+    assert stopped.count == 6 and "_find" not in vars(stopped)
     again = pickle.loads(pickle.dumps(ori.mean(SHOTS, kind="chordal")))
     assert again.count == 6 and not hasattr(again, "nothing_of_the_kind")
     assert ori.mean(SHOTS, kind="chordal", positions=np.zeros((6, 3))).position.tolist() == [0, 0, 0]

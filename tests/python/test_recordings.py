@@ -4,6 +4,7 @@ import decimal
 import importlib.resources
 import pickle
 import subprocess
+import warnings
 
 import numpy as np
 import pytest
@@ -124,8 +125,28 @@ def test_keys_may_jump_where_that_is_asked_for(file, tmp_path):
         assert np.array_equal(ori.read(tmp_path / "again.csv").times, t)
         with pytest.raises(ori.ArgumentError, match="jumps: found two orientations at one time, wanted one curve"):
             ori.tune(keys, "quintic")
+        assert keys[:2] + keys[2:] == keys
+    with pytest.raises(ori.DataError, match="key 2: duplicate time 0, .* \\(a jump has two keys of one time, and this is a third\\)"):
+        ori.Keys(t * 0, q, jumps=True)
     with pytest.raises(ori.ArgumentError, match="jumps: wanted no drop_duplicates"):
         ori.Keys(t, q, jumps=True, drop_duplicates=True)
+
+
+def test_nothing_is_warned_of_a_gap():
+    t, z = [0, 0.1, 0.2, 0.3, 0.7, 0.8, 0.9, 1.0], np.radians([0, 60, 120, 180, 185, 190, 195, 200]) / 2
+    q = np.column_stack([0 * z, 0 * z, np.sin(z), np.cos(z)])
+    with pytest.warns(ori.ShapeWarning, match="between the keys at 0.3 s and 0.7 s the curve of auto turns by"):
+        ori.Curve(t, q)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        ori.Curve(t, q, gap=0.2)
+
+
+def test_pickles_from_before_keys_could_jump_are_read():
+    keys = ori.Keys([0, 1], [[0, 0, 0, 1], [0, 0, 0.6, 0.8]], gap=2)
+    restored, arguments = keys.__reduce__()
+    *others, origin, source = arguments
+    assert restored(*others, origin[:13], source) == keys
 
 
 def test_arrays_have_gaps_as_files_have(tmp_path):

@@ -214,6 +214,12 @@ def test_tracks_are_pairs_keys_or_curves_with_dates_and_gaps(tracks):
     assert stack.domain[0] == min(t[0] for t, _ in dated)
 
 
+def test_tracks_may_jump(tracks):
+    q = tracks[1][1][:4]
+    stack = ori.CurveStack([([0, 1, 1, 2], q), ([0, 3], q[:2])], method="slerp", jumps=True)
+    assert np.allclose(stack(1.0)[0], q[2], rtol=0, atol=1e-15) and stack[0].keys == ori.Keys([0, 1, 1, 2], q, jumps=True)
+
+
 def test_an_array_of_rotations_of_scipy_is_a_stack(figure):
     times, rotations = figure
     try:
@@ -230,6 +236,7 @@ def test_bad_tracks_are_named(tracks):
     assert (raised.value.joint, raised.value.key) == (1, 2)
     dated = (np.array([0, 1], "M8[s]"), tracks[0][1])
     for wrong, message in (([], "tracks: found none"), ([tracks[0], dated], "track 1: found times that are dates, wanted numbers"),
+                           ([tracks[0], ori.Keys(np.array([0, 1000]), tracks[0][1], time_unit="ms")], "track 1: found times in ms, wanted s"),
                            ([tracks[0], ori.Keys(*tracks[1], scalar_first=True)], "track 1: found another order of quaternions"),
                            ([tracks[0], ori.Curve(*tracks[1], extrapolate="nan")], "track 1: found extrapolate='nan', wanted 'hold'")):
         with pytest.raises(ori.ArgumentError, match=message):

@@ -66,10 +66,11 @@ nb::object one(const PythonCurve& curve, int asked, double t, bool world, int be
   return array;
 }
 
-/// The rates as the segment before the time has them, where they may jump: ω, α, jerk, then the position with its own.
-nb::list rates_before(const PythonCurve& curve, double t, bool world) {
+/// What the segment before the time has there, where it may jump: orientation, ω, α, jerk, then position, v and a.
+nb::list motion_before(const PythonCurve& curve, double t, bool world) {
   const Motion motion = curve.pose().orientation.motion(t, Side::left);
   nb::list arrays;
+  arrays.append(array_of(motion.orientation.coeffs().data(), 4, 0));
   const auto append = [&](const Eigen::Vector3d& v) { arrays.append(array_of(v.data(), 3, 0)); };
   append(world ? angular_velocity_world(motion) : motion.angular_velocity);
   append(world ? angular_acceleration_world(motion) : motion.angular_acceleration);
@@ -115,7 +116,7 @@ void add_curve(nb::module_& module) {
                  .order();
            })
       .def("one", &one, "what"_a, "t"_a, "world"_a, "beyond"_a)
-      .def("rates_before", &rates_before, "t"_a, "world"_a)
+      .def("motion_before", &motion_before, "t"_a, "world"_a)
       .def("many", &many<double>, "what"_a, "times"_a, "out"_a.noconvert(), "world"_a, "beyond"_a, "threads"_a)
       .def("many", &many<float>, "what"_a, "times"_a, "out"_a.noconvert(), "world"_a, "beyond"_a, "threads"_a);
   add_compositions(module, curve_class);

@@ -77,14 +77,24 @@ def inverse(curve: OrientationCurve) -> OrientationCurve:
 
 def product(left: OrientationCurve, right: OrientationCurve, like: OrientationCurve) -> ComposedCurve:
     """The curve left(t) right(t), on the clock of `like`."""
+    _check_alike(left, right)
+    if like._clock.is_calendar and max(side.domain[0] for side in (left, right)) > min(side.domain[1] for side in (left, right)):
+        spans = [side._clock.span(np.array(side._core.domain)) for side in (left, right)]
+        raise ArgumentError(f"found a curve of {spans[0]} and one of {spans[1]}, wanted two curves with a time in common")
+    offsets = [_offset(like, side) for side in (left, right)]
+    return ComposedCurve._of((left, right), _core.Curve(left._core, right._core, like._core, *offsets), like)
+
+
+def _check_alike(left: OrientationCurve, right: OrientationCurve) -> None:
+    """That both have a time in the same sense."""
     if left._clock.kind != right._clock.kind:
         found = ["dates" if side._clock.is_calendar else "durations" if side._clock.kind else "numbers" for side in (left, right)]
         raise ArgumentError(f"found a curve whose times are {found[0]} and one whose times are {found[1]}, wanted the same of both")
-    spans = [side._clock.span(np.array(side._core.domain)) for side in (left, right)] if like._clock.is_calendar else []
-    if spans and max(side.domain[0] for side in (left, right)) > min(side.domain[1] for side in (left, right)):
-        raise ArgumentError(f"found a curve of {spans[0]} and one of {spans[1]}, wanted two curves with a time in common")
-    offsets = [float(like._keys.epoch - side._keys.epoch) for side in (left, right)]
-    return ComposedCurve._of((left, right), _core.Curve(left._core, right._core, like._core, *offsets), like)
+
+
+def _offset(like: OrientationCurve, side: OrientationCurve) -> float:
+    """The time of one clock [s] at 0 of the other."""
+    return float(like._keys.epoch - side._keys.epoch)
 
 
 OrientationCurve._inverse_of, OrientationCurve._product_of = staticmethod(inverse), staticmethod(product)
@@ -95,7 +105,8 @@ def angle_between(a: Any, b: Any, t: Any) -> Any:
     shape of `t`.
 
     `a` is a curve, `b` another one or one fixed rotation (a SciPy Rotation, a quaternion in the order of `a`, or a matrix). Outside
-    its domain each curve is what its `extrapolate` says. Raises ArgumentError where one has dates and the other has numbers.
+    its domain each curve is what its `extrapolate` says. Times are those of the clock of `a`. Raises ArgumentError where one has dates
+    and the other has numbers.
 
     >>> import numpy as np, orispline as ori
     >>> fast = ori.Curve([0, 1], [[0, 0, 0, 1], [0, 0, 1, 0]], "slerp")
@@ -113,9 +124,11 @@ def angle_between(a: Any, b: Any, t: Any) -> Any:
         if len(q) != 1:
             raise ArgumentError(f"b: found {len(q)} rotations, wanted one, or a curve")
         return as_given(t, _angle(a._quaternions(times), q[0]))
-    if a._clock.kind == b._clock.kind and (a._clock.kind or a._keys.epoch == b._keys.epoch):
+    _check_alike(a, b)
+    if a._clock.kind:
         return as_given(t, _angle(a._quaternions(times), b._quaternions(times)))
-    return as_given(t, _angle(a.relative_to(b)._quaternions(times), np.array([0.0, 0.0, 0.0, 1.0])))
+    seconds = a._asked("t", times)
+    return as_given(t, _angle(a._quaternions_at(seconds), b._quaternions_at(seconds + _offset(a, b))))
 
 
 def _angle(p: Any, q: Any) -> Any:

@@ -154,7 +154,8 @@ class OrientationCurve(Named, Orienting):
         return self._at(LINEAR_ACCELERATION, t, "body", out, dtype, threads)
 
     def motion(self, t: Time, side: Side = "right", *, frame: Frame = "body") -> Motion:
-        """All of these at one time; rates in that frame. Where rates jump at a key, `side="left"` has those before it.
+        """All of these at one time; rates in that frame. Where rates jump at a key, or the motion itself does, `side="left"` has what
+        is before it.
 
         >>> import orispline as ori
         >>> curve = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]], "slerp")
@@ -164,12 +165,13 @@ class OrientationCurve(Named, Orienting):
         if np.asarray(t).ndim:
             raise ArgumentError("t: found an array, wanted one time")
         t = bare(t)
+        world = in_world(frame)
         if index_of("side", side, SIDES) == 1:
-            q = self(t)  # with what a time outside gets
             seconds = float(self._clock.seconds("t", t))
             first, last = self._core.domain
             if first < seconds <= last:
-                return Motion(q, *self._core.rates_before(seconds, in_world(frame)))
+                q, *others = self._core.motion_before(seconds, world)
+                return Motion(q[[3, 0, 1, 2]] if self._scalar_first else q, *others)
         rates = [self._at(what, t, frame, None, np.float64, 1) for what in (VELOCITY, ACCELERATION, JERK)]
         linear = [self._at(what, t, "body", None, np.float64, 1)
                   for what in (POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION)] if self._core.has_positions else []
@@ -371,7 +373,7 @@ class OrientationCurve(Named, Orienting):
 
     def relative_to(self, other: OrientationCurve) -> OrientationCurve:
         """The curve other(t)⁻¹ q(t): how this body turns as the other one sees it, where both curves are, with exact rates. The body
-        frame is that of this curve; it has no positions. `other.inv() * curve` is the same.
+        frame is that of this curve, and so is its clock; it has no positions. `other.inv() * curve` is the same on the clock of the other.
 
         Raises ArgumentError for curves without a time in common, and where one has dates and the other has numbers.
 
@@ -390,7 +392,7 @@ class OrientationCurve(Named, Orienting):
 
     def __mul__(self, other: Any) -> Any:
         """`curve * R` turns the body by a SciPy Rotation: q(t) R, with the rates in its new frame. `a * b` is the curve
-        a(t) b(t) where both curves are."""
+        a(t) b(t) where both curves are, on the clock of a."""
         if isinstance(other, OrientationCurve):
             return OrientationCurve._product_of(self, other, self)
         return self._turned(None, inverse_text("rotation", other)) if hasattr(other, "as_quat") else NotImplemented
@@ -431,6 +433,12 @@ class OrientationCurve(Named, Orienting):
 
     def _quaternions(self, t: Any) -> NDArray[np.float64]:
         return self._at(ORIENTATION, bare(t), "body", None, np.float64, 1)
+
+    def _quaternions_at(self, seconds: Array) -> Array:
+        """The same at times of the library."""
+        result = np.empty((*seconds.shape, 4))
+        self._core.many(ORIENTATION, seconds.reshape(-1), result.reshape(-1, 4), False, self._beyond, 1)
+        return result
 
     # How it reads its arguments. A `CurveStack` does so by its first curve.
 

@@ -27,7 +27,8 @@ def joined(keys: Keys, more: Keys) -> Any:
     if (keys.positions is None) != (more.positions is None):
         raise ArgumentError("positions: found keys with positions and keys without them, wanted both with them or both without")
     before, after = keys._core.times, _on_the_clock(keys, more)
-    if after[0] <= before[-1]:
+    jumps = any(_core.origin_of_keys(one._core)[-1] for one in (keys, more))
+    if after[0] < before[-1] or (after[0] == before[-1] and not jumps):
         first, last = keys._clock.back(np.array([after[0], before[-1]]))
         raise at_key(len(keys), f"time {first} of the keys that are added does not come after {last}, the last one before them, wanted later "
                      "times: leave out the keys that overlap, such as by more[…]")
@@ -36,7 +37,7 @@ def joined(keys: Keys, more: Keys) -> Any:
     settings = {name: [*values, *more.settings[name]] for name, values in keys.settings.items()}
     core = _core.Keys(np.append(before, after), np.vstack([keys._core.orientations, more._core.orientations]), **parts, settings=settings,
                       signs="as-given" if keys._signs_as_given else "shortest",
-                      jumps=any(_core.origin_of_keys(one._core)[-1] for one in (keys, more)))
+                      jumps=jumps)
     core = _core.keys_since(core, _core.epoch_of_keys(keys._core), keys._is_dated)
     return core if keys.gap is None else _core.keys_as_read(core, stated({"gap": keys.gap}))
 

@@ -29,7 +29,8 @@ if TYPE_CHECKING:
 
 SIGNS = ("shortest", "as-given")
 CURES = {"duplicate time": "drop_duplicates=True keeps the first", "comes after": "sort=True puts them in order"}  # by words of an error
-SIGNS_AS_GIVEN, IS_DATED = 6, 8  # of origin_of_keys()
+THREE = "a jump has two keys of one time, and this is a third"
+SIGNS_AS_GIVEN, IS_DATED, JUMPS = 6, 8, 13  # of origin_of_keys()
 
 
 class Keys(Named, Writable):
@@ -143,7 +144,8 @@ class Keys(Named, Writable):
             seconds, self._clock = times_of_keys(times, time_unit, jumps=jumps)
             self._core = _core.Keys(seconds, orientations, **parts, settings=values, signs=signs, jumps=jumps)
         except DataError as error:
-            error._cure = next((f" ({cure})" for found, cure in CURES.items() if found in str(error)), "")
+            cures = {**CURES, "duplicate time": THREE} if jumps else CURES
+            error._cure = next((f" ({cure})" for found, cure in cures.items() if found in str(error)), "")
             raise error if kept is None or error.key is None else _at_row(error, int(kept[error.key])) from None
         if self._clock.origin:
             self._core = _core.keys_since(self._core, self._clock.epoch, self._clock.is_calendar)
@@ -238,6 +240,7 @@ class Keys(Named, Writable):
 
     def __add__(self, more: Keys) -> Keys:
         """Both, in their order, with all that they carry: rates and inner quaternions that one of them does not have are free there.
+        Of keys that may jump the second may begin at the time at which the first end.
 
         Raises DataError, with `key`, for times that do not come after these, and ArgumentError for what cannot be joined.
 
@@ -560,8 +563,8 @@ def _values_per_key(settings: Any, kept: Indices | None, count: int) -> dict[str
 
 def _restored(times: Array, orientations: Array, rows: dict[str, Array | None], settings: dict[str, list[float]],
               clock: Clock, scalar_first: bool, origin: tuple[Any, ...], source: dict[str, Any]) -> Keys:
-    as_given = origin[SIGNS_AS_GIVEN]
-    made = _core.Keys(times, orientations, **rows, settings=settings, signs="as-given" if as_given else "shortest", jumps=origin[-1])
+    as_given, jumps = origin[SIGNS_AS_GIVEN], any(origin[JUMPS:])  # which older pickles do not have
+    made = _core.Keys(times, orientations, **rows, settings=settings, signs="as-given" if as_given else "shortest", jumps=jumps)
     keys = Keys._of(_core.keys_from(made, *origin), clock, scalar_first=scalar_first)
     keys._source = source
     return keys

@@ -77,11 +77,11 @@ class Mean(Told):
 
     def __getattr__(self, name: str) -> Any:
         """Of a chordal mean what is found only when it is asked for: all but the orientation and the kind."""
-        find = self.__dict__.pop("_find", None)
-        if find is None:
-            return super().__getattr__(name)  # type: ignore[misc]
-        self.__dict__.update({**find().__dict__, **self.__dict__})
-        return getattr(self, name)
+        find = self.__dict__.get("_find")
+        if find is not None:
+            self.__dict__.update({**find().__dict__, **self.__dict__})
+            self.__dict__.pop("_find", None)  # at last, for others may ask meanwhile
+        return self.__dict__[name] if name in self.__dict__ else super().__getattr__(name)  # type: ignore[misc]
 
     def __getstate__(self) -> dict[str, Any]:
         _ = self.count  # which finds all

@@ -76,7 +76,7 @@ class CurveStack:
                  inner_leaving: Any = None, inner_arriving: Any = None, signs: Signs = "shortest", scalar_first: bool = False,
                  normalize: bool = False, normalise: bool = False, euler: str | None = None,
                  angle_unit: AngleUnit | None = None, time_unit: TimeUnit | None = None, gap: Number | None = None,
-                 **options: Any) -> None:
+                 jumps: bool = False, **options: Any) -> None:
         for name in ("settings", "drop_invalid", "drop_duplicates", "sort"):
             if name in options:
                 raise ArgumentError(f"{name}: found it with a CurveStack, wanted it with a Curve of each joint")
@@ -84,7 +84,7 @@ class CurveStack:
                  "angular_jerks": angular_jerks, "inner_leaving": inner_leaving, "inner_arriving": inner_arriving}
         given = {name: rows for name, rows in given.items() if rows is not None}
         of_keys: dict[str, Any] = {"signs": signs, "scalar_first": scalar_first, "normalize": normalize, "normalise": normalise,
-                                   "euler": euler, "angle_unit": angle_unit, "time_unit": time_unit, "gap": gap}
+                                   "euler": euler, "angle_unit": angle_unit, "time_unit": time_unit, "gap": gap, "jumps": jumps}
         how = {"method": method, "extrapolate": extrapolate, **options}
         if rotations is None:
             if given:
@@ -268,7 +268,7 @@ class CurveStack:
         return _restored, (list(self._curves), self._are_tracks)
 
 
-def _restored(curves: list[Curve], are_tracks: bool) -> CurveStack:
+def _restored(curves: list[Curve], are_tracks: bool = False) -> CurveStack:
     stack = CurveStack.__new__(CurveStack)
     stack._set(curves, are_tracks=are_tracks)
     return stack
@@ -327,6 +327,8 @@ def _check_alike(name: str, curve: Curve, first: Curve) -> None:
     kinds = ["dates" if one._clock.is_calendar else "durations" if one._clock.kind else "numbers" for one in (curve, first)]
     if kinds[0] != kinds[1]:
         raise ArgumentError(f"{name}: found times that are {kinds[0]}, wanted {kinds[1]}, as those of track 0 are")
+    if not curve._clock.kind and curve._clock.unit != first._clock.unit:
+        raise ArgumentError(f"{name}: found times in {curve._clock.unit}, wanted {first._clock.unit}, as those of track 0 are")
     if not curve._clock.kind and curve._clock.unit == "s" and curve.keys.epoch != first.keys.epoch:
         raise ArgumentError(f"{name}: found times that count from {curve.keys.epoch} s, wanted {first.keys.epoch} s, as those of track 0 do")
     if curve._scalar_first != first._scalar_first:

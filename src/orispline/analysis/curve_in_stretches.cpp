@@ -42,8 +42,8 @@ Method method_for_stretch(Method method, const Stretch& stretch, std::size_t key
 Expected<PoseCurve> curve_in_stretches(const Method& method, const Keyframes& keys,
                                        std::span<const Stretch> stretches) {
   if (method.options.loop)
-    return bad_option(keys.data().jumps ? "jumps" : "gap",
-                      "found gaps in the keys of a closed curve, wanted one of the two");
+    return keys.data().jumps ? bad_option("jumps", "found jumps in the keys of a closed curve, wanted one of the two")
+                             : bad_option("gap", "found gaps in the keys of a closed curve, wanted one of the two");
   std::vector<AnyCurve> orientations;
   std::vector<AnyPath> positions;
   for (const Stretch& stretch : stretches) {

@@ -15,6 +15,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/batch/baked_sampler.hpp>
 #include <orispline/batch/interpolation.hpp>
+#include <orispline/curve/stretched_curve.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -224,6 +225,18 @@ bool is_sound(const BakedRecord<T>& piece, double start, double end) {
   return has_norm_on(piece, first, last);
 }
 
+/// Error (bad_argument): the first gap or jump, which no polynomial bridges.
+Expected<void> check_without_gaps(const AnyCurve& curve) {
+  for (std::size_t i = 0; i < curve.knots().segments(); ++i) {
+    if (!is_gap(curve, i)) continue;
+    const KnotSpan span = curve.knots().span(i);
+    const std::string found = span.step() > 0.0 ? formatted("a gap from {} to {} s", span.start(), span.end())
+                                                : formatted("a jump of the motion at {} s", span.start());
+    return failure(ErrorCode::bad_argument, formatted("found {}, wanted one curve without a break", found));
+  }
+  return {};
+}
+
 }  // namespace
 
 template <class T>
@@ -232,6 +245,7 @@ Expected<BakedCurve<T>> bake(const AnyCurve& curve, double tolerance, const Bake
   if (!(tolerance >= least_bake_tolerance<T>) || !std::isfinite(tolerance))
     return failure(ErrorCode::bad_argument, formatted("the tolerance is {} rad, wanted a number from {} on", tolerance,
                                                       least_bake_tolerance<T>));
+  if (auto checked = check_without_gaps(curve); !checked) return tl::unexpected(std::move(checked.error()));
   const Knots& knots = curve.knots();
   if (knots.segments() == 0) {
     progress.at(1.0);

@@ -58,11 +58,17 @@ class Block {
   std::array<double, 3 * samples_of_a_block> velocities_{}, accelerations_{}, jerks_{};
 };
 
+/// What a block of a product takes; not of the stack, for factors may be products, and these in turn.
+struct RoomOfBlock {
+  std::array<double, samples_of_a_block> times_of_a, times_of_b;
+  Block a, b;
+};
+
 }  // namespace
 
 struct PoseSampler::Factors {
   PoseSampler a, b;
-  ClockOffsets offsets;
+  ShiftedClock clock_a, clock_b;
 
   /// Held at rest outside the domain of the product.
   template <class T>
@@ -80,16 +86,17 @@ struct PoseSampler::Factors {
  private:
   template <class T>
   void fill(const Domain& domain, std::span<const double> times, std::size_t begin, const Samples<T>& out) const {
-    std::array<double, samples_of_a_block> room_a, room_b;
-    const auto clocked = [&](std::array<double, samples_of_a_block>& room, const PoseSampler& factor, double offset) {
+    const auto room_of_block = std::make_unique_for_overwrite<RoomOfBlock>();
+    auto& [times_of_a, times_of_b, left, right] = *room_of_block;
+    const auto clocked = [&](std::array<double, samples_of_a_block>& room, const PoseSampler& factor,
+                             const ShiftedClock& clock) {
       const Domain own = factor.curve().orientation.domain();
       for (std::size_t k = 0; k < times.size(); ++k)  // rounding alone may lead out of its own domain
-        room[k] = std::clamp(std::clamp(times[k], domain.start, domain.end) + offset, own.start, own.end);
+        room[k] = std::clamp(clock(std::clamp(times[k], domain.start, domain.end)), own.start, own.end);
       return std::span<const double>(room).first(times.size());
     };
-    Block left, right;
-    left.fill(a, clocked(room_a, a, offsets.a), out);
-    right.fill(b, clocked(room_b, b, offsets.b), out);
+    left.fill(a, clocked(times_of_a, a, clock_a), out);
+    right.fill(b, clocked(times_of_b, b, clock_b), out);
     for (std::size_t k = 0; k < times.size(); ++k) {
       const Motion motion = orispline::product(left.motion(k), right.motion(k));
       const bool is_held = times[k] < domain.start || times[k] > domain.end;
@@ -101,7 +108,8 @@ struct PoseSampler::Factors {
 Expected<PoseSampler> PoseSampler::product(const PoseSampler& a, const PoseSampler& b, ClockOffsets offsets) {
   return product_of(a.curve().orientation, b.curve().orientation, offsets).map([&](AnyCurve curve) {
     PoseSampler sampler(PoseCurve{std::move(curve)});
-    sampler.factors_ = std::make_shared<const Factors>(Factors{a, b, offsets});
+    sampler.factors_ = std::make_shared<const Factors>(
+        Factors{a, b, {a.curve().orientation, offsets.a}, {b.curve().orientation, offsets.b}});
     return sampler;
   });
 }

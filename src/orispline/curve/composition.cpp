@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/stretched_curve.hpp>
 #include <orispline/curve/taylor.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -89,10 +90,30 @@ struct InverseCurve : ByMotion<InverseCurve> {
   }
 };
 
+/// The ends of gaps, and where the motion jumps.
+std::vector<double> breaks_of(const AnyCurve& curve) {
+  constexpr double least_jump = 1e-9;  // [rad], above all rounding
+  std::vector<double> breaks;
+  const auto knots = curve.knots().times();
+  bool was_gap = knots.size() > 1 && is_gap(curve, 0);
+  for (std::size_t i = 1; i + 1 < knots.size(); ++i) {
+    const double t = knots[i];
+    const bool is_one = is_gap(curve, i);
+    if (is_one != was_gap || angular_distance(curve.orientation_on(i - 1, t), curve.orientation_on(i, t)) > least_jump)
+      breaks.push_back(t);
+    was_gap = is_one;
+  }
+  return breaks;
+}
+
+/// What rounding may move a time by where it goes from one clock to the other [s].
+double rounding_of_times(double largest) { return 4.0 * std::numeric_limits<double>::epsilon() * largest; }
+
 /// A curve on another clock.
 struct Factor {
   AnyCurve curve;
   double offset;  ///< the time on its own clock at 0 of the other's [s]
+  ShiftedClock clock{curve, offset};
 
   [[nodiscard]] std::size_t segment_at(double t) const noexcept { return curve.knots().segment_at(t + offset); }
   [[nodiscard]] Domain domain() const noexcept { return {curve.domain().start - offset, curve.domain().end - offset}; }
@@ -110,11 +131,11 @@ class ProductCurve : public ByMotion<ProductCurve> {
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
   [[nodiscard]] Eigen::Quaterniond orientation(double t, std::size_t segment) const noexcept {
     const auto [of_a, of_b] = segments_[segment];
-    return a_.curve.orientation_on(of_a, t + a_.offset) * b_.curve.orientation_on(of_b, t + b_.offset);
+    return a_.curve.orientation_on(of_a, a_.clock(t)) * b_.curve.orientation_on(of_b, b_.clock(t));
   }
   [[nodiscard]] Motion motion(double t, std::size_t segment) const noexcept {
     const auto [of_a, of_b] = segments_[segment];
-    return product(a_.curve.motion_on(of_a, t + a_.offset), b_.curve.motion_on(of_b, t + b_.offset));
+    return product(a_.curve.motion_on(of_a, a_.clock(t)), b_.curve.motion_on(of_b, b_.clock(t)));
   }
 
  private:
@@ -133,7 +154,7 @@ std::vector<double> common_knots(const Factor& a, const Factor& b, const Domain&
       if (const double t = own - factor->offset; domain.start < t && t < domain.end) all.push_back(t);
   }
   std::ranges::sort(all);
-  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * largest;
+  const double rounding = rounding_of_times(largest);
   std::vector<double> knots;
   for (const double t : all)
     if (knots.empty() || t - knots.back() > rounding) knots.push_back(t);
@@ -142,6 +163,19 @@ std::vector<double> common_knots(const Factor& a, const Factor& b, const Domain&
 }
 
 }  // namespace
+
+ShiftedClock::ShiftedClock(const AnyCurve& curve, double offset)
+    : offset_(offset),
+      rounding_(rounding_of_times(std::max(std::abs(curve.domain().start), std::abs(curve.domain().end)) +
+                                  std::abs(offset))) {
+  if (offset != 0.0) breaks_ = breaks_of(curve);
+}
+
+double ShiftedClock::operator()(double t) const noexcept {
+  const double own = t + offset_;
+  const auto next = std::ranges::lower_bound(breaks_, own - rounding_);
+  return next != breaks_.end() && *next <= own + rounding_ ? *next : own;
+}
 
 AnyCurve inverse_of(const AnyCurve& curve) { return InverseCurve{{}, curve}; }
 

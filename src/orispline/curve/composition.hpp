@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include <orispline/base/expected.hpp>
 #include <orispline/curve/curve.hpp>
 
@@ -38,6 +40,19 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// The times on the clocks of two curves at 0 of their product's [s].
 struct ClockOffsets {
   double a = 0.0, b = 0.0;
+};
+
+/// The times of a curve at times of another clock. Rounding leads none of them over an end of a gap or over a jump.
+class ORISPLINE_EXPORT ShiftedClock {
+ public:
+  /// `offset`: the time of the curve at 0 of the other clock [s].
+  ShiftedClock(const AnyCurve& curve, double offset);
+
+  [[nodiscard]] double operator()(double t) const noexcept;
+
+ private:
+  double offset_, rounding_;
+  std::vector<double> breaks_{};
 };
 
 /// The curve a(t + offsets.a) b(t + offsets.b) where both are, with the knots of both.

@@ -11,6 +11,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/curve.hpp>
+#include <orispline/curve/stretched_curve.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/math/so3.hpp>
@@ -129,7 +130,7 @@ std::optional<Warning> overturned_span(const Method& method, const FamilyInfo& f
   for (const Span& span : suspicious_spans(keys)) {
     const double own = increment<double>(keys.orientations()[span.start], keys.orientations()[span.start + 1]).norm();
     if (made && made->knots().segments() + 1 >= keys.size() &&
-        rough_turn(*made, span.start) <= far_too_little * least_turn(own))
+        (is_gap(*made, span.start) || rough_turn(*made, span.start) <= far_too_little * least_turn(own)))
       continue;
     const double turn = turn_of_curve(method, keys, span.start);
     if (turn <= least_turn(own) || turn - own <= farthest - of_keys) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/jobs/reduce.hpp>
 
+#include <algorithm>
 #include <utility>
 
 #include <orispline/base/parallel.hpp>
@@ -55,15 +56,22 @@ Expected<ReduceOutcome> measured_raw(ReduceOutcome outcome) {
   return outcome;
 }
 
+/// Whether some keys are apart by a gap, and not by a jump.
+bool has_gaps(const Reduction& reduction) {
+  const auto times = reduction.track.keys.times();
+  return std::ranges::any_of(reduction.stretches, [&](const Stretch& stretch) {
+    return stretch.first > 0 && times[stretch.first] > times[stretch.first - 1];
+  });
+}
+
 Expected<ReduceOutcome> finished(ReduceOutcome outcome, Expected<std::vector<Reduction>> reductions) {
   if (!reductions) return tl::unexpected(placed(*outcome.recording, std::move(reductions.error())));
   outcome.reductions = std::move(*reductions);
-  const Track& chosen = outcome.chosen().track;
-  if (outcome.reduced().recipe.gap && !chosen.recipe.gap)
+  if (outcome.reduced().recipe.gap && has_gaps(outcome.chosen()) && !outcome.chosen().track.recipe.gap)
     outcome.warnings.push_back(
         {.code = "gaps_not_stated",
          .message =
-             "within stretches the keys are farther apart than the shortest gap: their file cannot say where the "
+             "no length tells the gaps from the intervals between the other keys: their file cannot say where the "
              "gaps are, and a curve through them bridges these"});
   return outcome.smoothed ? measured_raw(std::move(outcome)) : std::move(outcome);
 }

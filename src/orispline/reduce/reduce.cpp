@@ -130,7 +130,8 @@ double shortest_gap(const Keyframes& keys, std::span<const Stretch> stretches) {
   return shortest;
 }
 
-/// The interval from which on those between these keys are gaps and no others; absent where there is none such.
+/// The interval from which on those between these keys are gaps and no others, the stated one if it is; absent where
+/// there is none such.
 std::optional<double> telling_gap(const Keyframes& keys, std::span<const Stretch> stretches,
                                   std::optional<double> gap) {
   const auto t = keys.times();
@@ -138,10 +139,9 @@ std::optional<double> telling_gap(const Keyframes& keys, std::span<const Stretch
   for (const auto& [first, count] : stretches)
     for (std::size_t i = first + 1; i < first + count; ++i) longest = std::max(longest, t[i] - t[i - 1]);
   const double shortest = shortest_gap(keys, stretches);
-  if (!gap || longest <= *gap || !std::isfinite(shortest)) return gap;
-  const double between = std::midpoint(longest, shortest);
-  const bool tells = longest < shortest && stretches_between_gaps(t, between).has_value();
-  return tells ? std::optional(between) : std::nullopt;
+  if (gap && longest > *gap) gap = std::midpoint(longest, shortest);
+  const bool tells = gap && std::isfinite(*gap) && longest < shortest && stretches_between_gaps(t, gap).has_value();
+  return tells ? gap : std::nullopt;
 }
 
 Expected<Reduction> reduced(const Track& track, const Method& method, const ReduceOptions& options,
