@@ -46,11 +46,14 @@ class Block {
     [[maybe_unused]] const auto done = factor.sample_at<double>(times, samples);  // has all the room that it wants
     ORISPLINE_EXPECT(done.has_value());
   }
+  [[nodiscard]] Eigen::Map<const Eigen::Quaterniond> orientation(std::size_t k) const {
+    return Eigen::Map<const Eigen::Quaterniond>(orientations_.data() + 4 * k);
+  }
   [[nodiscard]] Motion motion(std::size_t k) const {
     const auto at = [k](const std::array<double, 3 * samples_of_a_block>& rows) {
       return Eigen::Vector3d(rows.data() + 3 * k);
     };
-    return {Eigen::Quaterniond(orientations_.data() + 4 * k), at(velocities_), at(accelerations_), at(jerks_)};
+    return {orientation(k), at(velocities_), at(accelerations_), at(jerks_)};
   }
 
  private:
@@ -97,6 +100,11 @@ struct PoseSampler::Factors {
     };
     left.fill(a, clocked(times_of_a, a, clock_a), out);
     right.fill(b, clocked(times_of_b, b, clock_b), out);
+    if (!wants_angular_rates(out)) {
+      for (std::size_t k = 0; k < times.size(); ++k)
+        batch::put<4>(out, out.orientations, begin + k, (left.orientation(k) * right.orientation(k)).coeffs());
+      return;
+    }
     for (std::size_t k = 0; k < times.size(); ++k) {
       const Motion motion = orispline::product(left.motion(k), right.motion(k));
       const bool is_held = times[k] < domain.start || times[k] > domain.end;
