@@ -144,7 +144,7 @@ def compare(keys: Keys, /, methods: Sequence[Method] | Method | None = None, *, 
         As of `smooth`: a recording, of which some samples become keys; with `reference` the keys themselves.
     methods : str, Blending or Curve, or a list of them, optional
         Methods in their text form, such as `"quintic:tension=0.6"`, and of one's own. Without it all.
-    reference, truth : Keys or (times, rotations), optional
+    reference, truth : Keys or (t, q), optional
         Both mean the same: a dense recording that curves through all of `keys` are compared with; `keep_every` then plays no part.
     align : bool
         Bring the keys onto the reference first: axes, clock, and scale and place of positions, as `orispline.align` does with a choice.

@@ -172,7 +172,7 @@ def reduce_tracks(tracks: Iterable[Keys | tuple[Any, Any]], tolerance: Any, *, m
 
     Parameters
     ----------
-    tracks : iterable of Keys or (times, rotations)
+    tracks : iterable of Keys or (t, q)
         The recordings.
     method, smooth, cutoff, threads
         As of `reduce`. The threads share the recordings.
@@ -264,7 +264,7 @@ def tune(keys: Keys, /, method: Any, *, reference: Keys | tuple[Any, Any] | None
         What the curve goes through, as of `smooth`.
     method : str, Blending or Curve
         The method whose tensions to find, in its text form; they start from its settings.
-    reference : Keys or (times, rotations), optional
+    reference : Keys or (t, q), optional
         Dense recording that the curve comes near to, for the objective `"fit"`.
     {options}
 
@@ -321,9 +321,9 @@ def align(a: Keys | Rates | Pair, b: Keys | Rates | Pair, **options: Any) -> Ali
 
     Parameters
     ----------
-    a : Keys, Rates, (times, rotations) or (times, rates)
+    a : Keys, Rates, (t, q) or (t, w)
         The recording that is moved. A pair with (n, 3) numbers is of rates.
-    b : Keys, Rates, (times, rotations) or (times, rates)
+    b : Keys, Rates, (t, q) or (t, w)
         The one that stays as it is. Either may have dates where the other has seconds.
     {options}
 
