@@ -186,8 +186,8 @@ export interface Tasks {
             rows: KeyInput | (KeyInput)[];
         };
         options: {
-            /** Which middle: the mean, or the median, which bad rows hardly move. */
-            kind?: 'mean' | 'median' | undefined;
+            /** Which middle: the mean, the median, which bad rows hardly move, or the chordal mean. */
+            kind?: 'mean' | 'median' | 'chordal' | undefined;
             /** Length of windows in time, each with a mean of its own. */
             every?: Text | undefined;
         };
