@@ -74,11 +74,18 @@ def environment(folder):
         shutil.rmtree(old)
     if not (place / COMPLETE).exists():
         make(place, wanted)
+    lead(link, place.relative_to(folder))
+    return place / "bin/python"
+
+
+def lead(link, place):
+    """The link to this place. One that leads there already is left alone: programs run by it meanwhile."""
+    if link.is_symlink() and link.readlink() == place:
+        return
     if not link.is_symlink():  # an environment from before they had names
         shutil.rmtree(link, ignore_errors=True)
     link.unlink(missing_ok=True)
-    link.symlink_to(place.relative_to(folder))
-    return place / "bin/python"
+    link.symlink_to(place)
 
 
 def oldest(folder, wheel):

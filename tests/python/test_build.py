@@ -33,6 +33,9 @@ def test_it_is_kept_until_what_it_is_made_from_changes(build, tmp_path, monkeypa
     python = build.environment(tmp_path)
     assert build.environment(tmp_path) == python and len(build.made) == 1
     assert (tmp_path / "venv/bin").samefile(python.parent)
+    with monkeypatch.context() as patch:  # a link that leads there is left alone, since programs are run by it
+        patch.setattr(build.pathlib.Path, "unlink", lambda *_, **__: pytest.fail("unlinked"))
+        assert build.environment(tmp_path) == python
     monkeypatch.setattr(build, "packages", lambda: ["numpy"])
     other = build.environment(tmp_path)
     assert len(set(build.made)) == 2 and not python.parent.exists() and (tmp_path / "venv/bin").samefile(other.parent)
