@@ -58,6 +58,11 @@ class Clock:
         return self.kind == "M"
 
     @property
+    def word(self) -> str:
+        """What its times are, for messages."""
+        return {"M": "dates", "m": "durations"}.get(self.kind, "numbers")
+
+    @property
     def epoch(self) -> str:
         """What seconds count from [s], exact: of a calendar since 1970-01-01."""
         import decimal

@@ -11,7 +11,7 @@ from ._arrays import array_of, as_given
 from ._checks import wrong_type
 from ._errors import ArgumentError
 from ._evaluation import OrientationCurve
-from ._forms import quaternions
+from ._forms import product_of, quaternions
 
 
 class ComposedCurve(OrientationCurve):
@@ -88,8 +88,7 @@ def product(left: OrientationCurve, right: OrientationCurve, like: OrientationCu
 def _check_alike(left: OrientationCurve, right: OrientationCurve) -> None:
     """That both have a time in the same sense."""
     if left._clock.kind != right._clock.kind:
-        found = ["dates" if side._clock.is_calendar else "durations" if side._clock.kind else "numbers" for side in (left, right)]
-        raise ArgumentError(f"found a curve whose times are {found[0]} and one whose times are {found[1]}, wanted the same of both")
+        raise ArgumentError(f"found a curve whose times are {left._clock.word} and one whose times are {right._clock.word}, wanted the same of both")
 
 
 def _offset(like: OrientationCurve, side: OrientationCurve) -> float:
@@ -133,6 +132,6 @@ def angle_between(a: Any, b: Any, t: Any) -> Any:
 
 def _angle(p: Any, q: Any) -> Any:
     """By both halves, so that it is right near 0 and near π."""
-    vector = p[..., 3:] * q[..., :3] - q[..., 3:] * p[..., :3] - np.cross(p[..., :3], q[..., :3])
-    angle = 2.0 * np.arctan2(np.linalg.norm(vector, axis=-1), np.abs(np.sum(p * q, axis=-1)))
+    turn = product_of(p * [-1.0, -1.0, -1.0, 1.0], q)
+    angle = 2.0 * np.arctan2(np.linalg.norm(turn[..., :3], axis=-1), np.abs(turn[..., 3]))
     return angle if angle.ndim else float(angle)

@@ -84,7 +84,7 @@ def of_euler(name: str, angles: Any, order: Any, unit: Any) -> Array:
         turn[:, "xyz".index(letter.lower())], turn[:, 3] = np.sin(column), np.cos(column)
         turns.append(turn)
     first, second, third = turns if order.isupper() else reversed(turns)
-    return _product(_product(first, second), third)
+    return product_of(product_of(first, second), third)
 
 
 def check_order(name: str, order: Any) -> None:
@@ -93,10 +93,11 @@ def check_order(name: str, order: Any) -> None:
         raise ArgumentError(f"{name}: found {order!r}, wanted three letters such as 'ZYX' or 'zyx', no two neighbours the same")
 
 
-def _product(p: Array, q: Array) -> Array:
+def product_of(p: Array, q: Array) -> Array:
     """Hamilton's, row by row."""
-    vector = p[:, 3:] * q[:, :3] + q[:, 3:] * p[:, :3] + np.cross(p[:, :3], q[:, :3])
-    return np.column_stack([vector, p[:, 3] * q[:, 3] - (p[:, :3] * q[:, :3]).sum(axis=1)])
+    vector = p[..., 3:] * q[..., :3] + q[..., 3:] * p[..., :3] + np.cross(p[..., :3], q[..., :3])
+    scalar = p[..., 3:] * q[..., 3:] - (p[..., :3] * q[..., :3]).sum(axis=-1, keepdims=True)
+    return np.concatenate([vector, scalar], axis=-1)
 
 
 def _of_poses(name: str, matrices: Array) -> tuple[Array, Array]:

@@ -324,9 +324,8 @@ def _of_track(track: Any, of_keys: dict[str, Any], how: dict[str, Any]) -> Curve
 
 def _check_alike(name: str, curve: Curve, first: Curve) -> None:
     """That a track can be asked together with the first one."""
-    kinds = ["dates" if one._clock.is_calendar else "durations" if one._clock.kind else "numbers" for one in (curve, first)]
-    if kinds[0] != kinds[1]:
-        raise ArgumentError(f"{name}: found times that are {kinds[0]}, wanted {kinds[1]}, as those of track 0 are")
+    if curve._clock.kind != first._clock.kind:
+        raise ArgumentError(f"{name}: found times that are {curve._clock.word}, wanted {first._clock.word}, as those of track 0 are")
     if not curve._clock.kind and curve._clock.unit != first._clock.unit:
         raise ArgumentError(f"{name}: found times in {curve._clock.unit}, wanted {first._clock.unit}, as those of track 0 are")
     if not curve._clock.kind and curve._clock.unit == "s" and curve.keys.epoch != first.keys.epoch:
