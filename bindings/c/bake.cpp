@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/batch/baked_curve.hpp>
+#include <orispline/batch/baked_motion.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>
 
 #include "blocks.hpp"
@@ -175,3 +175,17 @@ orispline_code orispline_baked_sample_at(const orispline_baked* baked, const dou
 }
 
 void orispline_baked_free(orispline_baked* baked) { free_handle(baked); }
+
+orispline_code orispline_bake_text(const orispline_curve* curve, double tolerance, double position_tolerance,
+                                   char** text, orispline_error** error) {
+  return guarded(error, [&] {
+    return cleared(text, "text")
+        .and_then([&] { return checked(curve); })
+        .and_then([&](const HeldCurve* body) {
+          return jobs::check_without_gaps(*body->track).and_then([&] {
+            return bake_motion(body->pose(), tolerance, position_tolerance);
+          });
+        })
+        .map([&](const BakedMotion& motion) { *text = text_of_c(baked_json(motion, {})); });
+  });
+}

@@ -354,6 +354,13 @@ ORISPLINE_C_API orispline_code orispline_baked_sample_at(const orispline_baked *
 
 ORISPLINE_C_API void orispline_baked_free(orispline_baked *baked);
 
+/// The text of the .json that `orispline bake` writes and the player of the npm package plays: orientations within
+/// `tolerance` [rad], at least 1e-6, and where there are positions these within `position_tolerance` [m]. Its times are
+/// those of the curve. To be freed by orispline_text_free(). Errors: ORISPLINE_BAD_ARGUMENT for other tolerances and,
+/// with the key, for one that cannot be reached.
+ORISPLINE_C_API orispline_code orispline_bake_text(const orispline_curve *curve, double tolerance,
+                                                   double position_tolerance, char **text, orispline_error **error);
+
 // ---- Methods --------------------------------------------------------------------------------------------------------
 
 /// JSON: the list of all methods, as of `orispline methods --json`.

@@ -6,7 +6,6 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/track_file.hpp>
-#include <orispline/jobs/baked_file.hpp>
 
 #include "commands/task_command.hpp"
 #include "options/file_places.hpp"
@@ -166,9 +165,10 @@ Expected<void> read_baked(const TaskArguments& arguments, TaskJob& job) {
 }
 
 Expected<WrittenResult> write_baked(const TaskArguments& arguments, TaskJob&, jobs::TaskOutcome& outcome) {
-  const auto& baked = jobs::found<jobs::BakeOutcome>(outcome);
+  const auto& found = jobs::found<jobs::BakeOutcome>(outcome);
+  const Decimal& epoch = found.request.keys->epoch;
   const std::string content =
-      has_extension(arguments.output.path, binary) ? jobs::baked_bytes(baked) : jobs::baked_json(baked);
+      has_extension(arguments.output.path, binary) ? baked_bytes(found.baked, epoch) : baked_json(found.baked, epoch);
   return open_output(arguments.output.path)
       .and_then([&](Noted<io::OutputFile> output) {
         return output.file.write(content).and_then([&] { return output.file.finish(); });

@@ -373,7 +373,8 @@ constexpr auto bake_footer = R"(Examples:
   orispline bake keys.csv --tolerance 1e-4deg -o motion.json
   orispline bake keys.csv --method timed-c2:tension=0.6 --tolerance 1e-3deg -o motion.bin
 
-The file has polynomials in single precision, for orientations alone: what plays it, such as a web page, needs no library.
+The file has polynomials in single precision, for orientations and for positions where the keys have them: what plays it,
+such as a web page, needs no library.
 docs/bake.md says more.)";
 
 void add_bake_options(Command& app, TaskArguments& o) {
@@ -390,7 +391,7 @@ void add_bake_options(Command& app, TaskArguments& o) {
       ->type_name(file_type)
       ->group("Output");
   add_summary_options(app, o.summary);
-  app.usual = {"--tolerance", "--closed"};
+  app.usual = {"--tolerance", "--position-tolerance", "--closed"};
   app.footer = bake_footer;
 }
 

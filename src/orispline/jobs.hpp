@@ -7,7 +7,6 @@
 #include <orispline/jobs/align.hpp>
 #include <orispline/jobs/align_rates.hpp>
 #include <orispline/jobs/bake.hpp>
-#include <orispline/jobs/baked_file.hpp>
 #include <orispline/jobs/band.hpp>
 #include <orispline/jobs/compare.hpp>
 #include <orispline/jobs/curve_clip.hpp>

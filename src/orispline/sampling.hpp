@@ -5,6 +5,8 @@
 
 #include <orispline/base/parallel.hpp>
 #include <orispline/batch/baked_curve.hpp>
+#include <orispline/batch/baked_motion.hpp>
+#include <orispline/batch/baked_path.hpp>
 #include <orispline/batch/compiled_curve.hpp>
 #include <orispline/batch/curve_bundle.hpp>
 #include <orispline/batch/kernel/dispatch.hpp>

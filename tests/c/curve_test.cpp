@@ -257,6 +257,24 @@ TEST(CurveOfC, IsBakedAndPlayed) {
   }
 }
 
+TEST(CurveOfC, IsBakedAsTheTextThatPlayersRead) {
+  const CurveHandle owned = curve_through(keys_of(walk()), "auto");
+  const orispline_curve* const curve = owned.get();
+  const auto baked = nlohmann::json::parse(text_by(orispline_bake_text, curve, 1e-5, 1e-3));
+  EXPECT_EQ(baked["orispline"], "baked");
+  const bool has_positions = orispline_curve_has_positions(curve) == 1;
+  EXPECT_EQ(baked["version"], has_positions ? 2 : 1);
+  EXPECT_EQ(baked["pieces"].size() + 1, baked["ends"].size());
+  EXPECT_EQ(baked.contains("position_pieces"), has_positions);
+  EXPECT_LE(baked["largest_difference"], 1e-5);
+  char* text = nullptr;
+  orispline_error* error = nullptr;
+  EXPECT_EQ(orispline_bake_text(curve, 1e-5, -1.0, &text, &error),
+            has_positions ? ORISPLINE_BAD_ARGUMENT : ORISPLINE_OK);
+  orispline_text_free(text);
+  orispline_error_free(error);
+}
+
 TEST(KeysOfC, GiveBackWhatTheyHold) {
   const KeyframeData data = walk(6);
   const std::vector<double> tensions(6, 0.5);

@@ -177,6 +177,9 @@ TEST_F(NullPointersOfC, AreNoSamplesAndNothingBaked) {
   expect_refused(orispline_bake, no(curve), 1e-6, ORISPLINE_DOUBLE, nobody, nothing, &made_baked);
   expect_refused(orispline_bake, curve, 1e-6, ORISPLINE_DOUBLE, nobody, nothing, no(&made_baked));
   expect_refused(orispline_bake, curve, 1e-6, 2, nobody, nothing, &made_baked);
+  expect_refused(orispline_bake_text, no(curve), 1e-6, 1e-3, &text);
+  expect_refused(orispline_bake_text, curve, 1e-6, 1e-3, no(&text));
+  expect_refused(orispline_bake_text, curve, 1e-7, 1e-3, &text);
   const orispline_baked_parts no_parts{};
   expect_refused(orispline_baked_look, static_cast<const orispline_baked*>(nullptr),
                  static_cast<orispline_baked_parts*>(nullptr));

@@ -16,25 +16,47 @@ NEAR = "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.6,0.8,0,0\n1.000000001,0.6,0,0.8,0\n2,0,0,
 def unpacked(data):
     """The document that a binary file stands for."""
     magic, version, count, epoch, largest = struct.unpack_from("<8sIIdd", data)
-    ends = struct.unpack_from(f"<{count + 1}d", data, 32)
-    numbers = struct.unpack_from(f"<{24 * count}f", data, 32 + 8 * (count + 1))
-    assert len(data) == 32 + 8 * (count + 1) + 96 * count and magic == b"ORIBAKED"
-    return {"orispline": "baked", "version": version, "order": "xyzw", "epoch": epoch, "largest_difference": largest,
-            "ends": list(ends), "pieces": [list(numbers[24 * i:24 * i + 24]) for i in range(count)]}
+    at = 32
+
+    def take(kind, number):
+        nonlocal at
+        at += struct.calcsize(kind) * number
+        return struct.unpack_from(f"<{number}{kind}", data, at - struct.calcsize(kind) * number)
+
+    ends, numbers = take("d", count + 1), take("f", 24 * count)
+    curve = {"orispline": "baked", "version": version, "order": "xyzw", "epoch": epoch, "largest_difference": largest,
+             "ends": list(ends), "pieces": [list(numbers[24 * i:24 * i + 24]) for i in range(count)]}
+    if version == 2:
+        count, _ = take("I", 2)
+        (largest,), ends, firsts, others = take("d", 1), take("d", count + 1), take("d", 3 * count), take("f", 15 * count)
+        rows = [[first, *others[5 * k:5 * k + 5]] for k, first in enumerate(firsts)]
+        curve |= {"largest_position_difference": largest, "position_ends": list(ends),
+                  "position_pieces": [sum(rows[3 * i:3 * i + 3], []) for i in range(count)]}
+    assert at == len(data) and magic == b"ORIBAKED"
+    return curve
 
 
 def single(number):
     return struct.unpack("<f", struct.pack("<f", number))[0]
 
 
-def played(curve, t):
-    """qx, qy, qz, qw at t [s]."""
-    ends = curve["ends"]
-    t = min(max(t - curve["epoch"], ends[0]), ends[-1])
+def values_at(ends, pieces, t):
+    """The polynomials of all components at a time that counts as the ends do."""
+    t = min(max(t, ends[0]), ends[-1])
     i = max(k for k in range(len(ends) - 1) if ends[k] <= t)
     s = (2 * t - ends[i] - ends[i + 1]) / ((ends[i + 1] - ends[i]) or 1)
-    rows = [curve["pieces"][i][6 * c:6 * c + 6] for c in range(4)]
+    rows = [pieces[i][k:k + 6] for k in range(0, len(pieces[i]), 6)]
     return [sum(a * s**k for k, a in enumerate(row)) for row in rows]
+
+
+def played(curve, t):
+    """qx, qy, qz, qw at t [s]."""
+    return values_at(curve["ends"], curve["pieces"], t - curve["epoch"])
+
+
+def position(curve, t):
+    """px, py, pz at t [s]."""
+    return values_at(curve["position_ends"], curve["position_pieces"], t - curve["epoch"])
 
 
 class Bake(CommandTest):
@@ -47,17 +69,27 @@ class Bake(CommandTest):
             t, w, x, y, z = map(float, line.split(",")[:5])
             self.assertLessEqual(2 * math.dist(played(curve, t), (x, y, z, w)), tolerance, line)
 
-    def test_the_flight_is_seven_kilobytes_within_the_tolerance(self):
+    def test_the_flight_is_within_the_tolerance(self):
         done = self.run_command(f"bake {FLIGHT} --tolerance 1e-4deg -o flight.bin --json")
         self.assertEqual(done.returncode, SUCCESS, done.stderr)
         found, tolerance = json.loads(done.stdout), math.radians(1e-4)
         data = (self.folder / "flight.bin").read_bytes()
-        self.assertLess(len(data), 7500)
         curve = unpacked(data)
         self.assertEqual((found["method"], found["keys"], found["pieces"]), ("auto", 38, len(curve["pieces"])))
         self.assertLessEqual(found["largest_difference_rad"], tolerance)
-        self.assertEqual([warning["code"] for warning in found["warnings"]], ["positions_left_out"])
+        self.assertEqual((found["position_pieces"], found["warnings"]), (len(curve["position_pieces"]), []))
         self.assert_near(curve, f"{FLIGHT} --rate 97", tolerance)
+
+    def test_positions_keep_to_their_tolerance(self):
+        for typed, tolerance in (("", 1e-3), ("--position-tolerance 1cm", 1e-2), ("--position-tolerance 0.01mm", 1e-5)):
+            curve = self.baked(f"{FLIGHT} --tolerance 1deg {typed}")
+            table = table_of(self.output_of(f"sample {FLIGHT} --rate 97 --quiet"))
+            at = table[0].split(",").index("px")
+            for line in table[1:]:
+                numbers = list(map(float, line.split(",")))
+                self.assertLessEqual(math.dist(position(curve, numbers[0]), numbers[at:at + 3]), tolerance, line)
+        self.assert_fails(f"bake {FLIGHT} --tolerance 1deg --position-tolerance 0m -o curve.json", BAD_USAGE,
+                          "--position-tolerance: found '0m', wanted a number greater than 0 with its unit, mm, cm or m, such as 1mm")
 
     def test_both_files_have_the_same_numbers(self):
         text = self.baked("keys.csv --tolerance 1e-3deg")
@@ -66,6 +98,12 @@ class Bake(CommandTest):
         self.assertEqual(text, json.loads(self.read("curve.json")))
         text["pieces"] = [[single(number) for number in piece] for piece in text["pieces"]]
         self.assertEqual(text, unpacked((self.folder / "curve.bin").read_bytes()))
+        flight = self.baked(f"{FLIGHT} --tolerance 1deg")
+        self.output_of(f"bake {FLIGHT} --tolerance 1deg --quiet -o flight.bin")
+        flight["pieces"] = [[single(number) for number in piece] for piece in flight["pieces"]]
+        flight["position_pieces"] = [[single(number) if k % 6 else number for k, number in enumerate(piece)]
+                                     for piece in flight["position_pieces"]]
+        self.assertEqual(flight, unpacked((self.folder / "flight.bin").read_bytes()))
 
     def test_takes_the_method_and_its_settings(self):
         for method in ("slerp", "squad", "timed-c2:tension=0.4:ends=natural", "global-c2"):

@@ -95,7 +95,7 @@ test('player', () => {
     try {
       player(...given);
     } catch (error) {
-      assert.match(error.message, /^orispline\/player: found [^\n]{1,80}, wanted version 1 of what 'orispline bake' writes$/, `${error.stack}`);
+      assert.match(error.message, /^orispline\/player: found [^\n]{1,80}, wanted version 1 or 2 of what 'orispline bake' writes$/, `${error.stack}`);
     }
   }
 });

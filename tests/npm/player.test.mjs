@@ -19,13 +19,18 @@ const bake = (input, name, ...options) => {
   return readFileSync(join(folder, name));
 };
 
-/** The orientations of the curve itself, x, y, z, w. */
-const sampled = (input, method, times) => {
+/** The flight without its positions: files of version 1. */
+const turns = join(folder, 'turns.csv');
+writeFileSync(turns, readFileSync(keys, 'utf8').split('\n').map((row) => (/^[-\dt]/.test(row) ? row.split(',').slice(0, 5).join(',') : row)).join('\n'));
+
+/** The rows of numbers of the curve itself. */
+const rowsOf = (input, method, times) => {
   writeFileSync(join(folder, 'times.txt'), times.join('\n') + '\n');
   const rows = command('sample', input, '--method', method, '--times', join(folder, 'times.txt'), '--quiet').split('\n');
-  const numbers = rows.filter((row) => /^[-\d]/.test(row)).map((row) => row.split(',').map(Number));
-  return numbers.map(([, w, x, y, z]) => [x, y, z, w]);
+  return rows.filter((row) => /^[-\d]/.test(row)).map((row) => row.split(',').map(Number));
 };
+/** The orientations of the curve itself, x, y, z, w. */
+const sampled = (input, method, times) => rowsOf(input, method, times).map(([, w, x, y, z]) => [x, y, z, w]);
 
 /** What the tolerance bounds: twice the distance in R⁴ [rad]. */
 const apart = (one, other) => 2 * Math.hypot(...[0, 1, 2, 3].map((i) => one[i] - other[i]));
@@ -52,6 +57,39 @@ for (const [method, tolerance] of [['auto', 1e-4], ['slerp', 1e-4], ['squad', 1e
     const [one, other] = [player(file), player(bytes)];
     for (const time of times) assert.deepEqual(one.at(time), other.at(time));
   });
+
+for (const [method, tolerance] of [['auto', 1e-3], ['slerp', 1e-2], ['timed-c2:tension=0.4', 1e-4], ['auto', 10]])
+  test(`positions by ${method} within ${tolerance} m from both files`, () => {
+    const options = ['--method', method, '--tolerance', '1deg', '--position-tolerance', `${tolerance}m`];
+    const file = JSON.parse(bake(keys, 'curve.json', ...options)), bytes = bake(keys, 'curve.bin', ...options);
+    const times = timesOf({ ...file, ends: file.position_ends }), header = readFileSync(keys, 'utf8').split('\n').find((row) => row.startsWith('t,')).split(',');
+    assert.equal(file.version, 2);
+    const wanted = rowsOf(keys, method, times), at = header.indexOf('px'), [one, other] = [player(file), player(bytes)], target = [0, 0, 0];
+    assert.ok(one.hasPositions && other.hasPositions);
+    times.forEach((time, k) => {
+      const place = wanted[k].slice(at, at + 3), played = one.positionAt(time, target);
+      const off = Math.hypot(...place.map((x, i) => x - played[i]));
+      assert.ok(off <= tolerance, `${off} m at ${time}`);
+      assert.deepEqual([...played], other.positionAt(time));
+    });
+    assert.ok(one.positionAt(NaN).every(Number.isNaN));
+  });
+
+test('positions far from 0 keep their digits, and those of another clock their ends', () => {
+  const far = join(folder, 'far.csv'), x = 431234.56789, y = 5567891.23456; // as UTM has them [m]
+  writeFileSync(far, `t,qw,qx,qy,qz,px,py,pz\n0,1,0,0,0,${x},${y},10\n1,0.8,0.6,0,0,${x + 1},${y},10.5\n2,0.6,0,0.8,0,${x + 2},${y + 1},11\n`);
+  const motion = player(bake(far, 'far.bin', '--tolerance', '1deg', '--position-tolerance', '0.1mm'));
+  for (const [k, [px, py, pz]] of [[x, y, 10], [x + 1, y, 10.5], [x + 2, y + 1, 11]].entries()) {
+    const place = motion.positionAt(k);
+    assert.ok(Math.hypot(place[0] - px, place[1] - py, place[2] - pz) <= 1e-4, `${place}`);
+  }
+});
+
+test('a file without positions says so', () => {
+  const motion = player(bake(turns, 'turns.bin', '--tolerance', '1deg'));
+  assert.equal(motion.hasPositions, false);
+  assert.throws(() => motion.positionAt(1), { message: "orispline/player: found a file without positions, wanted what 'orispline bake' writes of keys that have them" });
+});
 
 test('it finds the piece whatever time came before', () => {
   const bytes = bake(keys, 'curve.bin', '--tolerance', '1e-3deg'), motion = player(bytes);
@@ -111,12 +149,12 @@ test('the target is what was given, and NaN gives NaN', () => {
 });
 
 test('what is no baked curve is refused in one sentence', () => {
-  const bytes = bake(keys, 'curve.bin', '--tolerance', '1deg'), file = JSON.parse(bake(keys, 'curve.json', '--tolerance', '1deg'));
+  const bytes = bake(turns, 'curve.bin', '--tolerance', '1deg'), file = JSON.parse(bake(turns, 'curve.json', '--tolerance', '1deg'));
   const newer = Uint8Array.from(bytes);
-  newer[8] = 2;
-  const wanted = "wanted version 1 of what 'orispline bake' writes";
+  newer[8] = 3;
+  const wanted = "wanted version 1 or 2 of what 'orispline bake' writes";
   for (const [given, found] of [
-    [new ArrayBuffer(0), 'other bytes'], [new TextEncoder().encode(JSON.stringify(file)), 'other bytes'], [newer, 'version 2'],
+    [new ArrayBuffer(0), 'other bytes'], [new TextEncoder().encode(JSON.stringify(file)), 'other bytes'], [newer, 'version 3'],
     [bytes.subarray(0, bytes.length - 4), `${bytes.length - 4} bytes for 37 pieces`], [{}, 'another object'], [null, 'another object'],
     [{ byteLength: 0, length: 1e9 }, 'another object'], [{ byteLength: 0 }, 'another object'],
     [{ ...file, version: 7 }, 'version 7'], [{ ...file, ends: [0, 1] }, '888 coefficients for 2 ends'], [{ ...file, ends: [], pieces: [] }, '0 coefficients for 0 ends'],
@@ -125,7 +163,7 @@ test('what is no baked curve is refused in one sentence', () => {
 });
 
 test('a file that was tampered with is refused, wherever', () => {
-  const bytes = bake(keys, 'curve.bin', '--tolerance', '1deg'), file = JSON.parse(bake(keys, 'curve.json', '--tolerance', '1deg'));
+  const bytes = bake(turns, 'curve.bin', '--tolerance', '1deg'), file = JSON.parse(bake(turns, 'curve.json', '--tolerance', '1deg'));
   const changed = (change) => {
     const copy = structuredClone(file);
     change(copy);
@@ -157,6 +195,32 @@ test('a file that was tampered with is refused, wherever', () => {
     [written((view) => (view.setFloat64(ends, -1.7e308, true), view.setFloat64(coefficients - 8, 1.7e308, true))), notFinite],
     [turned(8, 12, 4), 'version 16777216'], [turned(ends, coefficients, 8), notIncreasing], [turned(coefficients, bytes.length, 4), notFinite],
     [written((view) => view.setUint32(12, 0, true)).subarray(0, 40), '40 bytes for 0 pieces'],
+    [written((view) => view.setUint32(8, 2, true)), `${bytes.length} bytes for ${count} pieces`], [changed((one) => (one.version = 2)), noLists],
   ])
-    assert.throws(() => player(given), { message: `orispline/player: found ${found}, wanted version 1 of what 'orispline bake' writes` });
+    assert.throws(() => player(given), { message: `orispline/player: found ${found}, wanted version 1 or 2 of what 'orispline bake' writes` });
+});
+
+test('positions that were tampered with are refused', () => {
+  const bytes = bake(keys, 'curve.bin', '--tolerance', '1deg'), file = JSON.parse(bake(keys, 'curve.json', '--tolerance', '1deg'));
+  const changed = (change) => {
+    const copy = structuredClone(file);
+    change(copy);
+    return copy;
+  };
+  const second = 40 + 104 * file.pieces.length, pieces = file.position_pieces.length;
+  const written = (write) => {
+    const copy = Uint8Array.from(bytes);
+    write(new DataView(copy.buffer));
+    return copy;
+  };
+  const notFinite = 'what is no finite number', notIncreasing = 'ends that do not increase', noLists = 'no lists of ends and pieces';
+  for (const [given, found] of [
+    [changed((one) => delete one.position_ends), noLists], [changed((one) => delete one.position_pieces), noLists],
+    [changed((one) => (one.position_pieces[1][6] = '2')), notFinite], [changed((one) => (one.position_pieces[1][5] = 1e39)), notFinite],
+    [changed((one) => one.position_pieces[0].pop()), `${18 * pieces - 1} coefficients for ${pieces + 1} ends`], [changed((one) => one.position_ends.reverse()), notIncreasing],
+    [written((view) => view.setUint32(second, 0, true)), `${bytes.length} bytes for 0 pieces`], [written((view) => view.setUint32(second, 2 ** 32 - 1, true)), `${bytes.length} bytes for ${2 ** 32 - 1} pieces`],
+    [written((view) => view.setFloat64(second + 16, NaN, true)), notFinite], [written((view) => view.setFloat64(second + 40, Infinity, true)), notFinite],
+    [written((view) => view.setUint32(8, 1, true)), `${bytes.length} bytes for ${file.pieces.length} pieces`],
+  ])
+    assert.throws(() => player(given), { message: `orispline/player: found ${found}, wanted version 1 or 2 of what 'orispline bake' writes` });
 });

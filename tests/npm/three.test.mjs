@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tracks of three.js itself, moved by its own mixer.
 import assert from 'node:assert/strict';
+import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { test } from 'node:test';
-import { apart, entry, flight, three as keys, thrown } from './flight.mjs';
+import { after, test } from 'node:test';
+import { apart, command, entry, flight, rowsOf, three as keys, thrown } from './flight.mjs';
 
 const THREE = await import(join(process.env.ORISPLINE_NPM_TOOLS, 'three/build/three.module.js'));
-const { animate, bake } = await entry('three'), ori = await (await entry('lite')).load();
+const { player } = await entry('player'), { animate, bake } = await entry('three'), ori = await (await entry('lite')).load();
 
 const turned = flight.orientations.map((_, k) => flight.orientations[4 * Math.floor(k / 4) + [1, 2, 3, 0][k % 4]]);
 const turns = () => new THREE.QuaternionKeyframeTrack('.quaternion', flight.times, turned);
@@ -124,3 +126,24 @@ test('tolerances that a track cannot hold are refused, and the other order', () 
   assert.equal(thrown(() => bake(curve, { tolerance: 0 })).message, 'tolerance: found 0 rad, wanted 0.000001 rad or more, which is what a track holds');
   assert.equal(thrown(() => bake(ori.curve('auto', { ...keys, order: 'wxyz' }), { tolerance: 1 })).option, 'curve');
 });
+
+const folder = mkdtempSync(join(tmpdir(), 'orispline-three-'));
+after(() => rmSync(folder, { recursive: true }));
+const flown = join(folder, 'camera.glb');
+command('sample', join(import.meta.dirname, '../../examples/data/camera_keys.csv'), '-o', flown, '--tolerance', '0.01deg', '--quiet');
+const ofOthers = join(import.meta.dirname, '../../../shared/cases/clips/18_camera.glb');
+
+for (const file of [flown, ofOthers].filter(existsSync))
+  test(`a camera flies as ${file.split('/').at(-1)} says`, () => {
+    const name = join(folder, 'flight.bin');
+    command('bake', file, '--tolerance', '0.001deg', '--position-tolerance', '0.1mm', '-o', name, '--quiet');
+    const motion = player(readFileSync(name)), camera = new THREE.PerspectiveCamera(), q = [0, 0, 0, 1], p = [0, 0, 0];
+    assert.ok(motion.hasPositions);
+    for (const [time, w, x, y, z, ...place] of rowsOf(command('sample', file, '--method', 'auto', '--count', '500', '--quiet'))) {
+      camera.quaternion.fromArray(motion.at(time, q)).normalize();
+      camera.position.fromArray(motion.positionAt(time, p));
+      assert.ok(camera.quaternion.angleTo(new THREE.Quaternion(x, y, z, w)) < 2e-5, `${time}`);
+      assert.ok(camera.position.distanceTo(new THREE.Vector3(...place.slice(0, 3))) < 1e-4, `${time}`);
+    }
+    assert.deepEqual(motion.positionAt(motion.end + 5), motion.positionAt(motion.end));
+  });

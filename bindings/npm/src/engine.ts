@@ -176,10 +176,6 @@ export class Engine {
     }
   }
 
-  singles(at: Address, length: number): Float32Array<ArrayBuffer> {
-    return new Float32Array(this.memory.buffer as ArrayBuffer, at, length);
-  }
-
   /** Of 64 bits. */
   wholeNumber(at: Address): number {
     return Number(new BigInt64Array(this.memory.buffer, at, 1)[0]);

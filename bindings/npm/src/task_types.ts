@@ -181,6 +181,8 @@ export interface Tasks {
       method?: Text | Flag | undefined;
       /** Largest angle that is allowed between what is played and the curve. */
       tolerance?: Text | undefined;
+      /** Largest distance that is allowed between the positions that are played and the path. */
+      position_tolerance?: Text | undefined;
     };
   };
   /** The mean or the median of many orientations. */

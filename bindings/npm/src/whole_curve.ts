@@ -42,7 +42,7 @@ export interface Peaks {
   torque?: Peak;
 }
 
-const asDouble = 0, asFloat = 1, position = 7;
+const asDouble = 0, position = 7;
 
 /** A curve by any method. */
 export class WholeCurve extends Curve {
@@ -103,24 +103,12 @@ export class WholeCurve extends Curve {
     return matrix ? { ...found, torque: peak(2) } : found;
   }
 
-  /** What `orispline/player` plays: what `orispline bake` writes, with the times of the keys. The tolerance is in rad. */
-  bake(options: { tolerance: number }): BakedFile {
-    const { engine } = this, at = engine.numbersAt, { tolerance } = optionsOf('options', options);
+  /** What `orispline/player` plays: the .json that `orispline bake` writes, with the times of the keys. The tolerances are in rad, and in m for positions. */
+  bake(options: { tolerance: number; positionTolerance?: number }): BakedFile {
+    const { tolerance, positionTolerance = 1e-3 } = optionsOf('options', options);
     if (typeof tolerance !== 'number') throw badArgument('tolerance', `found ${shown(tolerance)}, wanted an angle [rad]`);
-    const baked = engine.made('orispline_bake', this.handle, tolerance, asFloat, 0, 0);
-    try {
-      engine.check('orispline_baked_look', baked, at);
-      const [endsAt, , coefficientsAt, endCount, pieces] = engine.words(at, 5), perPiece = 24;
-      const ends = Array.from(engine.numbers.subarray(endsAt / 8, endsAt / 8 + endCount));
-      if (ends.length === 1) ends.push(ends[0]);
-      const coefficients = engine.singles(coefficientsAt, perPiece * pieces);
-      return {
-        orispline: 'baked', version: 1, order: 'xyzw', epoch: 0, largest_difference: engine.numbers[at / 8 + 4], ends,
-        pieces: Array.from({ length: pieces }, (_, i) => Array.from(coefficients.subarray(perPiece * i, perPiece * (i + 1)))),
-      };
-    } finally {
-      engine.free('orispline_baked_free', baked);
-    }
+    if (typeof positionTolerance !== 'number') throw badArgument('positionTolerance', `found ${shown(positionTolerance)}, wanted a length [m]`);
+    return JSON.parse(this.engine.toldText('orispline_bake_text', this.handle, tolerance, positionTolerance)) as BakedFile;
   }
 
   /** The text of its method, with its settings. */

@@ -7,14 +7,13 @@
 #include <functional>
 #include <iterator>
 #include <numeric>
-#include <optional>
-#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/batch/baked_sampler.hpp>
-#include <orispline/batch/interpolation.hpp>
+#include <orispline/batch/baker.hpp>
 #include <orispline/curve/stretched_curve.hpp>
 #include <orispline/families/registry.hpp>
 
@@ -23,128 +22,41 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 namespace {
 
 using batch::BakedRecord;
-using batch::Subinterval;
 
-constexpr int most_halvings = 24;
-/// How much smaller than the tolerance differences at the checked times must be.
-constexpr double reserve = 2.0;
-
+/// What a baked curve is made of: its own orientations, and the samples of the pieces as the kernels make them.
 template <class T>
-class Baker {
+class Orientations {
  public:
-  Baker(const AnyCurve& curve, double tolerance, const BakeOptions& options, const Progress& progress)
-      : curve_(curve), progress_(progress), most_pieces_(options.max_pieces), allowed_(tolerance / reserve) {
-    ends_.push_back(curve.knots().front());
-  }
-
-  /// Adds the pieces of a segment; false where it is stopped, or there are no more pieces. Where even the shortest one
-  /// misses the tolerance, a little more than it reaches is allowed from there on: the error then knows what all of the
-  /// curve keeps to.
-  [[nodiscard]] bool add(const Subinterval& span, int halvings = 0) {
-    if (progress_.stopped()) return false;
-    if (pieces_.size() >= most_pieces_) {
-      end_of_pieces_ = {span.segment, span.start, allowed_};
-      return false;
-    }
-    const BakedRecord<T> piece = through_curve(span);
-    const double off = difference(piece, span), middle = span.middle();
-    if (!(off <= allowed_)) {
-      if (halvings < most_halvings && span.start < middle && middle < span.end)
-        return add({span.segment, span.start, middle}, halvings + 1) &&
-               add({span.segment, middle, span.end}, halvings + 1);
-      if (!first_miss_) {
-        first_miss_ = {span.segment, middle, off};
-        most_pieces_ = std::min(most_pieces_, pieces_.size() + pieces_after_a_miss);
-      }
-      allowed_ = after_a_miss * off;
-      if (!std::isfinite(off)) return false;
-    }
-    pieces_.push_back(piece);
-    ends_.push_back(span.end);
-    largest_ = std::max(largest_, off);
-    return true;
-  }
-
-  /// Error (bad_argument, with the key): the tolerance was missed, or there were no more pieces.
-  [[nodiscard]] Expected<void> keeps_to(double tolerance) const {
-    if (first_miss_) return failure(ErrorCode::bad_argument, miss(tolerance), {.key = first_miss_->segment});
-    if (!end_of_pieces_) return {};
-    return failure(ErrorCode::bad_argument,
-                   formatted("the {} pieces that are allowed reach to {} s, wanted the end of the curve: ask for a "
-                             "larger tolerance, or a curve that turns less there",
-                             most_pieces_, end_of_pieces_->time),
-                   {.key = end_of_pieces_->segment});
-  }
-  [[nodiscard]] double largest_difference() const noexcept { return largest_; }
-  [[nodiscard]] std::vector<double> take_ends() { return std::move(ends_); }
-  [[nodiscard]] std::vector<BakedRecord<T>> take_pieces() { return std::move(pieces_); }
-
- private:
-  static constexpr std::size_t size = batch::baked_degree<T> + 1;
-  /// Without some room for it, rounding would miss what is allowed again and again.
-  static constexpr double after_a_miss = 1.25;
-  /// So many pieces are made at most to find what all of the curve keeps to.
-  static constexpr std::size_t pieces_after_a_miss = std::size_t{1} << 16;
+  using Piece = BakedRecord<T>;
+  static constexpr int components = 4, degree = batch::baked_degree<T>;
+  static constexpr std::string_view unit = "rad", verb = "turns";
   /// No tolerance is offered from where on nothing of the curve would be left [rad].
   static constexpr double most_offered = 1.0;
-  /// More than rounding to four digits takes off.
-  static constexpr double rounded_up = 1.001;
 
-  struct Place {
-    std::size_t segment;
-    double time;
-    double off;  ///< from the curve there [rad]
-  };
+  explicit Orientations(const AnyCurve& curve) : curve_(curve) {}
 
-  [[nodiscard]] std::string miss(double tolerance) const {
-    const double kept = rounded_up * reserve * allowed_;
-    const std::string cure = !end_of_pieces_ && kept <= most_offered
-                                 ? formatted("{:.4g} rad or more, which all of the curve keeps to", kept)
-                                 : "a much larger tolerance, or a curve that turns less there";
-    return formatted("at {} s even the shortest piece reaches {:.4g} rad, wanted {:.4g}: ask for {}", first_miss_->time,
-                     rounded_up * reserve * first_miss_->off, tolerance, cure);
+  [[nodiscard]] const Knots& knots() const noexcept { return curve_.knots(); }
+  [[nodiscard]] Eigen::Vector4d value(std::size_t segment, double t) const noexcept {
+    return curve_.orientation_on(segment, t).coeffs();
   }
-
-  [[nodiscard]] BakedRecord<T> through_curve(const Subinterval& span) const {
-    BakedRecord<T> piece{.coefficients = {}, .middle = span.middle(), .per_step = 2.0 / (span.end - span.start)};
-    const auto series = batch::interpolated<4>(
-        span, nodes_, piece.per_step, [&](double t) { return curve_.orientation_on(span.segment, t).coeffs(); });
-    for (std::size_t p = 0; p < size; ++p)
-      for (Eigen::Index k = 0; k < 4; ++k) piece.coefficients[k][p] = static_cast<T>(series.powers[p][k]);
-    return piece;
+  template <std::size_t N>
+  [[nodiscard]] std::array<Eigen::Vector4d, N> samples(const Piece& piece, const std::array<double, N>& times) const {
+    std::array<T, 4 * N> numbers;
+    batch::sample_piece<T>(piece, {.times = times.data(), .start = 0.0, .step = 0.0, .first = 0.0}, N,
+                           {.orientation = numbers.data()});
+    std::array<Eigen::Vector4d, N> found;
+    for (std::size_t k = 0; k < N; ++k)
+      for (std::size_t i = 0; i < 4; ++i)
+        found[k][static_cast<Eigen::Index>(i)] = static_cast<double>(numbers[4 * k + i]);
+    return found;
   }
-
-  /// The largest difference of the piece's samples from the curve at the times that are checked [rad]; NaN is kept.
-  [[nodiscard]] double difference(const BakedRecord<T>& piece, const Subinterval& span) const {
-    std::array<double, size + 1> times;
-    for (std::size_t k = 0; k <= size; ++k) times[k] = span.time(checks_[k]);
-    std::array<T, 4 * (size + 1)> samples;
-    batch::sample_piece<T>(piece, {.times = times.data(), .start = 0.0, .step = 0.0, .first = 0.0}, times.size(),
-                           {.orientation = samples.data()});
-    double largest = 0.0;
-    for (std::size_t k = 0; k <= size; ++k) {
-      const Eigen::Quaterniond q = curve_.orientation_on(span.segment, times[k]);
-      double squares = 0.0;  // summed in this order everywhere
-      for (std::size_t i = 0; i < 4; ++i) {
-        const double off = static_cast<double>(samples[4 * k + i]) - q.coeffs()[static_cast<Eigen::Index>(i)];
-        squares += off * off;
-      }
-      const double off = 2.0 * std::sqrt(squares);
-      if (!(off <= largest)) largest = off;
-    }
-    return largest;
+  static void store(Piece& piece, Eigen::Index component, std::size_t power, double coefficient) noexcept {
+    piece.coefficients[component][power] = static_cast<T>(coefficient);
   }
+  [[nodiscard]] static double size_of(const Eigen::Vector4d& off) noexcept { return 2.0 * batch::length_of(off); }
 
+ private:
   const AnyCurve& curve_;
-  const Progress& progress_;
-  std::size_t most_pieces_;
-  double allowed_, largest_ = 0.0;
-  std::optional<Place> first_miss_, end_of_pieces_;
-  std::array<double, size> nodes_ = batch::chebyshev_nodes<size>();
-  /// The extremes of ∏ (s - nodes), both ends among them.
-  std::array<double, size + 1> checks_ = batch::cosines<size + 1>(0.0, static_cast<double>(size));
-  std::vector<double> ends_;
-  std::vector<BakedRecord<T>> pieces_;
 };
 
 template <class T>
@@ -251,14 +163,8 @@ Expected<BakedCurve<T>> bake(const AnyCurve& curve, double tolerance, const Bake
     progress.at(1.0);
     return BakedCurve<T>(knots, {constant_piece<T>(curve)}, 0.0);
   }
-  Baker<T> baker(curve, tolerance, options, progress);
-  for (std::size_t i = 0; i < knots.segments(); ++i) {
-    const bool added = baker.add({i, knots.span(i).start(), knots.span(i).end()});
-    if (progress.stopped()) return cancellation();
-    if (!added) break;
-    progress.at(static_cast<double>(i + 1) / static_cast<double>(knots.segments()));
-  }
-  return baker.keeps_to(tolerance).map(
+  batch::Baker baker(Orientations<T>(curve), tolerance, options.max_pieces, progress);
+  return baker.run().map(
       [&] { return BakedCurve<T>(Knots(baker.take_ends()), baker.take_pieces(), baker.largest_difference()); });
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include <orispline/base/counted.hpp>
@@ -11,7 +12,6 @@
 #include <orispline/families/method_text.hpp>
 #include <orispline/fields/field.hpp>
 #include <orispline/fields/field_json.hpp>
-#include <orispline/jobs/baked_file.hpp>
 #include <orispline/jobs/words.hpp>
 #include <orispline/math/degrees.hpp>
 
@@ -19,50 +19,60 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-std::size_t pieces_of(const BakedCurve<float>& curve) noexcept { return curve.pieces().size(); }
+std::size_t pieces(const BakedMotion& baked) noexcept { return baked.curve.pieces().size(); }
+double largest_difference(const BakedMotion& baked) noexcept { return baked.curve.largest_difference(); }
+std::optional<std::size_t> position_pieces(const BakedMotion& baked) {
+  return baked.path ? std::optional(baked.path->pieces().size()) : std::nullopt;
+}
+std::optional<double> largest_position_difference(const BakedMotion& baked) {
+  return baked.path ? std::optional(baked.path->largest_difference()) : std::nullopt;
+}
 
 }  // namespace
 
 template <>
 std::span<const FieldInfo> fields_of<jobs::BakeSettings>() noexcept {
-  static constexpr std::array fields{field<&jobs::BakeSettings::tolerance>(
-      {.name = "tolerance",
-       .sentence = "Largest angle that is allowed between what is played and the curve",
-       .quantity = &quantities::angle,
-       .range = {.lowest = least_bake_tolerance<float>},
-       .example = "1e-4deg or 2e-6rad",
-       .is_required = true})};
+  static constexpr std::array fields{
+      field<&jobs::BakeSettings::tolerance>(
+          {.name = "tolerance",
+           .sentence = "Largest angle that is allowed between what is played and the curve",
+           .quantity = &quantities::angle,
+           .range = {.lowest = least_bake_tolerance<float>},
+           .example = "1e-4deg or 2e-6rad",
+           .is_required = true}),
+      field<&jobs::BakeSettings::position_tolerance>(
+          {.name = "position_tolerance",
+           .sentence = "Largest distance that is allowed between the positions that are played and the path",
+           .quantity = &quantities::length,
+           .range = positive,
+           .example = "1mm"}),
+  };
   return fields;
 }
 
 template <>
 std::span<const FieldInfo> fields_of<jobs::BakeOutcome>() noexcept {
   static constexpr std::array fields{
-      field<&jobs::BakeOutcome::curve, &pieces_of>(
+      field<&jobs::BakeOutcome::baked, &pieces>(
           {.name = "pieces", .sentence = "Pieces of the curve, each a polynomial of degree 5 for every component"}),
-      field<&jobs::BakeOutcome::curve, &BakedCurve<float>::largest_difference>(
+      field<&jobs::BakeOutcome::baked, &largest_difference>(
           {.name = "largest_difference",
            .sentence = "Largest angle that was found between what is played and the curve",
            .quantity = &quantities::angle}),
+      field<&jobs::BakeOutcome::baked, &position_pieces>(
+          {.name = "position_pieces",
+           .sentence = "Pieces of the path, each a polynomial of degree 5 for every coordinate",
+           .absent = "there are no positions"}),
+      field<&jobs::BakeOutcome::baked, &largest_position_difference>(
+          {.name = "largest_position_difference",
+           .sentence = "Largest distance that was found between the positions that are played and the path",
+           .quantity = &quantities::length,
+           .absent = "there are no positions"}),
   };
   return fields;
 }
 
 namespace jobs {
-
-namespace {
-
-std::vector<Warning> warnings_of(const BakeRequest& request, std::vector<Warning> of_curve) {
-  std::vector<Warning> warnings = request.method.warnings;
-  std::ranges::move(of_curve, std::back_inserter(warnings));
-  const Track& keys = *request.keys;
-  if (!keys.keys.positions().empty() || !keys.positions_apart.is_empty())
-    warnings.push_back(
-        {.code = "positions_left_out", .message = "the baked curve has orientations alone, positions are left out"});
-  return warnings;
-}
-
-}  // namespace
 
 Expected<BakeOutcome> bake(BakeRequest request, const Progress& progress) {
   const Track& keys = *request.keys;
@@ -70,13 +80,10 @@ Expected<BakeOutcome> bake(BakeRequest request, const Progress& progress) {
   if (auto whole = check_without_gaps(keys); !whole) return tl::unexpected(std::move(whole.error()));
   auto made = curve_of_keys(request.method.method, keys);
   if (!made) return tl::unexpected(std::move(made.error()));
-  auto baked = orispline::bake<float>(made->curve.orientation, request.options.tolerance, {}, progress);
-  if (!baked) {
-    Error error = std::move(baked.error());
-    if (error.code == ErrorCode::bad_argument) error.option = "tolerance";
-    return tl::unexpected(placed(keys, std::move(error)));
-  }
-  std::vector<Warning> warnings = warnings_of(request, std::move(made->warnings));
+  auto baked = bake_motion(made->curve, request.options.tolerance, request.options.position_tolerance, progress);
+  if (!baked) return tl::unexpected(placed(keys, std::move(baked.error())));
+  std::vector<Warning> warnings = request.method.warnings;
+  std::ranges::move(made->warnings, std::back_inserter(warnings));
   return BakeOutcome{std::move(request), std::move(made->method), std::move(*baked), std::move(warnings)};
 }
 
@@ -84,15 +91,23 @@ Json document_of(const BakeOutcome& outcome) {
   Json json{{"method", text_of(outcome.method)},
             {"keys", outcome.request.keys->keys.size()},
             {"tolerance_rad", outcome.request.options.tolerance}};
+  if (outcome.baked.path) json["position_tolerance_m"] = outcome.request.options.position_tolerance;
   put(json, outcome);
   return json;
 }
 
 std::string summary_of(const BakeOutcome& outcome) {
-  return formatted("{}, {}: {}, {} bytes as .bin, within {:.3g}°; largest found {:.3g}°\n",
-                   keys_text(*outcome.request.keys), text_of(outcome.method),
-                   counted(outcome.curve.pieces().size(), "piece"), baked_bytes(outcome).size(),
-                   outcome.request.options.tolerance * degrees, outcome.curve.largest_difference() * degrees);
+  const Track& keys = *outcome.request.keys;
+  const BakeSettings& options = outcome.request.options;
+  const auto& [curve, path] = outcome.baked;
+  std::string text = formatted("{}, {}: {}, {} bytes as .bin, within {:.3g}°; largest found {:.3g}°\n", keys_text(keys),
+                               text_of(outcome.method), counted(curve.pieces().size(), "piece"),
+                               baked_bytes(outcome.baked, keys.epoch).size(), options.tolerance * degrees,
+                               curve.largest_difference() * degrees);
+  if (path)
+    text += formatted("positions: {}, within {:.3g} m; largest found {:.3g} m\n",
+                      counted(path->pieces().size(), "piece"), options.position_tolerance, path->largest_difference());
+  return text;
 }
 
 }  // namespace jobs

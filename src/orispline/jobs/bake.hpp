@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <orispline/batch/baked_curve.hpp>
+#include <orispline/batch/baked_motion.hpp>
 #include <orispline/fields/json.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>
 
@@ -13,7 +13,8 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
 /// What is asked of a curve that is baked.
 struct BakeSettings {
-  double tolerance = 0.0;  ///< [rad], as orispline::bake() measures it; from that on which `float` can hold
+  double tolerance = 0.0;            ///< [rad], as orispline::bake() measures it; from that on which `float` can hold
+  double position_tolerance = 1e-3;  ///< [m], where there are positions
 };
 
 struct BakeRequest {
@@ -22,15 +23,15 @@ struct BakeRequest {
   BakeSettings options{};
 };
 
-/// A curve in single precision, which is what players evaluate, and what was asked for.
+/// A curve in single precision, and what was asked for.
 struct BakeOutcome {
   BakeRequest request;
   Method method;  ///< of the curve
-  BakedCurve<float> curve;
-  std::vector<Warning> warnings{};  ///< of the request's method, of the curve, and of positions, which are left out
+  BakedMotion baked;
+  std::vector<Warning> warnings{};  ///< of the request's method, and of the curve
 };
 
-/// Errors: those of curve_of_keys() and orispline::bake(), with their places; bad_argument for gaps.
+/// Errors: those of curve_of_keys(), bake_motion(), with their places; bad_argument for gaps.
 [[nodiscard]] ORISPLINE_EXPORT Expected<BakeOutcome> bake(BakeRequest request, const Progress& progress = {});
 
 /// Described in docs/inspect-json.md, but for the names of files and the warnings.

@@ -44,7 +44,6 @@ export declare class Engine {
     withRoom<Result>(bytes: number, work: (at: Address) => Result): Result;
     /** A text that a function makes, whose last value but the error is where it goes. */
     toldText(name: string, ...values: number[]): string;
-    singles(at: Address, length: number): Float32Array<ArrayBuffer>;
     /** Of 64 bits. */
     wholeNumber(at: Address): number;
     private error;

@@ -46,9 +46,10 @@ export declare class WholeCurve extends Curve {
     peaks(options?: {
         inertia?: ArrayLike<number>;
     }): Peaks;
-    /** What `orispline/player` plays: what `orispline bake` writes, with the times of the keys. The tolerance is in rad. */
+    /** What `orispline/player` plays: the .json that `orispline bake` writes, with the times of the keys. The tolerances are in rad, and in m for positions. */
     bake(options: {
         tolerance: number;
+        positionTolerance?: number;
     }): BakedFile;
     /** The text of its method, with its settings. */
     get method(): string;
