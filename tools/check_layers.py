@@ -22,7 +22,7 @@ CLI_LAYERS = {"options": set(), "output": {"options"}, "papers": {"options", "ou
               "commands": {"options", "output"}}  # folder of cli -> what it may include besides itself; each folder of commands is one for itself
 # The command and the bindings, which compose nothing: what they may include besides the public headers and what these name.
 BINDINGS, BINDING_LAYERS = ("cli/", "bindings/"), GROUND | {"report", "jobs", "io", "scenes"}
-METHOD_LISTS = {"families/registry.hpp", "families/method_text.hpp", "families/method_json.hpp"}  # the list of methods, their texts, and both as data
+METHOD_LISTS = {"families/registry.hpp", "families/method_text.hpp", "families/method_json.hpp", "families/setting_quantity.hpp"}  # the list of methods, their texts, and both as data
 C_LEAST = {"base/", "batch/pose_sampler.hpp", "curve/", "families/method_text.hpp", "jobs/curve_of_keys.hpp"}  # what any source of bindings/c may include of the library
 C_PARTS = {  # and those beside, of which a package for the web takes as many as it needs: source -> what it may include besides those
     "bake": {"batch/"}, "json_text": {"fields/"}, "lists": {"families/", "fields/"},

@@ -21,7 +21,7 @@ class Methods(CommandTest):
         for method in self.methods.values():
             self.assertEqual(list(method), FIELDS)
             for parameter in method["parameters"]:
-                self.assertEqual(list(parameter), ["name", "default", "min", "max", "per_key", "ghosts", "tensor"])
+                self.assertEqual(list(parameter), ["name", "default", "min", "max", "per_key", "ghosts", "tensor", "unit"])
             for choice in method["choices"]:
                 self.assertEqual(list(choice), ["name", "default", "words"])
 
@@ -82,7 +82,7 @@ class Methods(CommandTest):
         self.assertEqual(choices, {"stencil": ["5", "3"], "form": ["chart", "cumulative"]})
 
     def test_a_parameter_says_whether_keys_may_differ(self):
-        self.assertIn(" settings hold=0 (one for all) ", self.entry_of("auto"))
+        self.assertIn(" settings hold=0 (one for all), rest-angle=0 (one for all) ", self.entry_of("auto"))
         self.assertIn(" settings tension=0.5, tension2=1 ", self.entry_of("timed-c2"))
 
     def test_global_methods_depend_on_all_keys(self):

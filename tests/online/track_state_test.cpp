@@ -378,7 +378,7 @@ TEST(TrackState, IsRefusedForItsMethodAndOptions) {
        [](auto& s) {
          s.choices = {{"form", "none"}};
        },
-       "auto: unknown parameter 'form', wanted one of hold"},
+       "auto: unknown parameter 'form', wanted one of hold, rest-angle"},
       {"start rule", open, [](auto& s) { s.end_rules[0] = 99; }, too_early},
       {"end rule", open, [](auto& s) { s.end_rules[1] = 99; }, too_early},
       {"signs", open, [](auto& s) { s.signs = 2; }, too_early},

@@ -16,6 +16,8 @@ export interface ParameterInfo {
   ghosts: number;
   /** Whether it may be a symmetric matrix of 3 or 6 numbers. */
   tensor: boolean;
+  /** Of the number, which a text may state with another one behind it, such as `0.1deg`; null for a plain number. */
+  unit: string | null;
 }
 
 /** What the registry says of a method; docs/inspect-json.md has all members. */

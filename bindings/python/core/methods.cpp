@@ -6,6 +6,7 @@
 
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/families/setting_quantity.hpp>
 
 #include "errors.hpp"
 #include "keys.hpp"
@@ -29,6 +30,8 @@ nb::list parameters_of(const FamilyInfo& family) {
     entry["per_key"] = parameter.per_key;
     entry["tensor"] = parameter.tensor;
     entry["tunable"] = parameter.tunable;
+    const Quantity* const quantity = quantity_of_setting(parameter.name);
+    entry["unit"] = quantity ? nb::object(text(quantity->unit)) : nb::object(nb::none());
     list.append(entry);
   }
   return list;

@@ -3,6 +3,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/blending/blending_family.hpp>
+#include <orispline/families/setting_quantity.hpp>
 
 #include "commands/methods/page_lines.hpp"
 
@@ -57,6 +58,8 @@ std::string parameter_text(const Parameter& p) {
           : p.ghosts > 0
               ? formatted("one for all keys, or one per key, or those of {} ghost keys at either end as well", p.ghosts)
               : "one for all keys or one per key";
+  if (const Quantity* const quantity = quantity_of_setting(p.name))
+    text += formatted("; in {} or with its unit, such as {}", quantity->unit, quantity->example);
   if (p.tunable) text += "; 'orispline tune' finds it";
   return text;
 }

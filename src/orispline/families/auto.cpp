@@ -7,27 +7,24 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 namespace {
 
-Expected<bool> holds(const FamilySettings& settings) {
-  return settings.whole("hold").map([](int hold) { return hold == 1; });
-}
-
-AutoRates rates_along(const Keyframes& keys, Through through, std::size_t reach, bool hold) {
+/// The rates at the keys, at rest where a step is no longer than that [rad], [m].
+AutoRates rates_along(const Keyframes& keys, Through through, std::size_t reach, double longest_rest) {
   AutoRates along(keys, through, reach, reach);
   along.guard();
-  if (hold) along.hold();
+  along.rest_within(longest_rest);
   return along;
 }
 
 Expected<ChartCurve<5>> curve_of_reach(const Keyframes& keys, std::size_t reach, const FamilySettings& settings) {
-  return holds(settings).map([&](bool hold) {
-    AutoRates along = rates_along(keys, Through::orientations, reach, hold);
+  return rest_limits(settings).map([&](const RestLimits& rests) {
+    AutoRates along = rates_along(keys, Through::orientations, reach, rests.angle);
     return quintics_through(keys, along, [&along](std::size_t i) { return along.rates(i); });
   });
 }
 
 Expected<HermitePath<5>> path_of_reach(const Keyframes& keys, std::size_t reach, const FamilySettings& settings) {
-  return holds(settings).map([&](bool hold) {
-    AutoRates along = rates_along(keys, Through::positions, reach, hold);
+  return rest_limits(settings).map([&](const RestLimits& rests) {
+    AutoRates along = rates_along(keys, Through::positions, reach, rests.length);
     return quintic_path_through(keys, along, [&along](std::size_t i) { return along.rates(i); });
   });
 }

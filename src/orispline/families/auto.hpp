@@ -5,6 +5,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/hermite_path.hpp>
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/families/rest_settings.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
@@ -14,7 +15,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 /// polynomial where the motion is smooth, those of a natural cubic spline where it is rough. A quintic in the rotation
 /// vector then joins the keys. A segment depends on 8 keys. Derivation and measurements: docs/families/auto.md.
 struct Auto {
-  static constexpr std::array parameters{Parameter{"hold", 0.0, 0.0, 1.0, false}};
+  static constexpr std::array parameters{hold_setting, rest_angle_setting};
   static constexpr FamilyInfo info{.name = "auto",
                                    .title = "Local C2 spline that takes its rates from the keys around",
                                    .source = "orispline, docs/families/auto.md",
@@ -30,7 +31,7 @@ struct Auto {
 
 /// The steps of `auto` from five keys: a segment depends on 6 keys, for less latency.
 struct Auto5 {
-  static constexpr std::array parameters{Parameter{"hold", 0.0, 0.0, 1.0, false}};
+  static constexpr std::array parameters{hold_setting, rest_angle_setting};
   static constexpr FamilyInfo info{.name = "auto5",
                                    .title = "Local C2 spline that takes its rates from five keys",
                                    .source = "orispline, docs/families/auto5.md",

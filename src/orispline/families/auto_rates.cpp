@@ -110,7 +110,7 @@ void AutoRates::go_to(std::size_t i) {
 }
 
 Rates AutoRates::rates(std::size_t i, double belief) const {
-  if (hold_ && ((i > 0 && rests_after(i - 1)) || (i + 1 < size() && rests_after(i)))) return {};
+  if ((i > 0 && rests_after(i - 1)) || (i + 1 < size() && rests_after(i))) return {};
   if (size() == 2) return {secant(0), Eigen::Vector3d::Zero()};
   Rates rates = windowed_rates(i, belief);
   if (i == 0 || i + 1 == size()) return rates;
@@ -126,7 +126,7 @@ Eigen::Vector3d AutoRates::found(std::size_t i, std::size_t j) const {
 }
 
 bool AutoRates::rests_after(std::size_t i) const {
-  return known(i).to[0].norm() <= (orientations_.empty() ? rest_length : rest_angle);
+  return longest_rest_ >= 0.0 && known(i).to[0].norm() <= longest_rest_;
 }
 
 void AutoRates::find(std::size_t i) {

@@ -46,8 +46,8 @@ class AutoRates {
   /// most.
   AutoRates(const Keyframes& keys, Through through, std::size_t reach, std::size_t kept);
 
-  /// The body rests between keys that are equal.
-  void hold() noexcept { hold_ = true; }
+  /// The body rests between keys that are no farther apart [rad], [m]; nowhere where that is less than 0.
+  void rest_within(double longest) noexcept { longest_rest_ = longest; }
 
   /// The polynomial is believed only where it foretells keys better than the natural spline does: step (2) of auto.
   void guard() noexcept { guarded_ = true; }
@@ -110,7 +110,8 @@ class AutoRates {
   std::span<const Eigen::Quaterniond> orientations_;  ///< empty where positions are asked about
   std::span<const Eigen::Vector3d> positions_;
   std::size_t reach_, kept_;
-  bool hold_ = false, guarded_ = false;
+  double longest_rest_ = -1.0;
+  bool guarded_ = false;
   std::array<Key, places> keys_;
   std::size_t found_ = 0;  ///< keys whose increments are known
 };

@@ -4,10 +4,13 @@
 #include <utility>
 
 #include <orispline/families/blending/blending_family.hpp>
+#include <orispline/families/setting_quantity.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
+
+Json unit_json(const Quantity* quantity) { return quantity ? Json(quantity->unit) : Json(nullptr); }
 
 Json parameters_of(const FamilyInfo& family) {
   Json parameters = Json::array();
@@ -18,7 +21,8 @@ Json parameters_of(const FamilyInfo& family) {
                           {"max", p.highest},
                           {"per_key", p.per_key},
                           {"ghosts", p.ghosts},
-                          {"tensor", p.tensor}});
+                          {"tensor", p.tensor},
+                          {"unit", unit_json(quantity_of_setting(p.name))}});
   return parameters;
 }
 

@@ -11,6 +11,7 @@
 #include <orispline/curve/end_rate_names.hpp>
 #include <orispline/families/blending/blending_family.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/families/setting_quantity.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -18,10 +19,23 @@ namespace {
 
 constexpr std::string_view ends = "ends", closed_option = "closed", period = "period";
 
-Expected<std::vector<double>> numbers_of(std::string_view option, std::string_view text) {
+/// A number, or one with a unit of the quantity behind it, as in `0.1deg`, in the unit of the library.
+std::optional<double> number_of(std::string_view text, const Quantity* quantity) {
+  if (quantity)
+    for (const Unit& unit : quantity->typed_units)
+      if (text.ends_with(unit.name))
+        if (const auto number = number_in(text.substr(0, text.size() - unit.name.size()))) return *number * unit.size;
+  return number_in(text);
+}
+
+Expected<std::vector<double>> numbers_of(std::string_view option, std::string_view text,
+                                         const Quantity* quantity = nullptr) {
   std::vector<double> numbers;
   for (const std::string_view piece : pieces_of(text, ',')) {
-    const auto number = number_in(piece);
+    const auto number = number_of(piece, quantity);
+    if (!number && quantity)
+      return bad_option(option,
+                        formatted("found '{}', wanted an {} such as {}", text, quantity->name, quantity->example));
     if (!number) return bad_option(option, formatted("found '{}', wanted numbers with commas between them", text));
     numbers.push_back(*number);
   }
@@ -40,6 +54,13 @@ Expected<Method> with_period_text(Method method, std::string_view text) {
   if (!seconds || *seconds <= 0.0)
     return bad_option(period, formatted("found '{}', wanted a number of seconds greater than 0", text));
   return with_loop(std::move(method), {.period = seconds});
+}
+
+/// The name of a setting, such as `rest-angle`, which languages without hyphens in their names write as `rest_angle`.
+std::string setting_named(std::string_view typed, const FamilyInfo& family) {
+  std::string hyphened(typed);
+  std::ranges::replace(hyphened, '_', '-');
+  return has_name(family.parameters, hyphened) ? hyphened : std::string(typed);
 }
 
 /// `SETTING=VALUE`, or `closed`.
@@ -120,12 +141,12 @@ bool same_blending(const Method& one, const Method& other) {
 Expected<Method> with_setting(Method method, std::string_view setting, std::string_view value) {
   const auto family = family_of_method(method);
   if (!family) return tl::unexpected(family.error());
-  const std::string name(setting);
+  const std::string name = setting_named(setting, **family);
   CurveOptions& options = method.options;
   if (options.parameters.contains(name) || options.choices.contains(name))
     return bad_option(setting, formatted("'{}' is given twice, wanted it once", name));
-  if (has_name((*family)->parameters, setting))
-    return numbers_of(setting, value).map([&](std::vector<double> values) {
+  if (has_name((*family)->parameters, name))
+    return numbers_of(setting, value, quantity_of_setting(name)).map([&](std::vector<double> values) {
       options.parameters.emplace(name, std::move(values));
       return std::move(method);
     });

@@ -215,7 +215,7 @@ class Descents {
 Expected<Descents> descents(const Keyframes& keys, const FamilySettings& settings, const Knots& knots,
                             const Counts& counts) {
   FamilySettings with = settings;
-  with.parameters.emplace("hold", PerKey({0.0}));
+  for (const Parameter& of_auto : Auto::parameters) with.parameters.emplace(of_auto.name, PerKey({of_auto.initial}));
   std::vector<std::pair<double, AnyCurve>> starts;
   const auto take = [&](auto curve) {
     if (!curve) return;
