@@ -78,6 +78,7 @@ def families(command):
         "least": [arcs, curve("least"), curve("timed-c2")],
         "rational": [arcs, curve("rational"), curve("global-c2")],
         "biarcs": [arcs, curve("biarcs"), curve("timed-c1")],
+        "monotone": [arcs, curve("monotone"), curve("timed-c1")],
         "nu-exact": [arcs, curve("ν = 0", method="nu-exact"),
                      curve("ν = 16/s at key 2", "--set", "nu=0,0,16,0,0", method="nu-exact"), curve("timed-c2")],
         "nu": [arcs, *(curve(f"ν = {x}" + "/s" * (x > 0), "--set", f"nu={x}", method="nu") for x in (0, 2, 8, 32))],

@@ -14,7 +14,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 MAKERS = {"golden": "reference", "smooth": "reference", "rational": "splines", "positions": "splines", "biarcs": "curves", "inner": "curves",
-          "auto": "windows", "measured": "windows", "mean": "estimates", "sigma": "estimates", "least": "least", "least_hard": "least",
+          "monotone": "curves", "pchip": "by_scipy", "auto": "windows", "measured": "windows", "mean": "estimates", "sigma": "estimates", "least": "least", "least_hard": "least",
           "tuned": "by_scipy", "rotation_spline": "by_scipy", "euler": "by_scipy", "so3": "functions", "elementary": "functions",
           "kernel": "functions"}  # name -> module of tools/golden with a function of that name: the folder of the reference -> {path: text}
 

@@ -116,7 +116,7 @@ class Methods(CommandTest):
     def test_the_local_four_key_methods_and_global_ones_can_be_closed(self):
         closing = {name for name, method in self.methods.items() if method["closes"]}
         self.assertLessEqual({"quintic", "sextic", "atbi", "timed-c1", "timed-c2", "timed-c3", "timed-sextic",
-                              "xing-quartic", "xing-quintic", "uniform", "biarcs", "global-c2", "nu-exact", "rational",
+                              "xing-quartic", "xing-quintic", "uniform", "biarcs", "monotone", "global-c2", "nu-exact", "rational",
                               "rotation-spline", "bspline-through", "beta", "beta-g2", "beta-through"}, closing)
         self.assertFalse({"auto", "slerp", "squad", "bezier", "bspline", "nu"} & closing)
 

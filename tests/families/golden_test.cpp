@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every family against 60-digit values: tests/data/golden, made by `tools/make_golden.py golden
-// rational biarcs`.
+// rational biarcs monotone`.
 #include <numbers>
 #include <ostream>
 
@@ -120,7 +120,8 @@ constexpr GoldenFamily with_table(const char* name, std::size_t cases, std::size
 
 INSTANTIATE_TEST_SUITE_P(InR4, Golden,
                          testing::Values(with_table("rational", 29, 604, "golden/rational_cases.csv"),
-                                         with_table("biarcs", 16, 292, "golden/biarcs_cases.csv")),
+                                         with_table("biarcs", 16, 292, "golden/biarcs_cases.csv"),
+                                         with_table("monotone", 13, 236, "golden/monotone_cases.csv")),
                          name_of_test);
 
 }}  // namespace orispline

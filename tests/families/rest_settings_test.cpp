@@ -33,7 +33,7 @@ double rate_at(const Method& method, double t) {
 }
 
 TEST(RestAngle, MakesKeysRestThatTurnNoFarther) {
-  ASSERT_EQ(methods_with("rest-angle"), (std::vector<std::string>{"auto", "auto5"}));
+  ASSERT_EQ(methods_with("rest-angle"), (std::vector<std::string>{"auto", "auto5", "monotone"}));
   for (const std::string& name : methods_with("rest-angle")) {
     const Method narrow = method_from_text(name + ":rest-angle=0.1deg").value(),
                  wide = method_from_text(name + ":rest-angle=0.3deg").value();
@@ -78,7 +78,7 @@ TEST(RestAngle, IsTypedWithAUnitAndWrittenInRadians) {
   EXPECT_DOUBLE_EQ(value("auto:rest-angle=0.002rad"), 0.002);
   EXPECT_DOUBLE_EQ(value("auto:rest-angle=0.002"), 0.002);
   EXPECT_DOUBLE_EQ(value("auto:rest_angle=0.002"), 0.002);
-  EXPECT_EQ(text_of(method_from_text("auto5:rest-angle=2mrad").value()), "auto5:rest-angle=0.002");
+  EXPECT_EQ(text_of(method_from_text("monotone:rest-angle=2mrad").value()), "monotone:rest-angle=0.002");
   for (const char* wrong : {"auto:rest-angle=0.1s", "auto:rest-angle=deg", "auto:rest-angle=soon"})
     EXPECT_EQ(method_from_text(wrong).error().message.substr(0, 6), "found ") << wrong;
   EXPECT_EQ(method_from_text("auto:rest-angle=0.1s").error().message,
@@ -87,7 +87,7 @@ TEST(RestAngle, IsTypedWithAUnitAndWrittenInRadians) {
 }
 
 TEST(RestAngle, IsRefusedBeyondItsRange) {
-  for (const char* text : {"auto:rest-angle=-1deg", "auto:rest-angle=181deg", "auto5:rest-angle=nan"}) {
+  for (const char* text : {"auto:rest-angle=-1deg", "auto:rest-angle=181deg", "monotone:rest-angle=nan"}) {
     const auto method = method_from_text(text);
     const auto curve = method ? make_curve(*method, two_holds()) : Expected<AnyCurve>(tl::unexpected(method.error()));
     ASSERT_FALSE(curve) << text;

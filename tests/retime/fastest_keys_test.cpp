@@ -52,7 +52,7 @@ TEST(FastestKeys, KeepTheLimitsAndReachOneOfThem) {
   const MotionLimits limits{.rate = 1.0, .acceleration = 2.0, .torque = 3.0, .inertia = inertia};
   unsigned seed = 70;
   for (const std::string_view method : {"auto", "timed-c1", "timed-c3", "bspline"})
-    for (const RandomKeys how : {RandomKeys{12, 2.9, 100.0}, RandomKeys{3, 1.0}, RandomKeys{2, 3.0}}) {
+    for (const KeyDrawing how : {KeyDrawing{12, 2.9, 100.0}, KeyDrawing{3, 1.0}, KeyDrawing{2, 3.0}}) {
       const Retiming fast = fastest(method, random_keys(++seed, how), limits);
       const MotionSizes peaks = sampled(curve_of(method, fast));
       EXPECT_LE(std::max({peaks.rate, peaks.acceleration / 2.0, peaks.torque / 3.0}), 1.0) << method;

@@ -75,9 +75,9 @@ TEST(RateBounds, HoldEverywhereAndAreNearForEveryMethodOfPolynomialsWithRatesOfI
   for (const FamilyInfo& info : families_info()) {
     const std::string name(info.name);
     unsigned seed = 7;
-    for (const RandomKeys how :
-         {RandomKeys{4, 60.0 * radians_per_degree}, RandomKeys{4, 170.0 * radians_per_degree, 100.0},
-          RandomKeys{2, 170.0 * radians_per_degree}}) {
+    for (const KeyDrawing how :
+         {KeyDrawing{4, 60.0 * radians_per_degree}, KeyDrawing{4, 170.0 * radians_per_degree, 100.0},
+          KeyDrawing{2, 170.0 * radians_per_degree}}) {
       const auto curve = make_curve(info.name, random_keys(++seed, how));
       if (info.rate_orders > 0 || !curve || !certified(*curve, {}, low_floors)) continue;
       expect_bounds(*curve, name + " of " + std::to_string(how.count));

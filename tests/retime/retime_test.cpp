@@ -84,7 +84,7 @@ TEST(Retime, StaysWithinTheLimitsAndReachesOneOfThem) {
   const MotionLimits limits{.rate = 1.0, .acceleration = 2.0, .torque = 3.0, .inertia = inertia};
   unsigned seed = 30;
   for (const std::string_view method : {"auto", "timed-c1", "timed-c3", "bspline"})
-    for (const RandomKeys how : {RandomKeys{12, 2.9, 100.0}, RandomKeys{3, 1.0}, RandomKeys{2, 3.0}}) {
+    for (const KeyDrawing how : {KeyDrawing{12, 2.9, 100.0}, KeyDrawing{3, 1.0}, KeyDrawing{2, 3.0}}) {
       const Keyframes keys = random_keys(++seed, how);
       const Retiming uniform = retimed(method, keys, limits);
       const Retiming separate = retimed(method, keys, limits, Slowing::per_interval);

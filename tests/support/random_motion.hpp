@@ -9,14 +9,14 @@
 namespace orispline {
 
 /// How keys are drawn.
-struct RandomKeys {
+struct KeyDrawing {
   std::size_t count;
   double largest_step;      ///< [rad]
   double time_ratio = 1.0;  ///< of the longest to the shortest interval; 1: all are 1 s
 };
 
 /// Keys about axes of any direction, the same for the same seed.
-inline Keyframes random_keys(unsigned seed, const RandomKeys& how) {
+inline Keyframes random_keys(unsigned seed, const KeyDrawing& how) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> symmetric(-1.0, 1.0);
   KeyframeData data{.times = {0.0}, .orientations = {Eigen::Quaterniond::Identity()}};

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What SciPy finds: Euler angles, the motions of its RotationSpline, and the tensions of least energy."""
+"""What SciPy finds: Euler angles, the motions of its RotationSpline, monotone angles, and the tensions of least energy."""
 import itertools
 import sys
 
 import numpy as np
 import scipy
 from golden.exact import rows_of
+from scipy.interpolate import PchipInterpolator
 from scipy.optimize import least_squares, root
 from scipy.spatial.transform import Rotation, RotationSpline
 
@@ -36,6 +37,38 @@ def euler(_):
             numbers = [float(number) for number in (*angles, w, x, y, z)]
             lines.append(order + "," + ",".join(map(repr, numbers)) + "\n")
     return {"tests/data/euler.csv": "".join(lines)}
+
+
+# ---------------------------------------------------------------- PchipInterpolator
+
+PCHIP_SEED, PCHIP_SHARES = 19801984, (0.0, 0.15, 0.5, 0.85)
+PCHIP_KEYS = {  # times and angles [rad], no step of half a turn
+    "two": ([0.0, 0.4], [0.3, -1.2]),
+    "steady": ([0.0, 0.1, 1.1, 1.3, 4.0], [0.0, 0.05, 0.55, 0.65, 2.0]),
+    "hold": ([0.0, 1.0, 2.0, 3.0], [0.0, np.radians(0.05), np.radians(90.05), np.radians(91.0)]),
+    "rest": ([0.0, 1.0, 1.5, 2.5], [0.2, 1.1, 1.1, 2.9]),
+    "back": ([0.0, 0.7, 1.0, 2.0, 2.2], [0.0, 2.5, 1.0, 1.5, -1.0]),
+    "end of three times the mean": ([0.0, 1.0, 1.1, 2.0], [0.0, 0.2, -1.5, -2.0]),
+    "end at rest": ([0.0, 1.0, 1.1, 2.0], [0.0, 0.1, 2.5, 2.6]),
+}
+
+
+def pchip(_):
+    """Angles about one axis by SciPy's PchipInterpolator."""
+    random = np.random.default_rng(PCHIP_SEED)
+    cases = dict(PCHIP_KEYS)
+    for k in range(12):
+        count = 3 + k
+        cases[f"random {k}"] = (np.cumsum(np.exp(random.uniform(-3, 3, count))), np.cumsum(random.uniform(-3.1, 3.1, count)))
+    lines = [f"# Made by tools/make_golden.py pchip (SciPy {scipy.__version__}, seed {PCHIP_SEED}): angles [rad] with their derivatives in\n"
+             "# time by PchipInterpolator; at keys those of the segment to the right, at the last one of that to the left.\n",
+             "case,is_key,t,angle,rate,acceleration,jerk\n"]
+    for name, (times, angles) in cases.items():
+        curve = PchipInterpolator(times, angles)
+        places = [(t, share == 0) for a, b in itertools.pairwise(times) for share in PCHIP_SHARES for t in [a + share * (b - a)]]
+        for t, is_key in [*places, (times[-1], True)]:
+            lines.append(",".join([name, str(int(is_key)), repr(float(t)), *(repr(float(curve(t, order))) for order in range(4))]) + "\n")
+    return {"tests/data/scipy_pchip.csv": "".join(lines)}
 
 
 # ---------------------------------------------------------------- RotationSpline

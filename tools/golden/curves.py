@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Curves with 60 digits by mpmath: the method `biarcs`, and `squad` with given inner quaternions.
+"""Curves with 60 digits by mpmath: the methods `biarcs` and `monotone`, and `squad` with given inner quaternions.
 
 Rates come from numeric derivatives of the quaternion at a precision that leaves them exact in double. Every double is written by repr,
 so it reads back exactly.
@@ -134,6 +134,14 @@ class Biarcs:
         return motion(lambda x: segment.at(self.way(i, x), after), t)
 
 
+def three_rounds(times, keys):
+    """Of a loop, of which the second one has the keys on either side that it looks at; and the period."""
+    sign = -1 if dot(keys[-1], keys[0]) < 0 else 1
+    period = mpf(float(times[-1] - times[0] + mpf(3) / 4))
+    return ([t + k * period for k in (-1, 0, 1) for t in times] + [times[0] + 2 * period],
+            [signed(s, q) for s in (sign, 1, sign) for q in keys] + [keys[0]], period)
+
+
 def biarcs(_):
     """The method `biarcs` through sequences of keys.csv.
 
@@ -146,12 +154,9 @@ def biarcs(_):
         for ends in all_ends:
             number, times, keys = len(cases), given[sequence][0], aligned(given[sequence][1])
             first, count, period = 0, len(keys) - 1, None
-            if ends == "loop":  # three rounds, of which the second is taken
-                sign, n = (-1 if dot(keys[-1], keys[0]) < 0 else 1), len(keys)
-                period = mpf(float(times[-1] - times[0] + mpf(3) / 4))
-                times = [t + k * period for k in (-1, 0, 1) for t in times] + [times[0] + 2 * period]
-                keys = [signed(s, q) for s in (sign, 1, sign) for q in keys] + [keys[0]]
-                first, count = n, n
+            if ends == "loop":
+                first = count = len(keys)
+                times, keys, period = three_rounds(times, keys)
             curve = Biarcs(times, keys, ends)
             cases.append(case_row(number, "biarcs", sequence, ends, period=period))
             for i in range(count):
@@ -160,6 +165,84 @@ def biarcs(_):
     head = "# Made by tools/make_biarcs_golden.py.\n" + AROUND + NEAREST
     return {"tests/data/golden/biarcs_cases.csv": head + CASES_NOTE + CASES + "\n" + "\n".join(cases) + "\n",
             "tests/data/golden/biarcs.csv": head + SIDES + "case,segment,t,side," + MOTION + "\n".join(rows) + "\n"}
+
+
+# ---------------------------------------------------------------- monotone
+
+MONOTONE = {"msmooth6": (False, True), "mrand6": (False, True), "mnonuni6": (False, True), "mratio10": (False,), "mthree": (False, True),
+            "mrepeated": (False,), "smooth5": (False,), "nonuni5": (False,), "nearpi": (False,)}  # sequence -> open, a loop, or both
+
+
+class Cubics:
+    """Cubics of the rotation vector from the middle of each step, whose rates there are those of docs/families/monotone.md."""
+
+    def __init__(self, times, keys):
+        self.times, self.keys = times, keys
+        self.steps = [b - a for a, b in zip(times, times[1:])]
+        self.turns = [step_of(p, q) for p, q in zip(keys, keys[1:])]
+        inner = [self.rate_between(i - 1, i) for i in range(1, len(keys) - 1)]
+        self.rates = [self.rate_at_end(0, 1), *inner, self.rate_at_end(-1, -2)]
+
+    def rate_between(self, i, k):
+        (a, b), (h, l) = (self.turns[i], self.turns[k]), (self.steps[i], self.steps[k])
+        if not norm(a) or not norm(b):
+            return [mpf(0)] * 3
+        speed = 3 * (h + l) / ((2 * l + h) * h / norm(a) + (l + 2 * h) * l / norm(b))
+        return combined((speed / 2, unit(a)), (speed / 2, unit(b)))
+
+    def rate_at_end(self, i, k):
+        (a, b), (h, l) = (self.turns[i], self.turns[k]), (self.steps[i], self.steps[k])
+        if not norm(a):
+            return a
+        speed, beside = norm(a) / h, dot(unit(a), b) / l
+        return combined((min(max(((2 * h + l) * speed - h * beside) / (h + l), mpf(0)), 3 * speed), unit(a)))
+
+    def motion(self, i, t):
+        middle = product(self.keys[i], exp_of([x / 4 for x in self.turns[i]]))
+        ends = [step_of(middle, self.keys[k]) for k in (i, i + 1)]
+
+        def slope(k):
+            """Of the rotation vector where the body turns at the rate of the key."""
+            rate = self.rates[k]
+            if not norm(rate):
+                return rate
+            return [diff(lambda s: step_of(middle, product(self.keys[k], exp_of([s * x / 2 for x in rate])))[j] if s else ends[k - i][j], 0)
+                    for j in range(3)]
+
+        h, leaving, arriving = self.steps[i], slope(i), slope(i + 1)
+
+        def at(time):
+            u = (time - self.times[i]) / h
+            psi = combined(((1 + 2 * u) * (1 - u) ** 2, ends[0]), (h * u * (1 - u) ** 2, leaving), (u * u * (3 - 2 * u), ends[1]),
+                           (h * u * u * (u - 1), arriving))
+            return product(middle, exp_of([x / 2 for x in psi]))
+
+        return motion(at, t)
+
+
+def monotone(_):
+    """The method `monotone` through sequences of keys.csv.
+
+    Another way than the library's: the rates are carried into the charts by numeric derivatives of the logarithm.
+    """
+    mp.dps = 60
+    cases, rows = [], []
+    given = sequences(mpf)
+    for sequence, loops in MONOTONE.items():
+        for is_loop in loops:
+            number, times, keys = len(cases), given[sequence][0], aligned(given[sequence][1])
+            first, count, period = 0, len(keys) - 1, None
+            if is_loop:
+                first = count = len(keys)
+                times, keys, period = three_rounds(times, keys)
+            curve = Cubics(times, keys)
+            cases.append(case_row(number, "monotone", sequence, "", period=period))
+            for i in range(count):
+                for t, side in segment_times(times[first + i], times[first + i + 1], mpf):
+                    rows.append(",".join([str(number), str(i), repr(float(t)), side, *doubles(*curve.motion(first + i, t))]))
+    head = "# Made by tools/make_golden.py monotone.\n" + AROUND + NEAREST
+    return {"tests/data/golden/monotone_cases.csv": head + CASES_NOTE + CASES + "\n" + "\n".join(cases) + "\n",
+            "tests/data/golden/monotone.csv": head + SIDES + "case,segment,t,side," + MOTION + "\n".join(rows) + "\n"}
 
 
 # ---------------------------------------------------------------- squad with given inner quaternions
@@ -171,7 +254,7 @@ FREE_LEAVING, FREE_ARRIVING, FAR = (2, 3), (3, 5), (1, 4)  # numbers of keys
 def exp_of(v):
     """exp(v) of a pure quaternion v, half the rotation vector."""
     size = norm(v)
-    return [cos(size)] + [sin(size) / size * x for x in v]
+    return [cos(size)] + [sin(size) / size * x if size else x for x in v]
 
 
 def slerp(t, p, q):

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <orispline/curve/four_key_curve.hpp>
+#include <orispline/curve/monotone_rates.hpp>
 #include <orispline/math/geodesic.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
@@ -111,14 +112,6 @@ Biarc<Ambient<P>> path_between(const P& from, const std::optional<Eigen::Vector3
   return Biarc<V>::between(start, first, end, last, chord);
 }
 
-/// The speed at a key, by the mean speeds on either side: their weighted harmonic mean, at most three times either.
-///
-/// Source: Fritsch & Butland 1984, as in PCHIP.
-double speed_between(double before, double step_before, double after, double step_after) {
-  const double weight_before = 2.0 * step_after + step_before, weight_after = step_after + 2.0 * step_before;
-  return (weight_before + weight_after) / (weight_before / before + weight_after / after);
-}
-
 /// The speed at an end, times the duration h: none, or the one that does not change there.
 double speed_at_end(EndRule rule, double length, double other) {
   return rule == EndRule::rest ? 0.0 : 0.5 * (3.0 * length - other);
@@ -131,7 +124,7 @@ void set_speeds(std::vector<Piece>& pieces, std::span<const std::optional<Eigen:
   const auto mean_speed = [&](std::size_t i) { return pieces[i].path.length() / steps[i]; };
   for (std::size_t i = 1; i < pieces.size(); ++i) {
     if (!directions[i]) continue;
-    const double speed = speed_between(mean_speed(i - 1), steps[i - 1], mean_speed(i), steps[i]);
+    const double speed = harmonic_speed(mean_speed(i - 1), steps[i - 1], mean_speed(i), steps[i]);
     pieces[i - 1].end_speed = speed * steps[i - 1];
     pieces[i].start_speed = speed * steps[i];
   }

@@ -20,6 +20,7 @@
 #include <orispline/families/hermite_cumulative.hpp>
 #include <orispline/families/least/least.hpp>
 #include <orispline/families/measured.hpp>
+#include <orispline/families/monotone.hpp>
 #include <orispline/families/nu.hpp>
 #include <orispline/families/quintic.hpp>
 #include <orispline/families/rational.hpp>
@@ -40,8 +41,8 @@ using Families =
     std::tuple<families::Auto, families::Auto5, families::Slerp, families::Squad, families::SquadTimed,
                families::Shoemake, families::Tcb, families::BarryGoldman, families::Circular, families::LogParabola,
                families::Quintic, families::Sextic, families::TimedC1, families::TimedC2, families::TimedC3,
-               families::TimedSextic, families::XingQuartic, families::XingQuintic, families::UniformFamily,
-               families::Atbi, families::HermiteC1, families::HermiteC2, families::HermiteC3,
+               families::TimedSextic, families::Monotone, families::XingQuartic, families::XingQuintic,
+               families::UniformFamily, families::Atbi, families::HermiteC1, families::HermiteC2, families::HermiteC3,
                families::HermiteCumulative, families::GlobalC2, families::Rational, families::RotationSpline,
                families::Nu, families::NuExact, families::Biarcs, families::Bezier, families::BSpline,
                families::BSplineThrough, families::Averages, families::Beta, families::BetaThrough, families::BetaG2,
