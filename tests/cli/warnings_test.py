@@ -44,6 +44,16 @@ class Warnings(CommandTest):
         self.write("whole.csv", camera)
         self.assertEqual(self.run_command("sample whole.csv --rate 2 -o out.csv --quiet").stderr, "")
 
+    def test_a_curve_that_swings_away_from_its_keys_is_named(self):
+        angles = zip((0, 1.2, 2, 2.4, 2.6, 3.4), (math.radians(x) for x in (0, 10, 0, 0.05, 30, 30.05)))
+        self.write("arm.csv", "t,qw,qx,qy,qz\n" + "".join(f"{t},{math.cos(x / 2)},0,{math.sin(x / 2)},0\n" for t, x in angles))
+        for line in ("sample arm.csv --rate 2 -o out.csv", "inspect arm.csv --method auto"):
+            with self.subTest(line):
+                self.assertRegex(self.run_command(line).stderr, r"warning: arm.csv:6: key 4: between the keys at 2.6 s and 3.4 s the curve of auto swings "
+                                 r"2\d\.\d+ degrees away from the shortest way, where the keys are 0.05 apart; take monotone, which stays near its keys\n")
+        for method in ("monotone", "slerp", "auto:rest-angle=0.1deg"):
+            self.assertEqual(self.run_command(f"sample arm.csv --method {method} --rate 2 -o out.csv --quiet").stderr, "")
+
     def test_the_json_has_what_was_warned_of(self):
         self.write("half.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0,1,0,0\n2,0,0,1,0\n")
         done = self.run_command("sample half.csv --rate 2 -o out.csv --json")

@@ -13,6 +13,7 @@
 #include <orispline/curve/stretched_curve.hpp>
 #include <orispline/curve/three_key_rates.hpp>
 #include <orispline/families/blending/blending_family.hpp>
+#include <orispline/families/overshot_span.hpp>
 #include <orispline/families/overturned_span.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/geodesic.hpp>
@@ -122,13 +123,17 @@ bool moves_between(const AnyCurve& curve, std::size_t segment) {
   });
 }
 
+/// Whether the keys say how the curve moves, beyond where it is.
+bool says_how_it_moves(const FamilyInfo& family, const Keyframes& keys) {
+  return (family.rate_orders > 0 && any_given(keys.angular_velocities())) ||
+         (family.takes_inner_quaternions() && keys.have_inner_quaternions());
+}
+
 /// Equal keys between which the curve does not stand still.
 template <class CurveOf>
 std::optional<Warning> moving_rests(const Method& method, const FamilyInfo& family, const Keyframes& keys,
                                     const CurveOf& curve_of) {
-  const bool says_how_it_moves = (family.rate_orders > 0 && any_given(keys.angular_velocities())) ||
-                                 (family.takes_inner_quaternions() && keys.have_inner_quaternions());
-  if (!family.interpolates || family.key_use.stride > 1 || says_how_it_moves) return std::nullopt;
+  if (!family.interpolates || family.key_use.stride > 1 || says_how_it_moves(family, keys)) return std::nullopt;
   std::vector<std::size_t> rests = keys.rests();
   if (rests.empty()) return std::nullopt;
   const AnyCurve* const curve = curve_of();
@@ -141,6 +146,14 @@ std::optional<Warning> moving_rests(const Method& method, const FamilyInfo& fami
                            method.name, counted(rests.size(), "rest")),
       .where = {.key = rests.front()},
       .numbers = {{"rests", static_cast<double>(rests.size())}}};
+}
+
+/// Where the curve moves far otherwise than its keys: it turns farther there, or swings away.
+std::optional<Warning> odd_span(const Method& method, const FamilyInfo& family, const Track& track,
+                                const AnyCurve* made) {
+  if (auto overturned = overturned_span(method, family, track, made)) return overturned;
+  if (says_how_it_moves(family, track.keys)) return std::nullopt;
+  return overshot_span(method, family, track, made);
 }
 
 /// Farther apart are the two sides of a key than rounding explains [rad].
@@ -225,7 +238,7 @@ std::vector<Warning> warnings_of(const Method& method, const Track& track, const
        {contradicting_rates(**family, track.keys), contradicting_accelerations(**family, track.keys),
         closing_step(shaped, track.keys), overwound(shaped, track.keys),
         moving_rests(shaped, **family, track.keys, curve), jumps_at_keys(shaped, curve),
-        corners_at_keys(shaped, track.keys), overturned_span(shaped, **family, track, made)})
+        corners_at_keys(shaped, track.keys), odd_span(shaped, **family, track, made)})
     if (warning) warnings.push_back(track.located(*warning));
   return warnings;
 }

@@ -21,8 +21,9 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// velocities say (`summed_rad_s`, `largest_rate_rad_s`). `jump_at_key`: the segments of a curve of one's own do not
 /// meet (`jump_deg` of the largest, `keys`). `corner_at_key`: by the parameters of blending functions of one's own the
 /// body rests or turns back at keys (`keys`). `overturned_span`: the curve turns more than twice as far as its keys,
-/// beside two that are too near in time (`turn_deg`, `turn_of_keys_deg`). And what is of the keys. `made`: that curve,
-/// where it is at hand; else it is made where it is needed.
+/// beside two that are too near in time (`turn_deg`, `turn_of_keys_deg`). `overshot_span`, where that is not told: it
+/// swings away from the shortest way between two keys by more than half their step (`swing_deg`, `step_deg`). And what
+/// is of the keys. `made`: that curve, where it is at hand; else it is made where it is needed.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<Warning> warnings_of(const Method& method, const Track& track,
                                                                 const AnyCurve* made = nullptr);
 
