@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Promises of blending functions that hold under a condition only, or not at all: what is said is what curves do.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include <orispline/analysis/continuity.hpp>
@@ -71,7 +73,7 @@ TEST(BlendingPromises, NameTheConditionOnParametersUnderWhichThePathHasNoCorner)
     const Keyframes keys = keyframes(random_walk(91, 7, Spacing::uneven, 1.0));
     const Method kept(family_of(data)), missed(family_of(data), {.parameters = failing});
     EXPECT_GE(shape_continuity_at_keys(make_curve(kept, keys).value()).order().value_or(-1), shape.order);
-    EXPECT_TRUE(codes_of(kept, keys).empty());
+    EXPECT_EQ(std::ranges::count(codes_of(kept, keys), "corner_at_key"), 0);
     EXPECT_LE(shape_continuity_at_keys(make_curve(missed, keys).value()).order().value_or(0), 0);
     EXPECT_EQ(codes_of(missed, keys), std::vector<std::string>{"corner_at_key"});
   }
