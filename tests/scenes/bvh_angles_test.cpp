@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <numbers>
 #include <random>
 
@@ -64,6 +65,69 @@ TEST(BvhAngles, AnglesAreContinuousThroughManyTurnsAndThroughGimbalLock) {
     EXPECT_EQ(written->warnings[0].code, "gimbal_lock");
     EXPECT_EQ(written->warnings[0].number("frames"), 15.0);
   }
+}
+
+/// A joint that turns about z through 180°, as a tool wrote it.
+std::string wrapped() {
+  return test::one_joint("CHANNELS 3 Zrotation Xrotation Yrotation\n\tEnd Site\n\t{\n\t\tOFFSET 0 1 0\n\t}",
+                         "170.125 10.5 20\n179.5 11.25 20.25\n-171.125 12 20.5\n-160.25 12.5 21\n", "Frames: 4\n");
+}
+
+TEST(BvhAngles, JumpsOfTheInputAreTakenOutWhereAnOrderIsAskedFor) {
+  const Scene scene = scene_of(wrapped());
+  EXPECT_EQ(frames_of(text_of(scene))[2][0], -171.125);
+  const auto frames = frames_of(text_of(scene, {.euler = euler_order_of("ZXY")}));
+  EXPECT_EQ(frames, (std::vector<std::vector<double>>{
+                        {170.125, 10.5, 20}, {179.5, 11.25, 20.25}, {188.875, 12, 20.5}, {199.75, 12.5, 21}}));
+}
+
+/// How far turning each angle evenly from frame to frame leads from the straight way [°].
+double detour_of(const std::vector<std::vector<double>>& frames, const EulerOrder& order) {
+  double largest = 0.0;
+  const auto made = [&](const std::vector<double>& from, const std::vector<double>& to, double share) {
+    Eigen::Vector3d angles;
+    for (std::size_t i = 0; i < 3; ++i)
+      angles[static_cast<Eigen::Index>(i)] = (from[3 + i] + share * (to[3 + i] - from[3 + i])) * pi / 180;
+    return quaternion_from_euler(order, angles);
+  };
+  for (std::size_t k = 0; k + 1 < frames.size(); ++k) {
+    const Eigen::Quaterniond start = made(frames[k], frames[k], 0), end = made(frames[k + 1], frames[k + 1], 0);
+    for (double share = 0.05; share < 1.0; share += 0.05)
+      largest = std::max(largest,
+                         angular_distance(made(frames[k], frames[k + 1], share), start.slerp(share, end)) * 180 / pi);
+  }
+  return largest;
+}
+
+TEST(BvhAngles, ADetourBetweenFramesIsSaidWithTheRateThatHoldsOneDegree) {
+  std::vector<double> times;
+  std::vector<Eigen::Quaterniond> values;
+  for (int k = 0; k < 40; ++k) {
+    times.push_back(k / 32.0);
+    values.push_back(turn_about(0.3, Eigen::Vector3d::UnitX()) *
+                     turn_about((k - 20.5) * 0.15, Eigen::Vector3d::UnitY()) *
+                     turn_about(1.2, Eigen::Vector3d::UnitZ()));
+  }
+  const EulerOrder order = euler_order_of("YXZ").value();
+  const Scene scene = turning(times, values);
+  for (const auto& [name, size] : {std::pair("ZYX", 2.0), std::pair("YZX", 1.0), std::pair("ZXY", 3.0)}) {
+    const EulerOrder hard = euler_order_of(name).value();
+    Scene near_lock = scene;
+    for (auto& q : near_lock.clips[0].rotations[0].values)
+      q = q * turn_about(pi / 2 - 0.02 * size, Eigen::Vector3d::Unit(hard.turns[1]));
+    const auto written = write_bvh(near_lock, {.euler = hard});
+    ASSERT_TRUE(written);
+    const double detour = detour_of(frames_of(written->bytes), hard);
+    const auto said = std::ranges::find(written->warnings, "euler_detour", &Warning::code);
+    ASSERT_EQ(said != written->warnings.end(), detour > 1.0) << name << " " << detour;
+    if (said == written->warnings.end()) continue;
+    EXPECT_NEAR(said->number("detour_deg"), detour, 0.05 * detour);
+    ASSERT_GT(said->number("rate_hz"), 32.0);
+    const auto finer = write_bvh(near_lock, {.euler = hard, .rate = said->number("rate_hz")});
+    EXPECT_LE(detour_of(frames_of(finer->bytes), hard), 1.0 + 1e-9);
+    EXPECT_EQ(std::ranges::find(finer->warnings, "euler_detour", &Warning::code), finer->warnings.end());
+  }
+  EXPECT_LE(detour_of(frames_of(text_of(scene, {.euler = order})), order), 1.0);
 }
 
 }}  // namespace orispline::scenes

@@ -142,6 +142,11 @@ constexpr std::array of_options{
                                               "predicts the samples clearly better",
                                   .without = "Keep one smoothing time for the whole recording, even where one that "
                                              "varies in time predicts the samples clearly better"}),
+    field<&SmoothOptions::runs>({.name = "runs",
+                                 .sentence = "Of a skeleton: bridge runs of frames in which joints jump away and "
+                                             "back while the others go on",
+                                 .without = "Of a skeleton: keep runs of frames in which joints jump away and back "
+                                            "while the others go on"}),
     field<&SmoothOptions::sigma>(
         {.name = "sigma",
          .sentence = "Add one standard deviation of every orientation and rate, along the axes of the body"}),
