@@ -15,7 +15,7 @@ namespace orispline { namespace {
 using testing_support::Dice;
 using testing_support::pi;
 
-std::vector<EulerOrder> all_orders() {
+std::vector<EulerOrder> every_order() {
   std::vector<EulerOrder> orders;
   for (const std::string_view letters : {"XYZ", "xyz"})
     for (const char a : letters)
@@ -55,7 +55,7 @@ void expect_continuous(const EulerOrder& order, const std::vector<Eigen::Quatern
 
 TEST(ContinuousEuler, StepsAreAsShortAsTheTurnAndTheLockAllow) {
   Dice dice(5);
-  for (const EulerOrder& order : all_orders())
+  for (const EulerOrder& order : every_order())
     for (int path = 0; path < 20; ++path) {
       std::vector<Eigen::Quaterniond> track{quaternion_from_euler(order, {dice.between(-pi, pi), 0.3, 1.0})};
       Eigen::Vector3d rate(0.1, -0.2, 0.05);
@@ -70,7 +70,7 @@ TEST(ContinuousEuler, StepsAreAsShortAsTheTurnAndTheLockAllow) {
 
 TEST(ContinuousEuler, PathsThroughTheLockGoOn) {
   Dice dice(6);
-  for (const EulerOrder& order : all_orders())
+  for (const EulerOrder& order : every_order())
     for (const int frames_at_lock : {0, 1, 2, 5}) {
       const double first = dice.between(-3, 3), third = dice.between(-3, 3), pace = dice.between(0.01, 0.1);
       std::vector<Eigen::Quaterniond> track;
@@ -88,7 +88,7 @@ TEST(ContinuousEuler, PathsThroughTheLockGoOn) {
 }
 
 TEST(ContinuousEuler, WhatTheLockLeavesOpenGoesEvenlyToTheFrameBehind) {
-  for (const EulerOrder& order : all_orders()) {
+  for (const EulerOrder& order : every_order()) {
     const double lock = lock_of(order);
     const Eigen::Vector3d before(0.2, lock - 0.1, 0.4);
     for (const int frames_at_lock : {1, 3}) {
