@@ -131,6 +131,17 @@ void take(Clip& clip, std::size_t rotation, const Keyframes& keys) {
   channel.values.assign(keys.orientations().begin(), keys.orientations().end());
 }
 
+Expected<std::vector<ClipSmoothing>> with_contacts(const Skeleton& skeleton, std::vector<ClipSmoothing> smoothings,
+                                                   const std::vector<std::string>& joints) {
+  for (ClipSmoothing& smoothing : smoothings) {
+    auto held = held_contacts(skeleton, smoothing.clip, joints);
+    if (!held) return tl::unexpected(std::move(held.error()));
+    smoothing.clip = std::move(held->clip);
+    smoothing.contacts = std::move(held->contacts);
+  }
+  return smoothings;
+}
+
 }  // namespace
 
 Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton, std::span<const Clip> clips,
@@ -186,7 +197,8 @@ Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton, std:
     take(smoothing.clip, piece.rotation, piece.found->track.keys);
     smoothing.joints.push_back(found_of(clips[piece.clip].rotations[piece.rotation], *std::move(piece.found)));
   }
-  return smoothings;
+  if (options.keep_contacts.empty()) return smoothings;
+  return with_contacts(skeleton, std::move(smoothings), options.keep_contacts);
 }
 
 }}  // namespace orispline

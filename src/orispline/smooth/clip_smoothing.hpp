@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <orispline/clip/clip.hpp>
+#include <orispline/smooth/contacts.hpp>
 #include <orispline/smooth/smooth.hpp>
 #include <orispline/smooth/wrong_runs.hpp>
 
@@ -21,10 +22,11 @@ struct ClipSmoothing {
   };
 
   Clip clip{};
-  std::vector<OfJoint> joints{};  ///< that were smoothed
-  std::vector<WrongRun> runs{};   ///< frames that were bridged before that
-  std::size_t left = 0;           ///< rotations that were not: they rest, are steps or splines, or have too few keys
-  std::vector<Error> refused{};   ///< why others were not, one for each, with clip and joint
+  std::vector<OfJoint> joints{};    ///< that were smoothed
+  std::vector<WrongRun> runs{};     ///< frames that were bridged before that
+  std::vector<Contact> contacts{};  ///< that were held after it
+  std::size_t left = 0;             ///< rotations that were not: they rest, are steps or splines, or have too few keys
+  std::vector<Error> refused{};     ///< why others were not, one for each, with clip and joint
 };
 
 /// Fewer keys of a channel are left as they are: they do not tell noise from motion.
@@ -38,7 +40,8 @@ inline constexpr std::size_t fewest_smoothed_keys = 20;
 /// has none.
 ///
 /// On up to that many threads, 0 means one per core; the results are the same on any number of them.
-/// Errors: those of smooth() but for bad_data, with clip and joint; bad_argument for `gyro`, since clips have no rates,
+/// `keep_contacts` are held at last. Errors: those of smooth() but for bad_data, with clip and joint; those of
+/// held_contacts(); bad_argument for `gyro`, since clips have no rates,
 /// and for `sigma`, for which they have no room.
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton,
                                                                                  std::span<const Clip> clips,

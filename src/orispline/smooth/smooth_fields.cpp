@@ -147,6 +147,11 @@ constexpr std::array of_options{
                                              "back while the others go on",
                                  .without = "Of a skeleton: keep runs of frames in which joints jump away and back "
                                             "while the others go on"}),
+    field<&SmoothOptions::keep_contacts>(
+        {.name = "keep_contacts",
+         .sentence = "Of a skeleton: joints that stay where they stand on the ground, or auto for those in which its "
+                     "legs end",
+         .absent = "none is held"}),
     field<&SmoothOptions::sigma>(
         {.name = "sigma",
          .sentence = "Add one standard deviation of every orientation and rate, along the axes of the body"}),
