@@ -6,7 +6,7 @@ import os
 import pathlib
 import unittest
 
-from command import CommandTest, main
+from command import BAD_USAGE, CommandTest, main
 
 CASES = pathlib.Path(os.environ.get("ORISPLINE_SHARED_DATA", "shared/data")).parent / "cases/clips"
 
@@ -42,6 +42,18 @@ class AnimationCases(CommandTest):
     def test_clean_clips_have_no_runs(self):
         runs = self.json_of(f"smooth {CASES / '20_mocap_true.bvh'} --smoothing-time 0.01 -o clean.bvh")["clips"][0]["runs"]
         self.assertEqual(runs, [])
+
+    def test_feet_are_held_where_they_stand(self):
+        walk = CASES / "20_mocap_jitter50ms.bvh"
+        held = self.run_command(f"smooth {walk} --smoothing-time 0.05 --keep-contacts auto -o held.bvh")
+        self.assertRegex(held.stderr, r"\ncontacts        \d+ contacts of 4 joints held; meanwhile they go ")
+        contacts = self.json_of(f"smooth {walk} --smoothing-time 0.05 --keep-contacts LeftFoot,RightFoot -o held.bvh")["clips"][0]["contacts"]
+        self.assertEqual({contact["joint"] for contact in contacts}, {"LeftFoot", "RightFoot"})
+        for contact in contacts:
+            self.assertLess(contact["slide"], 0.5 * contact["slide_before"])
+        self.assert_fails(f"smooth {walk} --smoothing-time 0.05 --keep-contacts Hoof -o no.bvh", BAD_USAGE,
+                          f"{walk}: --keep-contacts: found no joint 'Hoof', wanted names of the skeleton or auto")
+        self.assertFalse((self.folder / "no.bvh").exists())
 
     def test_euler_angles_run_on_in_any_order_and_back(self):
         wraps = CASES / "06_gimbal_wraps.bvh"
