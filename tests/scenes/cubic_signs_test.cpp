@@ -51,4 +51,21 @@ TEST(CubicSigns, AsGivenAreLeftWithoutAWord) {
   EXPECT_EQ(angle_at(*as_given, 0.5), angle_at(*read(cubic(-1)), 0.5));
 }
 
+/// A turn about z by 300° in a second at an even rate, or with tangents that lead the other way.
+std::string long_turn(float sense) {
+  GltfFile file;
+  const float rate = sense * 2.6179938F;
+  const std::vector<float> keys{
+      0, 0, rate, 0,           0, 0, 0, 1, 0, 0, rate, 0, 0, 0, -0.8660254F * rate, -0.5F * rate,
+      0, 0, 0.5F, -0.8660254F, 0, 0, 0, 0};
+  const std::size_t times = file.floats("SCALAR", {0, 1});
+  file.animate(times, file.floats("VEC4", keys), "CUBICSPLINE");
+  return file.text();
+}
+
+TEST(CubicSigns, OfALongTurnAreMeantWhereTheTangentsLeadThatWay) {
+  EXPECT_EQ(said_of(long_turn(1)), "");
+  EXPECT_NE(said_of(long_turn(-1)), "");
+}
+
 }}  // namespace orispline::scenes

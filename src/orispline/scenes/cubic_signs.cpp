@@ -14,6 +14,17 @@ bool goes_the_long_way(const RotationChannel& channel, std::size_t key) {
   return channel.values[key - 1].dot(channel.values[key]) < 0.0;
 }
 
+/// Whether nobody can have meant that: by more than 270°, where the other sign turns by less than 90°, and the tangents
+/// lead the other way.
+bool is_a_flip(const RotationChannel& channel, std::size_t key) {
+  constexpr double cosine_of_the_way = -0.70710678118654752;
+  const Eigen::Vector4d from = channel.values[key - 1].coeffs(), to = channel.values[key].coeffs();
+  const Eigen::Vector4d leaving = channel.out_tangents[key - 1].coeffs(), arriving = channel.in_tangents[key].coeffs();
+  const double cosine = from.dot(to);
+  const double along = leaving.dot(to - cosine * from) - arriving.dot(from - cosine * to);
+  return cosine < cosine_of_the_way && along <= 0.0;
+}
+
 void give_the_other_sign(RotationChannel& channel, std::size_t key) {
   for (SharedList<Eigen::Quaterniond>* const list : {&channel.values, &channel.in_tangents, &channel.out_tangents})
     (*list)[key].coeffs() *= -1.0;
@@ -31,7 +42,8 @@ Scene with_cubic_signs(Scene scene, std::optional<Signs> signs) {
       for (std::size_t key = 1; key < channel.size(); ++key) {
         if (!goes_the_long_way(std::as_const(channel), key)) continue;
         if (signs) give_the_other_sign(channel, key);
-        else if (steps++ == 0) first = place_of(scene.skeleton, clip, channel.joint), first_key = key;
+        else if (is_a_flip(std::as_const(channel), key) && steps++ == 0)
+          first = place_of(scene.skeleton, clip, channel.joint), first_key = key;
       }
     }
   if (steps > 0)
