@@ -44,11 +44,12 @@ Value skeleton_of(scenes::Scene scene) {
 
 Expected<Value> read_skeleton(std::string name, std::string bytes, const Stated& stated) {
   io::Reading reading;
-  return check_names(stated, std::array<std::string_view, 2>{"clip", "drop_duplicates"})
+  return check_names(stated, std::array<std::string_view, 3>{"clip", "drop_duplicates", "signs"})
       .and_then([&] { return io::take_options(reading, stated); })
       .and_then([&] {
-        return scenes::read_scene(io::Input::in_memory(std::move(name), std::move(bytes)),
-                                  {.drop_duplicates = reading.options.drop_duplicates});
+        return scenes::read_scene(
+            io::Input::in_memory(std::move(name), std::move(bytes)),
+            {.drop_duplicates = reading.options.drop_duplicates, .signs = reading.options.scene.signs});
       })
       .and_then([&](scenes::Scene scene) { return scenes::with_clips(std::move(scene), reading.options.scene.clips); })
       .map(skeleton_of);

@@ -37,6 +37,7 @@ bool is_scene(const InputOptions& options, const std::string& path) {
 
 scenes::SceneReading scene_reading(const InputRequest& input) {
   return {.drop_duplicates = input.read.drop_duplicates,
+          .signs = input.read.scene.signs,
           .format = input.read.format ? scene_format_of(input) : nullptr};
 }
 

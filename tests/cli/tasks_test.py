@@ -9,7 +9,7 @@ from command import CommandTest, main
 OTHERWISE = {  # what the command takes in a manner of its own
     "slowing": "--per-interval", "adapt": "--no-adapt", "least_energy": "--no-least-energy", "values": "--refit",
     "spacing": "--jitter", "seed": "--random", "world_turn": "--no-world-turn", "body_turn": "--no-body-turn",
-    "scale": "--no-scale", "translation": "--no-translation"}
+    "runs": "--no-runs", "scale": "--no-scale", "translation": "--no-translation"}
 
 
 class Tasks(CommandTest):

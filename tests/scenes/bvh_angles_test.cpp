@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <numbers>
 #include <random>
 
@@ -63,6 +64,79 @@ TEST(BvhAngles, AnglesAreContinuousThroughManyTurnsAndThroughGimbalLock) {
     ASSERT_EQ(written->warnings.size(), 1u);
     EXPECT_EQ(written->warnings[0].code, "gimbal_lock");
     EXPECT_EQ(written->warnings[0].number("frames"), 15.0);
+  }
+}
+
+/// A joint that turns about z through 180°, as a tool wrote it.
+std::string wrapped() {
+  return test::one_joint("CHANNELS 3 Zrotation Xrotation Yrotation\n\tEnd Site\n\t{\n\t\tOFFSET 0 1 0\n\t}",
+                         "170.125 10.5 20\n179.5 11.25 20.25\n-171.125 12 20.5\n-160.25 12.5 21\n", "Frames: 4\n");
+}
+
+TEST(BvhAngles, JumpsOfTheInputAreTakenOutWhereAnOrderIsAskedFor) {
+  const Scene scene = scene_of(wrapped());
+  EXPECT_EQ(frames_of(text_of(scene))[2][0], -171.125);
+  const auto frames = frames_of(text_of(scene, {.euler = euler_order_of("ZXY")}));
+  EXPECT_EQ(frames, (std::vector<std::vector<double>>{
+                        {170.125, 10.5, 20}, {179.5, 11.25, 20.25}, {188.875, 12, 20.5}, {199.75, 12.5, 21}}));
+}
+
+/// How far turning each angle evenly from frame to frame leads from the straight way [°].
+double detour_of(const std::vector<std::vector<double>>& frames, const EulerOrder& order) {
+  double largest = 0.0;
+  const auto made = [&](const std::vector<double>& from, const std::vector<double>& to, double share) {
+    Eigen::Vector3d angles;
+    for (std::size_t i = 0; i < 3; ++i)
+      angles[static_cast<Eigen::Index>(i)] = (from[3 + i] + share * (to[3 + i] - from[3 + i])) * pi / 180;
+    return quaternion_from_euler(order, angles);
+  };
+  for (std::size_t k = 0; k + 1 < frames.size(); ++k) {
+    const Eigen::Quaterniond start = made(frames[k], frames[k], 0), end = made(frames[k + 1], frames[k + 1], 0);
+    for (double share = 0.05; share < 1.0; share += 0.05)
+      largest = std::max(largest,
+                         angular_distance(made(frames[k], frames[k + 1], share), start.slerp(share, end)) * 180 / pi);
+  }
+  return largest;
+}
+
+/// Steps of 10° that pass gimbal lock at this distance [rad].
+Scene passing_the_lock(const EulerOrder& order, double distance) {
+  const auto axis = [&](std::size_t turn) { return Eigen::Vector3d(Eigen::Vector3d::Unit(order.turns[turn])); };
+  const Eigen::Quaterniond near = turn_about(pi / 2 - distance, axis(2).cross(axis(0)));
+  std::vector<double> times;
+  std::vector<Eigen::Quaterniond> values;
+  for (int k = 0; k < 16; ++k) {
+    times.push_back(k / 32.0);
+    values.push_back(turn_about((k - 7.7) * pi / 18, axis(2)) * near);
+  }
+  return turning(times, values);
+}
+
+TEST(BvhAngles, ADetourBetweenFramesIsSaidWithTheRateThatHoldsOneDegree) {
+  const auto said_in = [](const SceneWritten& written) {
+    const auto found = std::ranges::find(written.warnings, "euler_detour", &Warning::code);
+    return found == written.warnings.end() ? nullptr : &*found;
+  };
+  for (const std::string_view name : {"ZYX", "ZXY", "YXZ", "XYZ", "YZX", "XZY"}) {
+    const EulerOrder order = euler_order_of(name).value();
+    const auto far = write_bvh(passing_the_lock(order, 0.7), {.euler = order});
+    EXPECT_LE(detour_of(frames_of(far->bytes), order), 1.0);
+    EXPECT_EQ(said_in(*far), nullptr);
+    for (const double distance : {0.05, 0.1}) {
+      const Scene scene = passing_the_lock(order, distance);
+      const auto written = write_bvh(scene, {.euler = order});
+      const Warning* const said = said_in(*written);
+      ASSERT_NE(said, nullptr) << name << distance;
+      EXPECT_NEAR(said->number("detour_deg"), detour_of(frames_of(written->bytes), order), 0.1);
+      ASSERT_GT(said->number("rate_hz"), 32.0);
+      const auto finer = write_bvh(scene, {.euler = order, .rate = said->number("rate_hz")});
+      EXPECT_LE(detour_of(frames_of(finer->bytes), order), 1.0);
+      EXPECT_EQ(said_in(*finer), nullptr);
+    }
+    // Nearly through the lock the angles go on as through it.
+    const auto close = write_bvh(passing_the_lock(order, 1e-5), {.euler = order});
+    EXPECT_LE(detour_of(frames_of(close->bytes), order), 1.0);
+    EXPECT_EQ(said_in(*close), nullptr);
   }
 }
 

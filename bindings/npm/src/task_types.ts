@@ -45,6 +45,10 @@ export interface Tasks {
       gap?: Text | undefined;
       /** Let the smoothing time of the orientations vary in time, where that predicts the samples clearly better. */
       adapt?: Flag | undefined;
+      /** Of a skeleton: bridge runs of frames in which joints jump away and back while the others go on. */
+      runs?: Flag | undefined;
+      /** Of a skeleton: joints that stay where they stand on the ground, or auto for those in which its legs end. */
+      keep_contacts?: Text | undefined;
       /** Add one standard deviation of every orientation and rate, along the axes of the body. */
       sigma?: Flag | undefined;
     };
@@ -111,6 +115,10 @@ export interface Tasks {
       gap?: Text | undefined;
       /** Let the smoothing time of the orientations vary in time, where that predicts the samples clearly better. */
       adapt?: Flag | undefined;
+      /** Of a skeleton: bridge runs of frames in which joints jump away and back while the others go on. */
+      runs?: Flag | undefined;
+      /** Of a skeleton: joints that stay where they stand on the ground, or auto for those in which its legs end. */
+      keep_contacts?: Text | undefined;
       /** Add one standard deviation of every orientation and rate, along the axes of the body. */
       sigma?: Flag | undefined;
       /** Cut-off frequency 1/(2 pi tau) [Hz] instead of the smoothing time: half of a motion at it is left. */

@@ -24,11 +24,14 @@ namespace orispline::python {
 
 namespace {
 
-nb::tuple read_scene(const std::string& path, bool drop_duplicates, const std::optional<nb::bytes>& bytes) {
+nb::tuple read_scene(const std::string& path, bool drop_duplicates, const std::optional<std::string>& signs,
+                     const std::optional<nb::bytes>& bytes) {
   const io::Input input = input_of(path, bytes);
+  scenes::SceneReading reading{.drop_duplicates = drop_duplicates};
+  if (signs) reading.signs = *signs == "as-given" ? Signs::as_given : Signs::shortest;
   auto read = [&] {
     const nb::gil_scoped_release release;
-    return scenes::read_scene(input, {.drop_duplicates = drop_duplicates});
+    return scenes::read_scene(input, reading);
   }();
   if (!read) raise(in_words(std::move(read.error())));
   const nb::list warnings = told(read->warnings);
@@ -148,7 +151,7 @@ void add_scenes(nb::module_& module) {
       .def("channels", &channels_of, "clip"_a)
       .def("with_clip", &with_clip, "clip"_a)
       .def("written", &written_scene, "path"_a, "euler"_a.none(), "rate"_a.none(), "bones"_a);
-  module.def("read_scene", &read_scene, "path"_a, "drop_duplicates"_a, "bytes"_a.none());
+  module.def("read_scene", &read_scene, "path"_a, "drop_duplicates"_a, "signs"_a.none(), "bytes"_a.none());
 }
 
 }  // namespace orispline::python

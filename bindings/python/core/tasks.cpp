@@ -283,7 +283,7 @@ nb::dict attributes(const jobs::ReduceSceneOutcome& outcome) {
 
 /// `joints`: clip, joint and what was found of every rotation that was smoothed.
 nb::dict attributes(const jobs::SmoothClipsOutcome& outcome) {
-  nb::list joints;
+  nb::list joints, runs;
   std::size_t left = 0, refused = 0;
   for (const ClipSmoothing& clip : outcome.clips) {
     left += clip.left + clip.refused.size();
@@ -291,11 +291,18 @@ nb::dict attributes(const jobs::SmoothClipsOutcome& outcome) {
     for (const auto& [joint, smoothed, change, at] : clip.joints)
       joints.append(nb::make_tuple(text(clip.clip.name), text(outcome.request.skeleton[joint].name),
                                    smoothed.smoothing_time, smoothed.noise, smoothed.rejected.size(), change, at));
+    for (const WrongRun& run : clip.runs) {
+      nb::list names;
+      for (const std::size_t joint : run.joints) names.append(text(outcome.request.skeleton[joint].name));
+      runs.append(
+          nb::make_tuple(text(clip.clip.name), nb::tuple(names), run.first, run.count, run.start, run.end, run.jump));
+    }
   }
   nb::dict all;
   all["joints"] = joints;
   all["left"] = left;
   all["refused"] = refused;
+  all["runs"] = runs;
   return all;
 }
 

@@ -322,6 +322,33 @@ class SmoothedJoint:
 
 
 @dataclasses.dataclass(frozen=True)
+class BridgedRun:
+    """Frames in a row in which joints jump away and back while the others go on, which `smooth_scene` bridged.
+
+    Attributes
+    ----------
+    clip, joints
+        Their names.
+    first_frame
+        Counted from 0.
+    frames
+        How many they are.
+    start, end
+        Times of the first and the last of them [s].
+    jump
+        The largest turn by which one of the joints goes away or back [rad].
+    """
+
+    clip: str
+    joints: tuple[str, ...]
+    first_frame: int
+    frames: int
+    start: float
+    end: float
+    jump: float
+
+
+@dataclasses.dataclass(frozen=True)
 class SceneSmoothing(_DoneToScene):
     """What `smooth_scene` did to the clips of a scene.
 
@@ -333,11 +360,14 @@ class SceneSmoothing(_DoneToScene):
         How many rotations are as they were: they rest, are steps or splines, have too few keys, or cannot be smoothed.
     refused
         How many of them cannot be smoothed, of which a warning tells.
+    runs
+        Frames that were bridged, clip after clip.
     """
 
     joints: tuple[SmoothedJoint, ...]
     left: int
     refused: int
+    runs: tuple[BridgedRun, ...]
     _members: dict[str, Any] = dataclasses.field(repr=False, compare=False)
     _summary: str = dataclasses.field(repr=False, compare=False)
     _core: Any = dataclasses.field(repr=False, compare=False)
@@ -346,7 +376,8 @@ class SceneSmoothing(_DoneToScene):
     @classmethod
     def _of(cls, core: Any) -> SceneSmoothing:
         found = core.attributes()
-        return cls(tuple(SmoothedJoint(*joint) for joint in found["joints"]), found["left"], found["refused"], core.members(), core.summary(), core)
+        return cls(tuple(SmoothedJoint(*joint) for joint in found["joints"]), found["left"], found["refused"],
+                   tuple(BridgedRun(*run) for run in found["runs"]), core.members(), core.summary(), core)
 
 
 def page_of_scene(core: Any) -> bytes:

@@ -2,21 +2,25 @@
 """Files of skeletons read, reduced, smoothed and compared."""
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._checks import flag
+from ._checks import flag, index_of
 from ._errors import ArgumentError, DataError, tell
 from ._files import Source, source_of
+from ._keys import SIGNS
 from ._methods import method_words
 from ._options import checked_cutoff, checked_threads, plain, takes
 from ._request import Request
 from ._scene import Scene, SceneReduction, SceneSmoothing, positive
 
+if TYPE_CHECKING:
+    from ._types import Signs
+
 TOLERANCES = ("tolerance", "position_tolerance", "world_tolerance")
 
 
-def read_scene(path: Source, *, drop_duplicates: bool = False, scalar_first: bool = False) -> Scene:
+def read_scene(path: Source, *, drop_duplicates: bool = False, signs: Signs | None = None, scalar_first: bool = False) -> Scene:
     """The skeleton and the clips of a glTF or BVH file, in the format of its extension.
 
     Parameters
@@ -25,6 +29,9 @@ def read_scene(path: Source, *, drop_duplicates: bool = False, scalar_first: boo
         A file object is read to its end; its `name` tells the format. A .gltf may refer to no other file then.
     drop_duplicates : bool
         Of keys of a channel at equal times keep the first.
+    signs : {"shortest", "as-given"}, optional
+        Whether cubic rotations whose signs flip from key to key go the short way, or the long way as their signs say. Without it they do that, with a
+        warning.
     scalar_first : bool
         The order of quaternions in all that the scene gives back: w, x, y, z.
 
@@ -53,8 +60,10 @@ def read_scene(path: Source, *, drop_duplicates: bool = False, scalar_first: boo
     (Channel('head', 'rotation', 'linear', 3 keys),)
     >>> scene.write(path.with_suffix(".glb"))
     """
+    if signs is not None:
+        index_of("signs", signs, SIGNS)
     name, content = source_of(path)
-    core, warnings = _core.read_scene(name, flag("drop_duplicates", drop_duplicates), content)
+    core, warnings = _core.read_scene(name, flag("drop_duplicates", drop_duplicates), signs, content)
     tell(warnings)
     return Scene._of(core, flag("scalar_first", scalar_first))
 

@@ -44,6 +44,7 @@ struct SceneTrack {
   std::vector<std::string> clips{};    ///< names; empty: all, of which a command of one track takes the only one
   std::optional<std::string> joint{};  ///< its name; absent: the only one that has keys
   Space space = Space::local;
+  std::optional<Signs> signs{};  ///< of rotations that are cubic splines; absent: nobody says
 
   [[nodiscard]] bool is_given() const noexcept { return !clips.empty() || joint || space != Space::local; }
 };

@@ -67,13 +67,10 @@ std::string signs_argument() { return formatted("{}|{}", list_of<sign_words>(), 
 /// Signs that are those of the turns which Euler angles state, or as any.
 Expected<void> take_signs(Reading& reading, std::string_view text) {
   reading.options.count_turns = text == as_typed;
-  if (reading.options.count_turns) {
-    reading.signs = Signs::as_given;
-    return {};
-  }
   const auto found = std::ranges::find(sign_words, text, &OptionWord<Signs>::first);
-  if (found == sign_words.end()) return not_wanted("signs", text, signs_argument());
-  reading.signs = found->second;
+  if (found == sign_words.end() && !reading.options.count_turns) return not_wanted("signs", text, signs_argument());
+  reading.signs = reading.options.count_turns ? Signs::as_given : found->second;
+  reading.options.scene.signs = reading.signs;
   return {};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/jobs/smooth.hpp>
 
+#include <set>
 #include <utility>
 
 #include <orispline/base/counted.hpp>
@@ -59,6 +60,73 @@ std::string joints_table(const Skeleton& skeleton, const std::vector<ClipSmoothi
   return table;
 }
 
+/// `frames 100 to 111, 1.66667 s to 1.85 s: Arm, Hand; they jump by up to 60.5°`
+std::string run_text(const Skeleton& skeleton, const WrongRun& run) {
+  std::string names;
+  for (const std::size_t joint : run.joints)
+    names += formatted("{}{}", names.empty() ? "" : ", ", printable(skeleton.shown_name(joint)));
+  return formatted("frames {} to {}, {:.6g} s to {:.6g} s: {}; {} by up to {:.3g}°", run.first,
+                   run.first + run.count - 1, run.start, run.end, names,
+                   run.joints.size() == 1 ? "it jumps" : "they jump", run.jump * degrees);
+}
+
+/// One line for each run, and of many how many more there are.
+std::string run_lines(const SmoothClipsOutcome& outcome) {
+  constexpr std::size_t most = 20;
+  std::string text;
+  std::size_t runs = 0;
+  for (const ClipSmoothing& clip : outcome.clips)
+    for (const WrongRun& run : clip.runs)
+      if (runs++ < most)
+        text += formatted("bridged         {}{}\n",
+                          outcome.clips.size() == 1 ? "" : formatted("clip {}, ", in_quotes(clip.clip.name)),
+                          run_text(outcome.request.skeleton, run));
+  if (runs > most) text += formatted("bridged         {} more\n", counted(runs - most, "run"));
+  return text;
+}
+
+/// How many contacts were held, and what that does to the speed meanwhile, a mean over their frames.
+std::string contacts_line(const SmoothClipsOutcome& outcome) {
+  if (outcome.request.options.keep_contacts.empty()) return "";
+  std::size_t contacts = 0, frames = 0;
+  double before = 0.0, after = 0.0;
+  std::set<std::size_t> joints;
+  for (const ClipSmoothing& clip : outcome.clips)
+    for (const Contact& contact : clip.contacts) {
+      const auto count = static_cast<double>(contact.count);
+      before += count * contact.slide_before, after += count * contact.slide_after;
+      frames += contact.count, ++contacts;
+      joints.insert(contact.joint);
+    }
+  if (contacts == 0) return "contacts        none found\n";
+  const auto all = static_cast<double>(frames);
+  return formatted("contacts        {} of {} held; meanwhile they go {:.4g}{} a second, {:.4g} before\n",
+                   counted(contacts, "contact"), counted(joints.size(), "joint"), after / all,
+                   outcome.request.has_no_unit ? "" : " m", before / all);
+}
+
+Json json_of(const Skeleton& skeleton, const Contact& contact) {
+  return {{"joint", skeleton[contact.joint].name},
+          {"first_frame", contact.first},
+          {"frames", contact.count},
+          {"start_s", contact.start},
+          {"end_s", contact.end},
+          {"slide", contact.slide_after},
+          {"slide_before", contact.slide_before}};
+}
+
+Json json_of(const Skeleton& skeleton, const WrongRun& run) {
+  Json joints = Json::array();
+  for (const std::size_t joint : run.joints) joints.push_back(skeleton[joint].name);
+  Json json{{"first_frame", run.first},
+            {"frames", run.count},
+            {"start_s", run.start},
+            {"end_s", run.end},
+            {"jump_max_deg", run.jump * degrees}};
+  json["joints"] = std::move(joints);
+  return json;
+}
+
 Json json_of(const Skeleton& skeleton, const ClipSmoothing& clip) {
   Json joints = Json::array();
   for (const auto& [joint, found, change, at] : clip.joints)
@@ -70,6 +138,12 @@ Json json_of(const Skeleton& skeleton, const ClipSmoothing& clip) {
                       {"change_max_time_s", at}});
   Json json{{"clip", clip.clip.name}, {"left", clip.left}, {"refused", clip.refused.size()}};
   json["joints"] = std::move(joints);
+  Json runs = Json::array();
+  for (const WrongRun& run : clip.runs) runs.push_back(json_of(skeleton, run));
+  json["runs"] = std::move(runs);
+  Json contacts = Json::array();
+  for (const Contact& contact : clip.contacts) contacts.push_back(json_of(skeleton, contact));
+  json["contacts"] = std::move(contacts);
   return json;
 }
 
@@ -101,6 +175,7 @@ std::string summary_of(const SmoothClipsOutcome& outcome) {
                                counted(joints, "rotation"), counted(outcome.clips.size(), "clip"),
                                name.empty() ? "" : " from " + printable(name), left);
   text += shared_noise_line(outcome);
+  text += run_lines(outcome) + contacts_line(outcome);
   if (outcome.clips.size() == 1) text += joints_table(outcome.request.skeleton, outcome.clips.front().joints);
   return text + largest_change_line(outcome);
 }

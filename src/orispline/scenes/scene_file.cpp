@@ -11,6 +11,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/file_format.hpp>
 #include <orispline/io/output_file.hpp>
+#include <orispline/scenes/cubic_signs.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
 
@@ -93,7 +94,7 @@ Expected<Scene> read_scene(const io::Input& input, const SceneReading& reading) 
   scene->name = path;
   scene->bytes += bytes.size();
   scene->format = *format;
-  return scene;
+  return with_cubic_signs(*std::move(scene), reading.signs);
 }
 
 Expected<SceneWritten> written_scene(const Scene& scene, const std::string& path, const SceneWriting& writing) {

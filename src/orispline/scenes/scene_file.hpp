@@ -11,6 +11,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/base/warning.hpp>
 #include <orispline/clip/clip.hpp>
+#include <orispline/curve/keyframe.hpp>
 #include <orispline/io/input.hpp>
 #include <orispline/math/euler.hpp>
 
@@ -40,6 +41,7 @@ struct SceneFormat;
 /// How a scene is to be read.
 struct SceneReading {
   bool drop_duplicates = false;         ///< of keys of a channel at equal times keep the first
+  std::optional<Signs> signs{};         ///< of `cubicspline` rotations; absent: as given, with a warning of long ways
   const SceneFormat* format = nullptr;  ///< of the file; null: that of its extension
 };
 

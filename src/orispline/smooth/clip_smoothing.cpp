@@ -6,6 +6,8 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
+#include <orispline/clip/clip_motion.hpp>
+#include <orispline/families/registry.hpp>
 #include <orispline/smooth/correlated_fit.hpp>
 #include <orispline/smooth/shared_noise_time.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>
@@ -47,6 +49,32 @@ Expected<Smoothing> smoothed(const RotationChannel& rotation, const VectorChanne
   SmoothOptions suited = options;
   if (suited.noise_time && !check_noise_time(*suited.noise_time, rotation.times)) suited.noise_time.reset();
   return Keyframes::make(std::move(data)).and_then([&](const Keyframes& keys) { return smooth(Track(keys), suited); });
+}
+
+/// Its wrong keys get the orientations to which the motion of the others leads.
+void bridge(RotationChannel& rotation, const std::vector<bool>& is_wrong, const SmoothOptions& options) {
+  RotationChannel good{.joint = rotation.joint};
+  for (std::size_t k = 0; k < rotation.size(); ++k)
+    if (!is_wrong[k]) good.times.push_back(rotation.times[k]), good.values.push_back(rotation.values[k]);
+  const auto curve = smoothed(good, nullptr, options).and_then([](const Smoothing& smoothing) {
+    return make_pose_curve(Method(smoothed_method), smoothing.track.keys);
+  });
+  const ChannelCurve<Eigen::Quaterniond> straight(good);  // where they cannot be smoothed
+  for (std::size_t k = 0; k < rotation.size(); ++k)
+    if (const double t = rotation.times[k]; is_wrong[k])
+      rotation.values[k] = curve ? curve->orientation(t) : straight.at(t);
+}
+
+void bridge(Clip& clip, const std::vector<WrongRun>& runs, const SmoothOptions& options) {
+  for (RotationChannel& rotation : clip.rotations) {
+    std::vector<bool> is_wrong;
+    for (const WrongRun& run : runs) {
+      if (std::ranges::find(run.joints, rotation.joint) == run.joints.end()) continue;
+      is_wrong.resize(rotation.size());
+      std::fill_n(is_wrong.begin() + static_cast<std::ptrdiff_t>(run.first), run.count, true);
+    }
+    if (!is_wrong.empty()) bridge(rotation, is_wrong, options);
+  }
 }
 
 /// A rotation of a clip, and where it stands there.
@@ -103,6 +131,17 @@ void take(Clip& clip, std::size_t rotation, const Keyframes& keys) {
   channel.values.assign(keys.orientations().begin(), keys.orientations().end());
 }
 
+Expected<std::vector<ClipSmoothing>> with_contacts(const Skeleton& skeleton, std::vector<ClipSmoothing> smoothings,
+                                                   const std::vector<std::string>& joints) {
+  for (ClipSmoothing& smoothing : smoothings) {
+    auto held = held_contacts(skeleton, smoothing.clip, joints);
+    if (!held) return tl::unexpected(std::move(held.error()));
+    smoothing.clip = std::move(held->clip);
+    smoothing.contacts = std::move(held->contacts);
+  }
+  return smoothings;
+}
+
 }  // namespace
 
 Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton, std::span<const Clip> clips,
@@ -114,26 +153,32 @@ Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton, std:
                       "found clips, which have no room for standard deviations, wanted a recording of one track");
   std::vector<Piece> pieces;
   std::vector<ClipSmoothing> smoothings;
+  std::vector<Clip> bridged;
   for (std::size_t i = 0; i < clips.size(); ++i) {
     if (auto sound = check_clip(skeleton, clips[i]); !sound) return tl::unexpected(std::move(sound.error()));
     ClipSmoothing& smoothing = smoothings.emplace_back(ClipSmoothing{.clip = clips[i]});
-    for (std::size_t k = 0; k < clips[i].rotations.size(); ++k)
-      if (is_smoothed(clips[i].rotations[k])) pieces.push_back({i, k});
+    if (options.runs) {
+      smoothing.runs = wrong_runs(skeleton, clips[i]);
+      bridge(smoothing.clip, smoothing.runs, options);
+    }
+    bridged.push_back(smoothing.clip);
+    for (std::size_t k = 0; k < bridged[i].rotations.size(); ++k)
+      if (is_smoothed(bridged[i].rotations[k])) pieces.push_back({i, k});
       else ++smoothing.left;
   }
   if (options.noise_time)
-    if (auto checked = check_noise_time(*options.noise_time, clips, pieces); !checked)
+    if (auto checked = check_noise_time(*options.noise_time, bridged, pieces); !checked)
       return tl::unexpected(std::move(checked.error()));
   const auto smooth_all = [&](const SmoothOptions& with) {
     parallel_for(pieces.size(), threads, [&](std::size_t i) {
-      const Clip& clip = clips[pieces[i].clip];
+      const Clip& clip = bridged[pieces[i].clip];
       const RotationChannel& rotation = clip.rotations[pieces[i].rotation];
       pieces[i].found = smoothed(rotation, translation_beside(clip.translations, rotation), with);
     });
   };
   SmoothOptions shared = options;
   if (!options.noise_time && !options.noise && !options.smoothing_time)
-    shared.noise_time = shared_time(clips, pieces, threads);
+    shared.noise_time = shared_time(bridged, pieces, threads);
   smooth_all(shared);
   if (shared.noise_time && !options.noise) {
     shared.noise = shared_noise(pieces);
@@ -152,7 +197,8 @@ Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton, std:
     take(smoothing.clip, piece.rotation, piece.found->track.keys);
     smoothing.joints.push_back(found_of(clips[piece.clip].rotations[piece.rotation], *std::move(piece.found)));
   }
-  return smoothings;
+  if (options.keep_contacts.empty()) return smoothings;
+  return with_contacts(skeleton, std::move(smoothings), options.keep_contacts);
 }
 
 }}  // namespace orispline

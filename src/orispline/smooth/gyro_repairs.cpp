@@ -56,14 +56,14 @@ double range_of(const GyroRates& gyro, Eigen::Index axis) {
 /// The rates of an axis with whole ranges added, so that no step is longer than half of one. They begin as they are,
 /// and the median is nearest to 0.
 void unwind(GyroRates& gyro, Eigen::Index axis, double range) {
-  double rounds = 0.0;
+  double turns_over = 0.0;
   std::vector<double> all;
   double before = gyro.rates.front()[axis];
   for (Eigen::Vector3d& rate : gyro.rates) {
     const double step = rate[axis] - before;
     before = rate[axis];
-    if (std::abs(step) > 0.5 * range) rounds -= std::copysign(1.0, step);
-    rate[axis] += rounds * range;
+    if (std::abs(step) > 0.5 * range) turns_over -= std::copysign(1.0, step);
+    rate[axis] += turns_over * range;
     all.push_back(rate[axis]);
   }
   const double shift = range * std::round(median(std::move(all)) / range);

@@ -73,6 +73,9 @@ struct SmoothOptions {
   std::optional<double> position_noise{};  ///< σ of the positions per axis [m], 1e-12 to 1e12
   bool adapt = true;  ///< let τ of the orientations vary in time where that predicts the samples clearly better; of no
                       ///< effect with `smoothing_time` or `gyro`, with which one τ serves the whole recording
+  bool runs = true;   ///< bridge runs of frames in which joints of a skeleton jump away and back; one track has none
+  std::vector<std::string> keep_contacts{};  ///< joints of a skeleton that stay where they stand on the ground; `auto`
+                                             ///< alone: those that its legs end in; one track has none
   bool sigma = false;  ///< find the standard deviations of the smoothed orientations and rates too
 };
 

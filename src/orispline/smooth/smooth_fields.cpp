@@ -142,6 +142,16 @@ constexpr std::array of_options{
                                               "predicts the samples clearly better",
                                   .without = "Keep one smoothing time for the whole recording, even where one that "
                                              "varies in time predicts the samples clearly better"}),
+    field<&SmoothOptions::runs>({.name = "runs",
+                                 .sentence = "Of a skeleton: bridge runs of frames in which joints jump away and "
+                                             "back while the others go on",
+                                 .without = "Of a skeleton: keep runs of frames in which joints jump away and back "
+                                            "while the others go on"}),
+    field<&SmoothOptions::keep_contacts>(
+        {.name = "keep_contacts",
+         .sentence = "Of a skeleton: joints that stay where they stand on the ground, or auto for those in which its "
+                     "legs end",
+         .absent = "none is held"}),
     field<&SmoothOptions::sigma>(
         {.name = "sigma",
          .sentence = "Add one standard deviation of every orientation and rate, along the axes of the body"}),

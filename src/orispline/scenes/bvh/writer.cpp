@@ -8,6 +8,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/number_text.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/math/degrees.hpp>
 #include <orispline/scenes/scene_tracks.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
@@ -83,13 +84,15 @@ class Writer {
     add_hierarchy(*plan);
     add_motion(*frames, *joints);
     warn(*frames, *joints);
+    warn_of_detours(*frames, *plan, *joints);
     return std::move(written_);
   }
 
  private:
   Expected<std::vector<JointNumbers>> numbers_of(const Plan& plan, const Frames& frames,
                                                  const EulerOrder& order) const {
-    const NumberFinder finder(scene_.skeleton, clip_, frames, source_);
+    const NumberFinder finder(scene_.skeleton, clip_, frames, source_,
+                              writing_.euler ? SourceAngles::without_jumps : SourceAngles::all);
     std::vector<JointNumbers> joints;
     std::size_t all = 0;
     for (const PlannedJoint& planned : plan) {
@@ -169,6 +172,30 @@ class Writer {
                                    .message = formatted("the clip starts at {} s, its frames at 0 s", start),
                                    .where = {.file = path_},
                                    .numbers = {{"start_s", start}}});
+  }
+
+  void warn_of_detours(const Frames& frames, const Plan& plan, const std::vector<JointNumbers>& joints) {
+    std::size_t worst = 0, frames_for_one = 1;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const Detour& detour = joints[i].detour;
+      if (detour.angle > joints[worst].detour.angle) worst = i;
+      if (frames_for_one > 0 && detour.angle > largest_detour)
+        frames_for_one = detour.frames_for_one == 0 ? 0 : std::max(frames_for_one, detour.frames_for_one);
+    }
+    if (joints.empty() || joints[worst].detour.angle <= largest_detour) return;
+    const Detour& largest = joints[worst].detour;
+    const double rate = static_cast<double>(frames_for_one) / frames.frame_time.to_double();
+    const std::string cure =
+        frames_for_one == 0 ? formatted("{} times as many frames are too few; another order of `output_euler` may do",
+                                        most_frames_for_one)
+                            : formatted("the `rate` {:.6g} stays within {:g}°", rate, largest_detour * degrees);
+    written_.warnings.push_back(
+        {.code = "euler_detour",
+         .message = formatted("players that turn each angle by itself from frame to frame lead up to {:.3g}° away from "
+                              "the motion, joint {} from {:.6g} s on; {}",
+                              largest.angle * degrees, in_quotes(plan[worst].name), frames.times[largest.frame], cure),
+         .where = {.file = path_},
+         .numbers = {{"detour_deg", largest.angle * degrees}, {"rate_hz", frames_for_one == 0 ? 0.0 : rate}}});
   }
 
   const Scene& scene_;

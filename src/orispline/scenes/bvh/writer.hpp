@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <orispline/scenes/bvh/source.hpp>
+#include <orispline/scenes/bvh/turns.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
@@ -54,13 +55,21 @@ struct JointNumbers {
   std::vector<Column> columns{};
   std::vector<double> numbers{};
   std::vector<std::size_t> near_lock{};  ///< frames whose angles were found within 1° of gimbal lock
+  Detour detour{};                       ///< of angles that were found
+};
+
+/// Which angles of a source are kept where a joint turns as it did there.
+enum class SourceAngles {
+  all,
+  without_jumps,  ///< those that run on from frame to frame
 };
 
 /// Finds the numbers that say where the joints of a clip are.
 class NumberFinder {
  public:
   /// All are kept by reference; the source may be null.
-  NumberFinder(const Skeleton& skeleton, const Clip& clip, const Frames& frames, const Source* source);
+  NumberFinder(const Skeleton& skeleton, const Clip& clip, const Frames& frames, const Source* source,
+               SourceAngles kept);
 
   /// With the columns that are planned, or more where these cannot say it. A joint that turns as in the source keeps
   /// the angles of the source; `order` is for those that need three turns. Error (bad_data): a rotation that is none.
@@ -77,6 +86,7 @@ class NumberFinder {
   const Clip& clip_;
   const Frames& frames_;
   const Source* source_;
+  SourceAngles kept_;
   std::vector<const RotationChannel*> rotations_;   // by their joints
   std::vector<const VectorChannel*> translations_;  // by their joints
   std::vector<std::size_t> first_columns_;          // of the joints in a frame of the source
