@@ -35,9 +35,10 @@ struct TaskArguments {
   std::optional<std::string> method;
   std::vector<std::string> methods;  ///< each time one, or a list with commas between them
   MethodOptions shape;
-  std::vector<std::string> clips;       ///< names; empty: all
-  std::vector<std::string> keep_every;  ///< whole numbers, or lists of them with commas between them
-  std::optional<std::string> random;    ///< seed
+  std::vector<std::string> clips;         ///< names; empty: all
+  std::optional<std::string> frame_rate;  ///< of a BVH file that is written [Hz]
+  std::vector<std::string> keep_every;    ///< whole numbers, or lists of them with commas between them
+  std::optional<std::string> random;      ///< seed
   bool jitter = false;
   RowOptions rows;  ///< of samples in the place of keys
   OutputOptions output;
@@ -116,6 +117,7 @@ extern const TaskSteps smooth_scene_steps, reduce_scene_steps;
 // What each command does.
 [[nodiscard]] Expected<void> run_align(const TaskArguments& arguments);
 [[nodiscard]] Expected<void> run_bake(const TaskArguments& arguments);
+[[nodiscard]] Expected<void> run_clip(const TaskArguments& arguments);
 [[nodiscard]] Expected<void> run_compare(const TaskArguments& arguments);
 [[nodiscard]] Expected<void> run_difference(const TaskArguments& arguments);
 [[nodiscard]] Expected<void> run_inspect(const TaskArguments& arguments);

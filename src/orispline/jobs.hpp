@@ -9,6 +9,7 @@
 #include <orispline/jobs/bake.hpp>
 #include <orispline/jobs/baked_file.hpp>
 #include <orispline/jobs/band.hpp>
+#include <orispline/jobs/clip.hpp>
 #include <orispline/jobs/compare.hpp>
 #include <orispline/jobs/curve_clip.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>
