@@ -31,14 +31,10 @@ Expected<TaskJob> clip_job(const TaskArguments& arguments) {
   FirstError checked;
   TaskJob job{.input = {.path = arguments.input.path, .read = {}}, .request = request_of(arguments)};
   job.writing = checked(scene_writing(arguments.output));
-  job.writing.rate =
-      checked(if_given("--rate", arguments.frame_rate, [](OptionText text) { return positive_in(text); }));
   job.request.options.emplace_back("threads", std::uint64_t{checked(threads_in(arguments.inputs.threads))});
   job.names = Json({{"input", arguments.input.path}});
   auto read = std::move(checked).or_else(std::move(job));
   if (!read) return read;
-  if (read->writing.rate && !is_bvh(output))
-    return usage_failure("--rate: found an output that keeps the times of the keys, wanted BVH");
   return jobs::check_task("clip", read->request)
       .and_then([&] { return check_files(arguments); })
       .and_then([&]() -> Expected<void> {
@@ -97,7 +93,7 @@ void warn_of_end(const std::string& path, const Clip& clip, double step) {
 Expected<WrittenResult> write_clip(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
   const std::string& path = arguments.output.path;
   job.scene.clips = std::move(outcome.scenes.front().clips);
-  if (is_bvh(path) && job.scene.format == &scenes::bvh_format && !job.writing.rate)
+  if (is_bvh(path) && (job.scene.format == &scenes::bvh_format || is_given(arguments.fields, "rate")))
     if (const auto step = frame_step_of(job.scene.clips.front())) {
       job.writing.rate = 1.0 / *step;
       warn_of_end(path, job.scene.clips.front(), *step);

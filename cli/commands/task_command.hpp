@@ -35,10 +35,9 @@ struct TaskArguments {
   std::optional<std::string> method;
   std::vector<std::string> methods;  ///< each time one, or a list with commas between them
   MethodOptions shape;
-  std::vector<std::string> clips;         ///< names; empty: all
-  std::optional<std::string> frame_rate;  ///< of a BVH file that is written [Hz]
-  std::vector<std::string> keep_every;    ///< whole numbers, or lists of them with commas between them
-  std::optional<std::string> random;      ///< seed
+  std::vector<std::string> clips;       ///< names; empty: all
+  std::vector<std::string> keep_every;  ///< whole numbers, or lists of them with commas between them
+  std::optional<std::string> random;    ///< seed
   bool jitter = false;
   RowOptions rows;  ///< of samples in the place of keys
   OutputOptions output;

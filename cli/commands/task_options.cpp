@@ -108,9 +108,6 @@ void add_clip_options(Command& app, TaskArguments& o) {
   add_name("in_place", "JOINT", "Joint whose way across and heading about up are taken out");
   o.output.scenes = scenes_written();
   add_output_options(app, o.output);
-  app.add_option("--rate", o.frame_rate, "Frames per second of a BVH file [those of the keys, where they are even]")
-      ->type_name("HZ")
-      ->group("Output");
   add_report_option(app, o.report);
   app.add_option("--threads", o.inputs.threads, "Threads that work on the clips, with the same results [all cores]")
       ->type_name("N")

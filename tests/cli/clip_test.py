@@ -113,8 +113,21 @@ class ClipCommand(CommandTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.stderr, "orispline: warning: part.bvh: the clip ends between two frames: it ends with the last one before\n")
         self.assertIn("Frame Time: 0.05\n", self.read("part.bvh"))
-        self.assert_fails("clip walk.bvh --to 1 --rate 30 -o part.glb", BAD_USAGE,
-                          "--rate: found an output that keeps the times of the keys, wanted BVH")
+
+    def test_keys_at_an_even_rate_keep_the_end(self):
+        for command in ("clip", "sample"):
+            self.output_of(f"{command} walk.bvh --rate 7 --quiet -o even.glb")
+            clip = self.inspected("even.glb")["clips"][0]
+            self.assertEqual((clip["start_s"], clip["end_s"]), (0, 2))
+            self.assertEqual(clip["translation_keys"], 15)
+        self.output_of("sample walk.bvh --rate 40 --quiet -o even.bvh")
+        self.assertIn("Frames: 81\nFrame Time: 0.025\n", self.read("even.bvh"))
+        found = json.loads(self.output_of("sample walk.bvh --rate 7 --json -o even.glb"))
+        self.assertEqual(found["clips"][0]["end_s"], 2)
+        self.assert_fails("sample walk.bvh --count 7 -o even.glb", BAD_USAGE,
+                          "--count: found a skeleton as a whole, which takes --rate alone, wanted --joint NAME and an output of one track, such as CSV")
+        self.assert_fails("sample walk.bvh -o even.glb", BAD_USAGE,
+                          "--rate is missing for a skeleton as a whole; 'orispline convert' keeps its keys")
 
     def test_what_is_wrong_is_one_line_and_nothing_is_written(self):
         self.write("other.bvh", bvh(31, leg="shin"))

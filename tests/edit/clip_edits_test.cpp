@@ -44,6 +44,7 @@ TEST(Edited, RefusesOptionsThatContradictEachOther) {
             "period_from: clip 'walk': found no two keys 2 s to 3 s apart with one between them, wanted a period that "
             "the clip has room for");
   EXPECT_NE(error_of({.speed = 0.0}), "none");
+  EXPECT_EQ(error_of({.rate = 1e9}), "rate: clip 'walk': found 1e+09 keys, wanted 1e+07 at most");
 }
 
 TEST(Edited, RefusesToCutACubicWhereItIsNoRotation) {

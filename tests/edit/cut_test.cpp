@@ -120,6 +120,26 @@ TEST(WithSpeed, KeepsTheCurveOnAnotherClock) {
   }
 }
 
+TEST(Resampled, HasEvenKeysAndOneAtTheEnd) {
+  for (const ChannelInterpolation interpolation : all_interpolations) {
+    const Clip clip{.rotations = {random_rotations(8, interpolation)},
+                    .translations = {random_vectors(9, interpolation)}};
+    const Clip even = resampled(clip, 7.0);
+    const Domain whole = clip.domain();
+    EXPECT_EQ(even.domain().start, whole.start);
+    EXPECT_EQ(even.domain().end, whole.end);
+    EXPECT_TRUE(check_clip(two_joints(), even));
+    const RotationChannel& channel = even.rotations[0];
+    const ChannelCurve<Eigen::Quaterniond> curve(clip.rotations[0]);
+    for (std::size_t i = 0; i < channel.size(); ++i)
+      EXPECT_LE(angular_distance(channel.values[i], curve.at(channel.times[i])), 1e-12);
+    if (interpolation == ChannelInterpolation::step) continue;
+    for (std::size_t i = 0; i + 2 < channel.size(); ++i)
+      EXPECT_NEAR(channel.times[i + 1] - channel.times[i], 1.0 / 7.0, 1e-12);
+    EXPECT_EQ(channel.interpolation, ChannelInterpolation::linear);
+  }
+}
+
 TEST(Shifted, MovesAllTimesAlone) {
   const Clip clip{.rotations = {random_rotations(8, ChannelInterpolation::cubicspline)}};
   const Clip late = shifted(clip, 0.5);

@@ -271,7 +271,7 @@ export interface Tasks {
     };
     options: {
       /** Look between keys too: at so many times per second, and beside the largest differences [Hz]. */
-      rate?: Text | Flag | undefined;
+      rate?: Text | undefined;
       /** At most so many at work; 0: one per core. */
       threads?: Text | Flag | undefined;
       /** Distance from a joint of the points that are compared in the world. */
@@ -317,6 +317,8 @@ export interface Tasks {
       period_to?: Text | undefined;
       /** The axis of the world that points up. */
       up?: 'y' | 'z' | undefined;
+      /** Keys at so many even times per second, and one at the end. */
+      rate?: Text | undefined;
       /** Let it start at this time. */
       shift?: Text | undefined;
     };

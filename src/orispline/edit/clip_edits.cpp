@@ -12,6 +12,8 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
+constexpr double most_keys = 1e7;  // of a channel
+
 Eigen::Vector3d vector_of(UpAxis up) { return up == UpAxis::y ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ(); }
 
 /// The part that is asked for.
@@ -115,6 +117,13 @@ Expected<ClipEdit> edited(const Skeleton& skeleton, const Clip& clip, const Clip
   if (done && edits.loop) done = add_loop(skeleton, edit, edits, joints);
   if (done) done = move_root(skeleton, edit, edits, joints);
   if (!done) return tl::unexpected(std::move(done.error()));
+  if (edits.rate) {
+    const Domain whole = edit.clip.domain();
+    if (const double keys = (whole.end - whole.start) * *edits.rate; keys > most_keys)
+      return bad_option("rate", formatted("clip {}: found {:.4g} keys, wanted {:.0g} at most", in_quotes(clip.name),
+                                          keys, most_keys));
+    edit.clip = resampled(std::move(edit.clip), *edits.rate);
+  }
   if (edits.shift) edit.clip = shifted(std::move(edit.clip), *edits.shift - edit.clip.domain().start);
   return edit;
 }

@@ -29,6 +29,7 @@ struct ClipEdits {
   bool loop = false;
   std::optional<double> period_from{}, period_to{};  ///< of the loop that is looked for [s]; absent: the whole clip
   UpAxis up = UpAxis::y;
+  std::optional<double> rate{};   ///< of even keys, with one at the end [Hz]; absent: the keys stay
   std::optional<double> shift{};  ///< the time of its start [s]; absent: it stays where it is
 };
 

@@ -216,6 +216,27 @@ double key_time_near(const Clip& clip, double time) {
   return time;
 }
 
+Clip resampled(Clip clip, double rate) {
+  constexpr double least_step = 1e-3;  // of the last interval, as a share of the others
+  const Domain domain = clip.domain();
+  const double steps = (domain.end - domain.start) * rate;
+  std::vector<double> times;
+  for (std::size_t k = 0; static_cast<double>(k) < steps - least_step; ++k)
+    times.push_back(domain.start + static_cast<double>(k) / rate);
+  times.push_back(domain.end);
+  const SharedList<double> shared = std::move(times);
+  return with_channels(std::move(clip), [&](auto channel) {
+    if (channel.size() == 1 || channel.interpolation == ChannelInterpolation::step) return channel;
+    const ChannelCurve curve(channel);
+    channel.interpolation = ChannelInterpolation::linear;
+    channel.times = shared;
+    channel.in_tangents = channel.out_tangents = {};
+    channel.values = {};
+    for (const double t : shared) channel.values.push_back(curve.at(t));
+    return channel;
+  });
+}
+
 Clip shifted(Clip clip, double by) {
   return with_channels(std::move(clip), [by](auto channel) {
     for (double& time : channel.times) time += by;

@@ -30,6 +30,9 @@ extern template VectorChannel part_of(const VectorChannel&, double, double);
 [[nodiscard]] ORISPLINE_EXPORT Clip shifted(Clip clip, double by);
 /// So many times as fast, from the same start. Precondition: the factor is above 0.
 [[nodiscard]] ORISPLINE_EXPORT Clip with_speed(Clip clip, double factor);
+/// With keys at so many even times per second from its start, and one at its end, whatever is left there [Hz]. Steps
+/// keep their keys, and so does a channel of one; all others become linear. Precondition: the rate is above 0.
+[[nodiscard]] ORISPLINE_EXPORT Clip resampled(Clip clip, double rate);
 /// Backwards in time, within the same times. Steps keep the value that the curve has between two keys.
 [[nodiscard]] ORISPLINE_EXPORT Clip reversed(Clip clip);
 
