@@ -81,23 +81,11 @@ std::optional<double> frame_step_of(const Clip& clip) {
   return are_even ? std::nullopt : std::optional(usual);
 }
 
-void warn_of_end(const std::string& path, const Clip& clip, double step) {
-  const Domain domain = clip.domain();
-  const double frames = (domain.end - domain.start) / step;
-  if (std::abs(frames - std::round(frames)) <= same_step) return;
-  warn({{.code = "cut_between_frames",
-         .message = "the clip ends between two frames: it ends with the last one before",
-         .where = {.file = path}}});
-}
-
 Expected<WrittenResult> write_clip(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
   const std::string& path = arguments.output.path;
   job.scene.clips = std::move(outcome.scenes.front().clips);
   if (is_bvh(path) && (job.scene.format == &scenes::bvh_format || is_given(arguments.fields, "rate")))
-    if (const auto step = frame_step_of(job.scene.clips.front())) {
-      job.writing.rate = 1.0 / *step;
-      warn_of_end(path, job.scene.clips.front(), *step);
-    }
+    if (const auto step = frame_step_of(job.scene.clips.front())) job.writing.rate = 1.0 / *step;
   return write_scene(path, job.scene, job.writing).map([&] {
     return WrittenResult{.text = written_text(arguments, "")};
   });

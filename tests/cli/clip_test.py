@@ -111,7 +111,7 @@ class ClipCommand(CommandTest):
     def test_a_cut_between_frames_keeps_the_rate_of_a_bvh_file(self):
         done = self.run_command("clip walk.bvh --from 0.42 --to 1.61 --shift 0 --quiet -o part.bvh")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(done.stderr, "orispline: warning: part.bvh: the clip ends between two frames: it ends with the last one before\n")
+        self.assertEqual(done.stderr, "orispline: warning: part.bvh: the clip ends at 1.19 s, between two frames, of which the last one is at 1.15 s\n")
         self.assertIn("Frame Time: 0.05\n", self.read("part.bvh"))
 
     def test_keys_at_an_even_rate_keep_the_end(self):
