@@ -152,6 +152,7 @@ class CommandLine {
     add_studio_options(command("studio", "Make a page on which keyframes are edited with the mouse",
                                [this] { return studio(studio_); }),
                        studio_);
+    add("clip");
     add("smooth");
     add("mean");
     add("tune");

@@ -9,13 +9,13 @@ import statistics
 import sys
 
 GROUND = {"base", "math", "fields", "curve"}
-TASKS = {"smooth", "reduce", "tune", "retime", "mean", "align"}
+TASKS = {"smooth", "reduce", "tune", "retime", "mean", "align", "edit"}
 LAYERS = {  # folder of src/orispline -> what it may include besides itself
     "base": set(), "math": {"base"}, "fields": {"base", "math"}, "curve": GROUND, "families": GROUND, "io": GROUND, "report": GROUND, "clip": GROUND, "scenes": GROUND | {"clip", "io"},
     "batch/kernel": {"base"}, "batch": GROUND | {"families", "batch/kernel"}, "online": GROUND | {"families", "batch"},
     "analysis": GROUND | {"families", "batch"}, "smooth": GROUND | {"families", "analysis", "clip"}, "tune": GROUND | {"families", "analysis"}, "mean": GROUND,
     "align": GROUND | {"families", "analysis", "smooth", "mean"},
-    "reduce": GROUND | {"families", "batch", "analysis", "clip"}, "retime": GROUND | {"families", "batch", "analysis"},
+    "reduce": GROUND | {"families", "batch", "analysis", "clip"}, "edit": GROUND | {"families", "clip"}, "retime": GROUND | {"families", "batch", "analysis"},
     "pages": GROUND | TASKS | {"families", "batch", "analysis", "report", "clip"},
     "jobs": GROUND | TASKS | {"families", "batch", "online", "analysis", "report", "clip", "pages"}}
 CLI_LAYERS = {"options": set(), "output": {"options"}, "papers": {"options", "output"},

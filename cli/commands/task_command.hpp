@@ -116,6 +116,7 @@ extern const TaskSteps smooth_scene_steps, reduce_scene_steps;
 // What each command does.
 [[nodiscard]] Expected<void> run_align(const TaskArguments& arguments);
 [[nodiscard]] Expected<void> run_bake(const TaskArguments& arguments);
+[[nodiscard]] Expected<void> run_clip(const TaskArguments& arguments);
 [[nodiscard]] Expected<void> run_compare(const TaskArguments& arguments);
 [[nodiscard]] Expected<void> run_difference(const TaskArguments& arguments);
 [[nodiscard]] Expected<void> run_inspect(const TaskArguments& arguments);

@@ -77,6 +77,46 @@ void add_difference_options(Command& app, TaskArguments& o) {
   app.footer = difference_footer;
 }
 
+constexpr auto clip_footer = R"(Examples:
+  orispline clip walk.bvh --from 0.4 --to 1.6 --shift 0 -o step.glb
+  orispline clip mage.glb --clip Walking_A --clip Running_A --speed 1.5 -o faster.glb
+  orispline clip run.glb --clip Run --loop --root hips -o loop.glb
+  orispline clip a.glb --append b.glb --blend 0.1s -o ab.glb
+  orispline clip walk.glb --in-place hips -o here.glb
+  orispline clip walk.bvh --loop --root Hips --period-from 0.8 --period-to 1.4 --shift 0 -o cycle.bvh
+
+Every clip that is chosen is cut, turned round, made faster, continued by another one, closed, freed from the way of a
+joint, and shifted, in this order. A cut has exact ends, and what lies between the keys stays as it was. docs/clip.md says more.)";
+
+void add_clip_options(Command& app, TaskArguments& o) {
+  app.add_option("INPUT", o.input.path, "File of a skeleton with its clips")->required()->type_name("FILE");
+  app.add_option("--clip", o.clips, "Clip to edit, by its name; repeatable, the others are left out [all of them]")
+      ->repeated()
+      ->type_name("NAME");
+  add_fields(app, o.fields, fields_of<orispline::ClipEdits>(), "Clips");
+  app.add_option("--append", o.files["append"], "File of the same skeleton, whose clip comes behind")
+      ->type_name(file_type)
+      ->group("Clips");
+  const auto add_name = [&](std::string_view field, std::string type, std::string sentence) {
+    app.add_option(flag_of(field), o.fields[field], std::move(sentence))->type_name(std::move(type))->group("Clips");
+  };
+  add_name("append_clip", "NAME", "Clip of that file, by its name [the only one]");
+  add_name("root", "JOINT",
+           "Joint whose way a loop keeps, and goes on in the appended clip [none; the first that travels]");
+  add_name("extract_root", "JOINT", "Joint whose way across and heading about up go into a node above it");
+  add_name("root_node", "JOINT", "That node [the topmost one]");
+  add_name("in_place", "JOINT", "Joint whose way across and heading about up are taken out");
+  o.output.scenes = scenes_written();
+  add_output_options(app, o.output);
+  add_report_option(app, o.report);
+  app.add_option("--threads", o.inputs.threads, "Threads that work on the clips, with the same results [all cores]")
+      ->type_name("N")
+      ->group("Output");
+  add_summary_options(app, o.summary);
+  app.usual = {"--clip", "--from", "--to", "--shift", "--speed", "--append", "--loop", "--root", "--in-place"};
+  app.footer = clip_footer;
+}
+
 constexpr auto compare_footer = R"(Examples:
   orispline compare flight.csv
   orispline compare flight.csv --keep-every 8 --methods auto,slerp,quintic --json
@@ -400,6 +440,8 @@ constexpr std::array commands{
                 add_inspect_options, run_inspect},
     TaskCommand{"difference", "Say how far the motions of a skeleton in two files are apart", add_difference_options,
                 run_difference},
+    TaskCommand{"clip", "Cut clips of a skeleton, join them, close them into loops, or take the way of a root out",
+                add_clip_options, run_clip},
     TaskCommand{"compare", "Compare the methods on a recording: errors, smoothness, cost", add_compare_options,
                 run_compare},
     TaskCommand{"align", "Bring a recording onto another one of the same motion: axes, clock, scale, place",

@@ -7,6 +7,7 @@
 #include <orispline/align/rate_alignment.hpp>
 #include <orispline/analysis/comparison.hpp>
 #include <orispline/analysis/decimation.hpp>
+#include <orispline/edit/clip_edits.hpp>
 #include <orispline/fields/field_info.hpp>
 #include <orispline/mean/mean.hpp>
 #include <orispline/reduce/clip_reduction.hpp>

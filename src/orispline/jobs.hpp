@@ -8,6 +8,7 @@
 #include <orispline/jobs/align_rates.hpp>
 #include <orispline/jobs/bake.hpp>
 #include <orispline/jobs/band.hpp>
+#include <orispline/jobs/clip.hpp>
 #include <orispline/jobs/compare.hpp>
 #include <orispline/jobs/curve_clip.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>

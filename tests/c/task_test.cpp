@@ -58,9 +58,12 @@ const std::vector<std::string_view> trackless{"bake", "compare", "inspect"};
 
 TEST(TasksOfC, AreAllOfTheList) {
   const auto list = nlohmann::json::parse(text_by(orispline_tasks_json));
-  ASSERT_EQ(list.size(), cases.size() + 1);
-  for (std::size_t i = 0; i < cases.size(); ++i) EXPECT_EQ(list[i]["task"], cases[i].task);
-  EXPECT_EQ(list.back()["task"], "difference") << "which takes skeletons: value_test.cpp";
+  std::vector<std::string> wanted;
+  for (const Case& one : cases) wanted.emplace_back(one.task);
+  wanted.insert(wanted.end(), {"difference", "clip"});  // which take skeletons: value_test.cpp
+  std::vector<std::string> found;
+  for (const auto& task : list) found.push_back(task["task"]);
+  EXPECT_EQ(found, wanted);
 }
 
 TEST(TasksOfC, GiveDocumentsSentencesAndTracks) {

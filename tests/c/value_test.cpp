@@ -218,6 +218,15 @@ TEST(ValuesOfC, TakeTheSkeletonThatATaskHasMade) {
   EXPECT_EQ(written(made, "smooth.glb").substr(0, 4), "glTF");
 }
 
+TEST(ValuesOfC, CutTheClipsOfASkeleton) {
+  const ValueHandle skeleton = skeleton_of(walking(), "walking.bvh");
+  const TaskOnValues cut =
+      done("clip", {{"scene", skeleton.get()}}, {"from=0.4", "to=1.6", "shift=0", "root=Hips", "loop=true"});
+  EXPECT_EQ(cut.document()["clips"][0]["loop"]["closing"], "bent");
+  const ValueHandle made = cut.value();
+  EXPECT_NEAR(done("inspect", {{"keys", made.get()}}).document()["clips"][0]["end_s"].get<double>(), 1.2, 1e-9);
+}
+
 TEST(ValuesOfC, CompareTwoRecordings) {
   const Recordings recordings;
   const KeysHandle reference = keys_of(recordings.poses);

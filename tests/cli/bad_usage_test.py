@@ -7,7 +7,7 @@ import os
 from command import BAD_USAGE, CommandTest, main
 
 ENDS = "natural, repeat, quadratic, cubic, clamped, rest"
-COMMANDS = "sample, convert, inspect, difference, compare, align, plot, studio, smooth, mean, tune, reduce, retime, bake, methods, tasks, reproduce, completion, help"
+COMMANDS = "sample, convert, inspect, difference, compare, align, plot, studio, clip, smooth, mean, tune, reduce, retime, bake, methods, tasks, reproduce, completion, help"
 
 CASES = (
     ("interpolate keys.csv", f"unknown command 'interpolate', wanted one of {COMMANDS}"),

@@ -252,6 +252,27 @@ def test_smoothing_of_a_scene_takes_the_options_of_smoothing(noisy):
         ori.smooth_scene("noisy.bvh")
 
 
+def test_a_scene_is_edited_as_by_the_command(noisy, tmp_path):
+    scene, _ = noisy
+    start, end = scene.clips[0].start, scene.clips[0].end
+    cut, found = ori.clip_scene(scene, from_=start + 0.25 * (end - start), to=end, shift=0)
+    assert (cut.clips[0].start, found.clips[0].end) == (0, end)
+    document = json_of("clip", tmp_path / "noisy.bvh", "--from", start + 0.25 * (end - start), "--to", end, "--shift", "0", "-o", tmp_path / "cut.glb")
+    assert found.as_dict()["clips"] == document["clips"]
+    twice, joined = ori.clip_scene(scene, append=scene, blend=0.2)
+    assert twice.clips[0].end == pytest.approx(2 * end - start - 0.2) and joined.clips[0].closing is None
+    loop, closed = ori.clip_scene(scene, loop=True)
+    shoulder = channel(loop, "shoulder").values
+    assert np.allclose(shoulder[0], shoulder[-1]) or np.allclose(shoulder[0], -shoulder[-1])
+    assert closed.clips[0].closing == "bent" and closed.clips[0].rotation_change.joint == "shoulder"
+    with pytest.raises(ori.ArgumentError, match="root: found 'hip', wanted the name of a joint"):
+        ori.clip_scene(scene, loop=True, root="hip")
+    with pytest.raises(TypeError, match="root: found 1, wanted a name"):
+        ori.clip_scene(scene, loop=True, root=1)
+    with pytest.raises(TypeError, match="append: found str, wanted a Scene"):
+        ori.clip_scene(scene, append="more.bvh")
+
+
 def shown(path):
     return data_of(path.read_text("utf-8"))
 

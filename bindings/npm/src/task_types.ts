@@ -281,11 +281,56 @@ export interface Tasks {
     };
     options: {
       /** Look between keys too: at so many times per second, and beside the largest differences [Hz]. */
-      rate?: Text | Flag | undefined;
+      rate?: Text | undefined;
       /** At most so many at work; 0: one per core. */
       threads?: Text | Flag | undefined;
       /** Distance from a joint of the points that are compared in the world. */
       shell?: Text | undefined;
+    };
+  };
+  /** Clips of a skeleton cut, turned round, joined, closed into loops, or with the way of a root taken out. */
+  clip: {
+    inputs: {
+      /** A skeleton with its clips, each of which is edited. */
+      scene: SceneInput;
+      /** The same skeleton with the clip that comes behind. */
+      append?: SceneInput | undefined;
+    };
+    options: {
+      /** The name of that clip, where its file has several. */
+      append_clip?: Text | Flag | undefined;
+      /** The joint whose way a loop keeps, and goes on in the appended clip. */
+      root?: Text | Flag | undefined;
+      /** The joint whose way across and heading about up go into a node above it. */
+      extract_root?: Text | Flag | undefined;
+      /** That node, in the place of the topmost one. */
+      root_node?: Text | Flag | undefined;
+      /** The joint whose way across and heading about up are taken out. */
+      in_place?: Text | Flag | undefined;
+      /** At most so many at work; 0: one per core. */
+      threads?: Text | Flag | undefined;
+      /** Keep the clip from this time on. */
+      from?: Text | undefined;
+      /** Keep the clip up to this time. */
+      to?: Text | undefined;
+      /** Let it go backwards. */
+      reverse?: Flag | undefined;
+      /** Let it go so many times as fast. */
+      speed?: Text | undefined;
+      /** How long the clip goes over into the appended one. */
+      blend?: Text | undefined;
+      /** Close it, so that it goes on from its end at its start. */
+      loop?: Flag | undefined;
+      /** With a loop: keep the part of at least this length whose ends are most alike. */
+      period_from?: Text | undefined;
+      /** With a loop: keep the part of at most this length whose ends are most alike. */
+      period_to?: Text | undefined;
+      /** The axis of the world that points up. */
+      up?: 'y' | 'z' | undefined;
+      /** Keys at so many even times per second, and one at the end. */
+      rate?: Text | undefined;
+      /** Let it start at this time. */
+      shift?: Text | undefined;
     };
   };
 }

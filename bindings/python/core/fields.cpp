@@ -153,6 +153,7 @@ void add_fields(nb::module_& module) {
     put_infos(all, "ReduceOptions", fields_of<ReduceOptions>());
     put_infos(all, "Reduction", fields_of<Reduction>());
     put_infos(all, "ClipReduceOptions", fields_of<ClipReduceOptions>());
+    put_infos(all, "ClipEdits", fields_of<ClipEdits>());
     put_infos(all, "RetimeOptions", fields_of<RetimeOptions>());
     put_infos(all, "Retiming", fields_of<Retiming>());
     put_infos(all, "TuneOptions", fields_of<TuneOptions>());

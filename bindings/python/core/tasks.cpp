@@ -323,6 +323,29 @@ nb::dict attributes(const jobs::DifferenceOutcome& outcome) {
   return all;
 }
 
+/// Value, clip, joint and time of the largest change of a loop.
+nb::tuple change_of(const jobs::ClipOutcome& outcome, const ClipEdit& edit, const LoopChange& change) {
+  if (change.joint == no_parent) return nb::make_tuple(0.0, "", "", 0.0);
+  return nb::make_tuple(change.largest.value, text(edit.clip.name),
+                        text(outcome.request.file.skeleton[change.joint].name), change.largest.time);
+}
+
+/// `clips`: of each its name, what was kept, and of a loop how it was closed.
+nb::dict attributes(const jobs::ClipOutcome& outcome) {
+  nb::list clips;
+  for (std::size_t i = 0; i < outcome.clips.size(); ++i) {
+    const ClipEdit& edit = outcome.clips[i];
+    const ClipLoop loop = edit.loop.value_or(ClipLoop{});
+    clips.append(nb::make_tuple(text(edit.clip.name), edit.part.start, edit.part.end,
+                                edit.loop ? nb::cast(text(word_of(loop.closing))) : nb::object(nb::none()),
+                                change_of(outcome, edit, loop.rotation), change_of(outcome, edit, loop.translation),
+                                loop.travel, loop.turn, outcome.seams[i].pose.value, outcome.seams[i].rate.value));
+  }
+  nb::dict all;
+  all["clips"] = clips;
+  return all;
+}
+
 /// Of what has none that Python shows.
 nb::dict attributes(const auto&) { return {}; }
 

@@ -20,7 +20,7 @@ P = ParamSpec("P")
 Found = TypeVar("Found", covariant=True)
 KEYS_ARGUMENTS = list(inspect.signature(Keys).parameters)
 FIELDS: dict[str, list[dict[str, Any]]] = _core.fields()
-OPTIONS = {field["name"] for table, fields in FIELDS.items() if table.endswith("Options") or table == "Decimation" for field in fields}
+OPTIONS = {field["name"] for table, fields in FIELDS.items() if table.endswith("Options") or table in ("ClipEdits", "Decimation") for field in fields}
 
 
 def _plain(name: str, value: Any) -> Any:

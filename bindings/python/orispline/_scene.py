@@ -380,6 +380,61 @@ class SceneSmoothing(_DoneToScene):
                    tuple(BridgedRun(*run) for run in found["runs"]), core.members(), core.summary(), core)
 
 
+@dataclasses.dataclass(frozen=True)
+class EditedClip:
+    """What `clip_scene` did to a clip.
+
+    Attributes
+    ----------
+    clip
+        Its name.
+    start, end
+        Which part of it was kept, in its times before [s].
+    closing
+        How a loop was closed: "none", it went round already; "frame", it got its closing key; "bent", the difference of its ends was
+        spread over it. None without a loop.
+    rotation_change, translation_change
+        The largest change of a joint that the loop made.
+    travel, turn
+        How far the root of a loop goes in one round, and by which angle it turns [rad].
+    seam, seam_rate
+        The largest angle from a last rotation to the first one [rad], and the largest change of an angular velocity there [rad/s].
+    """
+
+    clip: str
+    start: float
+    end: float
+    closing: str | None
+    rotation_change: Worst
+    translation_change: Worst
+    travel: float
+    turn: float
+    seam: float
+    seam_rate: float
+
+
+@dataclasses.dataclass(frozen=True)
+class SceneEdit(_DoneToScene):
+    """What `clip_scene` did to the clips of a scene.
+
+    Attributes
+    ----------
+    clips
+        Of each what was done.
+    """
+
+    clips: tuple[EditedClip, ...]
+    _members: dict[str, Any] = dataclasses.field(repr=False, compare=False)
+    _summary: str = dataclasses.field(repr=False, compare=False)
+    _core: Any = dataclasses.field(repr=False, compare=False)
+    _task: ClassVar[tuple[str, str, str]] = "edit", "clip_scene", "edited"
+
+    @classmethod
+    def _of(cls, core: Any) -> SceneEdit:
+        clips = (EditedClip(*(Worst(*value) if isinstance(value, tuple) else value for value in clip)) for clip in core.attributes()["clips"])
+        return cls(tuple(clips), core.members(), core.summary(), core)
+
+
 def page_of_scene(core: Any) -> bytes:
     """The skeleton as the clips of a scene of the library move it."""
     outcome, = Request("inspect", {"keys": core}, {}).run()

@@ -12,7 +12,7 @@ from ._keys import SIGNS
 from ._methods import method_words
 from ._options import checked_cutoff, checked_threads, plain, takes
 from ._request import Request
-from ._scene import Scene, SceneReduction, SceneSmoothing, positive
+from ._scene import Scene, SceneEdit, SceneReduction, SceneSmoothing, positive
 
 if TYPE_CHECKING:
     from ._types import Signs
@@ -170,6 +170,68 @@ def smooth_scene(scene: Scene, *, cutoff: float | str | None = None, threads: in
     settings = {**checked_cutoff(cutoff, options), "threads": checked_threads(threads)}
     found, = Request("smooth", {"recording": _checked(scene)}, plain(options), settings).told()
     return Scene._of(found.scene(scene._core), scene._scalar_first), SceneSmoothing._of(found)
+
+
+@takes("ClipEdits", without=("from",))
+def clip_scene(scene: Scene, *, from_: float | None = None, append: Scene | None = None, append_clip: str | None = None, root: str | None = None,
+               extract_root: str | None = None, root_node: str | None = None, in_place: str | None = None, threads: int = 0,
+               **options: Any) -> tuple[Scene, SceneEdit]:
+    """A scene with its clips cut, turned round, joined, closed into loops, or without the way of a root, and what was done to them.
+
+    Parameters
+    ----------
+    scene : Scene
+    from_ : float, optional
+        Keep the clips from this time on [s].
+    append : Scene, optional
+        The same skeleton with the clip that comes behind the only one of `scene`.
+    append_clip : str, optional
+        The name of that clip, where `append` has several.
+    root : str, optional
+        The joint whose way a loop keeps, and goes on in the appended clip.
+    extract_root : str, optional
+        The joint whose way across and heading about up go into a node above it.
+    root_node : str, optional
+        That node, in the place of the topmost one.
+    in_place : str, optional
+        The joint whose way across and heading about up are taken out.
+    threads : int
+        At most so many at work, 0 means one for each core. The result is the same on any.
+    {options}
+
+    Returns
+    -------
+    (Scene, SceneEdit)
+
+    Raises
+    ------
+    ArgumentError
+        A time outside of a clip, an option that contradicts another, a joint that is not there.
+    DataError
+        Skeletons that differ, with the joint; a loop of fewer than three keys.
+
+    Warns
+    -----
+    ShapeWarning
+        Clips with weights, which stay as they are.
+
+    Examples
+    --------
+    >>> import orispline as ori
+    >>> scene = ori.read_scene("walk.bvh")  # doctest: +SKIP
+    >>> cycle, found = ori.clip_scene(scene, from_=0.4, to=1.6, loop=True, root="Hips", shift=0)  # doctest: +SKIP
+    >>> found.clips[0].closing  # doctest: +SKIP
+    'bent'
+    """
+    names = {"append_clip": append_clip, "root": root, "extract_root": extract_root, "root_node": root_node, "in_place": in_place}
+    for name, value in names.items():
+        if value is not None and not isinstance(value, str):
+            raise TypeError(f"{name}: found {value!r}, wanted a name")
+    stated = plain({"from": from_, **options})
+    settings = {name: value for name, value in names.items() if value is not None} | {"threads": checked_threads(threads)}
+    inputs = {"scene": _checked(scene)} | ({} if append is None else {"append": _checked(append, "append")})
+    found, = Request("clip", inputs, stated, settings).told()
+    return Scene._of(found.scene(scene._core), scene._scalar_first), SceneEdit._of(found)
 
 
 def shell_distance(a: Scene, b: Scene, shell: float = 0.03) -> dict[str, dict[str, float]]:

@@ -15,6 +15,7 @@
 #include "commands/sample/sample_joints.hpp"
 #include "commands/sample/sample_report.hpp"
 #include "commands/sample/sample_request.hpp"
+#include "commands/sample/sample_skeleton.hpp"
 #include "options/scene_input.hpp"
 #include "output/each_input.hpp"
 #include "output/rows_file.hpp"
@@ -234,6 +235,7 @@ Expected<void> sample_keys(const SampleArguments& options) {
 
 Expected<void> sample_one(const SampleArguments& options) {
   if (!asks_for_stored_motion(options)) return sample_keys(options);
+  if (is_scene(options.output.path) && !options.inputs.folder) return sample_skeleton(options);
   return options.inputs.folder ? sample_joints(options) : sample_joint(options);
 }
 

@@ -7,6 +7,7 @@
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/jobs/clip.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/math/so3.hpp>
 
@@ -58,14 +59,15 @@ std::string clips_table(const InspectSceneOutcome& outcome) {
   if (clips.empty()) return "";
   std::size_t width = 4;
   for (const Clip& clip : clips) width = std::max(width, printable(clip.name).size());
-  std::string table = formatted("\n  {:<{}}{:>11}{:>8}{:>9}{:>7}{:>10}\n", "clip", width, "duration", "tracks", "keys",
-                                "flips", "max step");
+  std::string table = formatted("\n  {:<{}}{:>11}{:>8}{:>9}{:>7}{:>10}{:>10}{:>13}\n", "clip", width, "duration",
+                                "tracks", "keys", "flips", "max step", "seam", "seam rate");
   for (std::size_t i = 0; i < clips.size(); ++i) {
     const SceneCounts& counts = outcome.clips[i];
     const Domain domain = clips[i].whole_domain();
-    table += formatted("  {:<{}}{:>9.4g} s{:>8}{:>9}{:>7}{:>9.4g}°\n", printable(clips[i].name), width,
-                       domain.end - domain.start, counts.rotation_tracks, counts.rotation_keys, counts.sign_flips,
-                       counts.widest_step * degrees);
+    table += formatted("  {:<{}}{:>9.4g} s{:>8}{:>9}{:>7}{:>9.4g}°{:>9.4g}°{:>9.4g} °/s\n", printable(clips[i].name),
+                       width, domain.end - domain.start, counts.rotation_tracks, counts.rotation_keys,
+                       counts.sign_flips, counts.widest_step * degrees, outcome.seams[i].pose.value * degrees,
+                       outcome.seams[i].rate.value * degrees);
   }
   return table;
 }
@@ -109,7 +111,10 @@ InspectSceneOutcome inspect_scene(InspectSceneRequest request) {
   InspectSceneOutcome outcome{.request = std::move(request)};
   const MotionFile& file = outcome.request.file;
   outcome.counts = counts_of(file.skeleton, file.clips);
-  for (const Clip& clip : file.clips) outcome.clips.push_back(counts_of(file.skeleton, {&clip, 1}));
+  for (const Clip& clip : file.clips) {
+    outcome.clips.push_back(counts_of(file.skeleton, {&clip, 1}));
+    outcome.seams.push_back(seam_of(clip));
+  }
   return outcome;
 }
 
@@ -121,6 +126,7 @@ Json document_of(const InspectSceneOutcome& outcome) {
     const Domain domain = file.clips[i].whole_domain();
     Json clip{{"name", file.clips[i].name}, {"start_s", domain.start}, {"end_s", domain.end}};
     clip.update(json_of(outcome.clips[i]));
+    clip.update(json_of(outcome.seams[i], file.skeleton));
     clips.push_back(std::move(clip));
   }
   Json json = json_of(outcome.counts);

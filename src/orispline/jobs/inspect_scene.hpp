@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include <orispline/edit/seam.hpp>
 #include <orispline/fields/json.hpp>
 #include <orispline/jobs/difference.hpp>
 
@@ -44,6 +45,7 @@ struct InspectSceneOutcome {
   InspectSceneRequest request;
   SceneCounts counts{};
   std::vector<SceneCounts> clips{};  ///< of each
+  std::vector<ClipSeam> seams{};     ///< of each
 };
 
 [[nodiscard]] ORISPLINE_EXPORT InspectSceneOutcome inspect_scene(InspectSceneRequest request);

@@ -5,6 +5,7 @@
 #include <orispline/align/rate_alignment.hpp>
 #include <orispline/analysis/comparison.hpp>
 #include <orispline/analysis/decimation.hpp>
+#include <orispline/edit/clip_edits.hpp>
 #include <orispline/jobs/bake.hpp>
 #include <orispline/jobs/task_list.hpp>
 #include <orispline/mean/mean.hpp>
@@ -178,6 +179,23 @@ TaskInfo difference_info() {
           {{"rate", "Look between keys too: at so many times per second, and beside the largest differences [Hz]"},
            threads_setting},
           run_difference};
+}
+
+TaskInfo clip_info() {
+  return {"clip",
+          "Clips of a skeleton cut, turned round, joined, closed into loops, or with the way of a root taken out",
+          fields<ClipEdits>(),
+          {},
+          {{.name = "scene", .sentence = "A skeleton with its clips, each of which is edited", .takes = scenes_alone},
+           {"append", "The same skeleton with the clip that comes behind", false, false, scenes_alone}},
+          {{"append_clip", "The name of that clip, where its file has several"},
+           {"root", "The joint whose way a loop keeps, and goes on in the appended clip"},
+           {"extract_root", "The joint whose way across and heading about up go into a node above it"},
+           {"root_node", "That node, in the place of the topmost one"},
+           {"in_place", "The joint whose way across and heading about up are taken out"},
+           threads_setting},
+          run_clip,
+          check_clip_edits};
 }
 
 }}}  // namespace orispline::jobs

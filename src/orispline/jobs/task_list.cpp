@@ -6,8 +6,8 @@
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
 std::vector<TaskInfo> tasks_info() {
-  return {smooth_info(), tune_info(),  reduce_info(),  retime_info(),  bake_info(),
-          mean_info(),   align_info(), compare_info(), inspect_info(), difference_info()};
+  return {smooth_info(), tune_info(),    reduce_info(),  retime_info(),     bake_info(), mean_info(),
+          align_info(),  compare_info(), inspect_info(), difference_info(), clip_info()};
 }
 
 }}}  // namespace orispline::jobs

@@ -17,6 +17,7 @@
 #include <orispline/jobs/align.hpp>
 #include <orispline/jobs/align_rates.hpp>
 #include <orispline/jobs/bake.hpp>
+#include <orispline/jobs/clip.hpp>
 #include <orispline/jobs/compare.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>
 #include <orispline/jobs/difference.hpp>
@@ -93,7 +94,7 @@ template <class... Outcomes>
 using OneOf = std::variant<std::shared_ptr<Outcomes>...>;
 using TaskFinding = OneOf<SmoothOutcome, SmoothClipsOutcome, TuneOutcome, ReduceOutcome, ReduceSceneOutcome,
                           RetimeOutcome, BakeOutcome, MeanOutcome, AlignOutcome, RateAlignOutcome, CompareOutcome,
-                          InspectOutcome, InspectSceneOutcome, DifferenceOutcome>;
+                          InspectOutcome, InspectSceneOutcome, DifferenceOutcome, ClipOutcome>;
 
 /// What there is to say of a task that was done, and what it made.
 struct TaskOutcome {
@@ -184,6 +185,7 @@ struct TaskInfo {
 [[nodiscard]] TaskInfo compare_info();
 [[nodiscard]] TaskInfo inspect_info();
 [[nodiscard]] TaskInfo difference_info();
+[[nodiscard]] TaskInfo clip_info();
 
 // How their options are checked, and how each of them is run.
 [[nodiscard]] Expected<void> check_smooth(const TaskRequest& request);
@@ -192,6 +194,7 @@ struct TaskInfo {
 [[nodiscard]] Expected<void> check_bake(const TaskRequest& request);
 [[nodiscard]] Expected<void> check_compare(const TaskRequest& request);
 [[nodiscard]] Expected<void> check_reduce_scene(const TaskRequest& request);
+[[nodiscard]] Expected<void> check_clip_edits(const TaskRequest& request);
 template <class Options>
 [[nodiscard]] Expected<void> check_typed(const TaskRequest& request);
 [[nodiscard]] Expected<TaskOutcome> run_smooth(const TaskRequest& request, const Progress& progress);
@@ -207,5 +210,6 @@ template <class Options>
 [[nodiscard]] Expected<TaskOutcome> run_reduce_scene(const TaskRequest& request, const Progress& progress);
 [[nodiscard]] Expected<TaskOutcome> run_inspect_scene(const TaskRequest& request, const Progress& progress);
 [[nodiscard]] Expected<TaskOutcome> run_difference(const TaskRequest& request, const Progress& progress);
+[[nodiscard]] Expected<TaskOutcome> run_clip(const TaskRequest& request, const Progress& progress);
 
 }}}  // namespace orispline::jobs

@@ -10,6 +10,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/jobs/clip.hpp>
 #include <orispline/jobs/compare.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>
 #include <orispline/jobs/difference.hpp>
@@ -144,6 +145,15 @@ report::SkeletonPage page_of(const DifferenceOutcome& outcome, const pages::Page
   return pages::skeleton_page({first.name, first.skeleton, first.clips}, {second.name, second.skeleton, second.clips},
                               pairs, {.are_known = !first.has_no_unit && !second.has_no_unit, .shell = shell},
                               with_notes, threads);
+}
+
+report::SkeletonPage page_of(const ClipOutcome& outcome, std::string after, pages::PageHead head) {
+  const MotionFile& file = outcome.request.file;
+  add_warnings(head.notes, outcome.warnings);
+  std::vector<Clip> clips;
+  for (const ClipEdit& edit : outcome.clips) clips.push_back(edit.clip);
+  return pages::scene_page({after.empty() ? file.name : std::move(after), file.skeleton, clips},
+                           {.are_known = !file.has_no_unit}, head, outcome.request.threads);
 }
 
 namespace {

@@ -120,4 +120,30 @@ Expected<TaskOutcome> run_difference(const TaskRequest& request, const Progress&
       .map([](DifferenceOutcome outcome) { return told(std::move(outcome)); });
 }
 
+Expected<void> check_clip_edits(const TaskRequest& request) {
+  return options_in<ClipEdits>(request).and_then([](const ClipEdits& edits) { return check(edits); });
+}
+
+Expected<TaskOutcome> run_clip(const TaskRequest& request, const Progress&) {
+  FirstError checked;
+  const auto text = [&](std::string_view name) { return request.option(name) ? *request.option(name) : std::string(); };
+  ClipRequest job{.file = scene_in(request, "scene"),
+                  .edits = checked(options_in<ClipEdits>(request)),
+                  .root = text("root"),
+                  .extract_root = text("extract_root"),
+                  .root_node = text("root_node"),
+                  .in_place = text("in_place"),
+                  .append_clip = text("append_clip"),
+                  .threads = checked(threads_in(request))};
+  if (request.value("append")) job.appended = scene_in(request, "append");
+  return std::move(checked)
+      .or_else(std::move(job))
+      .and_then([](ClipRequest sound) { return clip(std::move(sound)); })
+      .map([&](ClipOutcome outcome) {
+        std::vector<Clip> clips;
+        for (const ClipEdit& edit : outcome.clips) clips.push_back(edit.clip);
+        return with_clips(told(std::move(outcome)), scene_in(request, "scene"), std::move(clips));
+      });
+}
+
 }}}  // namespace orispline::jobs

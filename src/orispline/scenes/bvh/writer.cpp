@@ -15,6 +15,8 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 
 namespace {
 
+constexpr double least_rest = 0.01;  // of a clip behind its last frame that is said, as a share of the frame time
+
 Expected<EulerOrder> order_of(const SceneWriting& writing) {
   const EulerOrder order = writing.euler.value_or(EulerOrder{});
   if (order.is_proper())
@@ -167,6 +169,14 @@ class Writer {
     const std::size_t scaled = scaled_joints_of(scene_, clip_);
     add("scale_dropped", formatted("{} with a scale, which BVH does not hold", counted(scaled, "joint")), "joints",
         scaled);
+    const double end = clip_.domain().end, last = frames.times.back();
+    if (end - last > least_rest * frames.frame_time.to_double())
+      written_.warnings.push_back(
+          {.code = "end_dropped",
+           .message = formatted("the clip ends at {:.6g} s, between two frames, of which the last one is at {:.6g} s",
+                                end, last),
+           .where = {.file = path_},
+           .numbers = {{"end_s", end}, {"last_frame_s", last}}});
     if (const double start = frames.times.front(); start != 0.0)
       written_.warnings.push_back({.code = "start_dropped",
                                    .message = formatted("the clip starts at {} s, its frames at 0 s", start),

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// clip: from a file of skeletons to another one.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
+#include <orispline/clip/clip_difference.hpp>
+#include <orispline/scenes/scene_file.hpp>
+#include <orispline/scenes/scene_tracks.hpp>
+
+#include "commands/task_command.hpp"
+#include "options/file_places.hpp"
+#include "options/scene_input.hpp"
+#include "options/threads.hpp"
+#include "output/scene_output.hpp"
+#include "output/standard_output.hpp"
+
+namespace orispline::cli {
+
+namespace {
+
+bool is_bvh(const std::string& path) { return scenes::scene_format_of(path) == &scenes::bvh_format; }
+
+Expected<TaskJob> clip_job(const TaskArguments& arguments) {
+  const std::string& output = arguments.output.path;
+  if (!is_scene(output))
+    return usage_failure(formatted("{}: found '{}', wanted a file of skeletons, whose name ends in {}",
+                                   arguments.output.option, printable(output), endings_of(scenes_written())));
+  FirstError checked;
+  TaskJob job{.input = {.path = arguments.input.path, .read = {}}, .request = request_of(arguments)};
+  job.writing = checked(scene_writing(arguments.output));
+  job.request.options.emplace_back("threads", std::uint64_t{checked(threads_in(arguments.inputs.threads))});
+  job.names = Json({{"input", arguments.input.path}});
+  auto read = std::move(checked).or_else(std::move(job));
+  if (!read) return read;
+  return jobs::check_task("clip", read->request)
+      .and_then([&] { return check_files(arguments); })
+      .and_then([&]() -> Expected<void> {
+        const auto behind = file_of(arguments, "append");
+        if (!behind) return {};
+        return check_output_apart(arguments.output.option, output, {{"that of --append", *behind}});
+      })
+      .map([&] { return std::move(*read); });
+}
+
+Expected<scenes::Scene> read_chosen(const std::string& path, const std::vector<std::string>& clips) {
+  return scenes::read_scene(path).and_then([&](scenes::Scene scene) {
+    warn(scene.warnings);
+    return scenes::with_clips(std::move(scene), clips);
+  });
+}
+
+Expected<void> read_clips(const TaskArguments& arguments, TaskJob& job) {
+  auto scene = read_chosen(arguments.input.path, arguments.clips);
+  if (!scene) return tl::unexpected(std::move(scene.error()));
+  job.request.inputs = {{"scene", motion_of(arguments.input.path, *scene)}};
+  job.scene = *std::move(scene);
+  const auto behind = file_of(arguments, "append");
+  if (!behind) return {};
+  return read_chosen(*behind, {}).map([&](const scenes::Scene& second) {
+    job.request.inputs.emplace_back("append", motion_of(*behind, second));
+  });
+}
+
+constexpr double same_step = 0.01;  // share by which the steps between frames may differ
+
+/// What BVH is written at after a cut between two frames of BVH: their usual step, from the cut on [s]; absent where
+/// all steps are even.
+std::optional<double> frame_step_of(const Clip& clip) {
+  const std::vector<double> times = key_times(clip);
+  std::vector<double> steps;
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) steps.push_back(times[i + 1] - times[i]);
+  if (steps.empty()) return std::nullopt;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::ranges::nth_element(steps, middle);
+  const double usual = *middle;
+  const bool are_even =
+      std::ranges::all_of(steps, [&](double step) { return std::abs(step - usual) <= same_step * usual; });
+  return are_even ? std::nullopt : std::optional(usual);
+}
+
+Expected<WrittenResult> write_clip(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
+  const std::string& path = arguments.output.path;
+  job.scene.clips = std::move(outcome.scenes.front().clips);
+  if (is_bvh(path) && (job.scene.format == &scenes::bvh_format || is_given(arguments.fields, "rate")))
+    if (const auto step = frame_step_of(job.scene.clips.front())) job.writing.rate = 1.0 / *step;
+  return write_scene(path, job.scene, job.writing).map([&] {
+    return WrittenResult{.text = written_text(arguments, "")};
+  });
+}
+
+}  // namespace
+
+Expected<void> run_clip(const TaskArguments& arguments) {
+  return run_on_one({"clip", clip_job, read_clips, write_clip}, arguments);
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/jobs/clip.hpp>
+
+#include <algorithm>
+#include <utility>
+
+#include <orispline/base/counted.hpp>
+#include <orispline/base/first_error.hpp>
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/parallel.hpp>
+#include <orispline/base/quoted.hpp>
+#include <orispline/math/degrees.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+
+namespace {
+
+std::string_view length_unit(const ClipOutcome& outcome) { return outcome.request.file.has_no_unit ? "" : " m"; }
+
+/// The only joint of that name; `no_parent` where none is stated.
+Expected<std::size_t> joint_named(const MotionFile& file, const std::string& name, std::string_view option) {
+  if (name.empty()) return no_parent;
+  const auto same = std::ranges::count(file.skeleton.joints(), name, &Joint::name);
+  if (same == 1) return *file.skeleton.find(name);
+  if (same > 1)
+    return bad_option(option, formatted("found {} joints named {}, wanted a name of its own", same, in_quotes(name)));
+  return bad_option(option, formatted("found {}, wanted the name of a joint", in_quotes(name)));
+}
+
+/// Only what the format of the file passes on knows of them.
+std::vector<Warning> warnings_of_values_beside(const MotionFile& file) {
+  const auto count = static_cast<std::size_t>(
+      std::ranges::count_if(file.clips, [](const Clip& clip) { return clip.passed_on.has_value(); }));
+  if (count == 0) return {};
+  return {{.code = "values_not_edited",
+           .message = formatted("{} has weights or other values beside its joints, which stay as they are",
+                                counted(count, "clip")),
+           .where = {.file = file.name},
+           .numbers = {{"clips", static_cast<double>(count)}}}};
+}
+
+std::string name_of_joint(const ClipOutcome& outcome, std::size_t joint) {
+  return in_quotes(outcome.request.file.skeleton.shown_name(joint));
+}
+
+std::string seam_text(const ClipOutcome& outcome, const ClipSeam& seam) {
+  if (seam.pose.joint == no_parent && seam.rate.joint == no_parent) return "nothing jumps";
+  std::string text;
+  if (seam.pose.joint != no_parent)
+    text += formatted("{:.4g}° of joint {}", seam.pose.value * degrees, name_of_joint(outcome, seam.pose.joint));
+  if (seam.rate.joint != no_parent)
+    text += formatted("{}{:.4g} °/s of joint {}", text.empty() ? "" : ", ", seam.rate.value * degrees,
+                      name_of_joint(outcome, seam.rate.joint));
+  return text;
+}
+
+std::string change_text(const ClipOutcome& outcome, const ClipLoop& loop) {
+  if (loop.closing == LoopClosing::none) return "it went round already, nothing is bent";
+  if (loop.closing == LoopClosing::frame) return "it got its closing key, nothing is bent";
+  std::string text;
+  if (loop.rotation.joint != no_parent)
+    text = formatted("{:.4g}° of joint {} at {:.6g} s", loop.rotation.largest.value * degrees,
+                     name_of_joint(outcome, loop.rotation.joint), loop.rotation.largest.time);
+  if (loop.translation.joint != no_parent)
+    text +=
+        formatted("{}{:.4g}{} of joint {} at {:.6g} s", text.empty() ? "" : ", ", loop.translation.largest.value,
+                  length_unit(outcome), name_of_joint(outcome, loop.translation.joint), loop.translation.largest.time);
+  return text.empty() ? "none" : text;
+}
+
+std::string lines_of(const ClipOutcome& outcome, std::size_t i) {
+  const ClipEdit& edit = outcome.clips[i];
+  const Domain after = edit.clip.domain();
+  std::string text = formatted("{}: {:.6g} s to {:.6g} s, from {:.6g} s to {:.6g} s of the input\n",
+                               in_quotes(edit.clip.name), after.start, after.end, edit.part.start, edit.part.end);
+  if (edit.blend)
+    text += formatted("  blend           {:.6g} s to {:.6g} s; the appended clip is turned by {:.4g}°\n",
+                      edit.blend->start, edit.blend->end, edit.appended_turn * degrees);
+  if (!edit.loop) return text;
+  text += formatted("  largest change  {}\n", change_text(outcome, *edit.loop));
+  if (edit.loop->travel > 0.0 || edit.loop->turn != 0.0)
+    text += formatted("  root            goes {:.4g}{} and turns {:.4g}° in one round\n", edit.loop->travel,
+                      length_unit(outcome), edit.loop->turn * degrees);
+  return text + formatted("  seam            {}\n", seam_text(outcome, outcome.seams[i]));
+}
+
+Json largest_json(const ClipOutcome& outcome, const LoopChange& change, double unit) {
+  if (change.joint == no_parent) return nullptr;
+  return {{"largest", change.largest.value * unit},
+          {"joint", outcome.request.file.skeleton[change.joint].name},
+          {"time_s", change.largest.time}};
+}
+
+Json json_of(const ClipOutcome& outcome, const ClipEdit& edit) {
+  const Domain after = edit.clip.domain();
+  Json json{{"clip", edit.clip.name},
+            {"from_s", edit.part.start},
+            {"to_s", edit.part.end},
+            {"start_s", after.start},
+            {"end_s", after.end}};
+  if (edit.blend)
+    json["blend"] =
+        Json{{"start_s", edit.blend->start}, {"end_s", edit.blend->end}, {"turn_deg", edit.appended_turn * degrees}};
+  if (!edit.loop) return json;
+  json["loop"] = Json{{"closing", word_of(edit.loop->closing)},
+                      {"rotation_change_deg", largest_json(outcome, edit.loop->rotation, degrees)},
+                      {"translation_change", largest_json(outcome, edit.loop->translation, 1.0)},
+                      {"travel", edit.loop->travel},
+                      {"turn_deg", edit.loop->turn * degrees}};
+  return json;
+}
+
+/// Settings that contradict each other.
+Expected<void> check(const ClipRequest& request) {
+  if (request.file.clips.empty()) return failure(ErrorCode::bad_data, "found no clip, wanted one");
+  if (!request.root.empty() && !request.edits.loop && !request.appended)
+    return bad_option("root", "found a joint whose way goes on, wanted `loop` or `append` too");
+  if (request.edits.blend && !request.appended) return bad_option("blend", "found it without `append`, wanted both");
+  if (!request.append_clip.empty() && !request.appended)
+    return bad_option("append_clip", "found it without `append`, wanted both");
+  if (!request.root_node.empty() && request.extract_root.empty())
+    return bad_option("root_node", "found it without `extract_root`, wanted both");
+  if (!request.in_place.empty() && !request.extract_root.empty())
+    return bad_option("in_place", "found it beside `extract_root`, wanted one of them");
+  if (request.appended && request.file.clips.size() > 1)
+    return mended_by("clip",
+                     formatted("found {} clips to append another one to, wanted one", request.file.clips.size()));
+  return {};
+}
+
+/// The first few: `'walk', 'run'`.
+std::string names_of(const std::vector<Clip>& clips) {
+  constexpr std::size_t shown = 12;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < std::min(shown, clips.size()); ++i) names.push_back(in_quotes(clips[i].name));
+  return joined(names, ", ") + (clips.size() > shown ? formatted(" and {} more", clips.size() - shown) : "");
+}
+
+/// The clip of the second file; null where there is none.
+Expected<const Clip*> appended_clip(const ClipRequest& request) {
+  if (!request.appended) return nullptr;
+  const MotionFile& file = *request.appended;
+  const auto found = std::ranges::find(file.clips, request.append_clip, &Clip::name);
+  if (found != file.clips.end()) return &*found;
+  if (request.append_clip.empty() && file.clips.size() == 1) return &file.clips.front();
+  if (request.append_clip.empty())
+    return failure(
+        ErrorCode::bad_data,
+        formatted("found {} clips, wanted one, or one of {} by `append_clip`", file.clips.size(), names_of(file.clips)),
+        {.file = file.name});
+  return failure(ErrorCode::bad_data,
+                 formatted("found no clip {}, wanted one of {}", in_quotes(request.append_clip), names_of(file.clips)),
+                 {.file = file.name});
+}
+
+Expected<EditedJoints> joints_in(const ClipRequest& request) {
+  FirstError checked;
+  const auto joint = [&](const std::string& name, std::string_view option) {
+    return checked(joint_named(request.file, name, option));
+  };
+  return std::move(checked).or_else(EditedJoints{.root = joint(request.root, "root"),
+                                                 .extracted = joint(request.extract_root, "extract_root"),
+                                                 .node = joint(request.root_node, "root_node"),
+                                                 .in_place = joint(request.in_place, "in_place")});
+}
+
+Expected<ClipOutcome> edited_clips(ClipRequest request) {
+  FirstError checked;
+  const auto sound = check(request);
+  if (!sound) return tl::unexpected(sound.error());
+  const Clip* const second = checked(appended_clip(request));
+  const EditedJoints joints = checked(joints_in(request));
+  const MotionFile& file = request.file;
+  std::vector<Expected<ClipEdit>> edits(file.clips.size());
+  parallel_for(edits.size(), request.threads, [&](std::size_t i) {
+    if (!second) edits[i] = edited(file.skeleton, file.clips[i], request.edits, joints);
+    else {
+      const AppendedClip appended{request.appended->skeleton, *second};
+      edits[i] = edited(file.skeleton, file.clips[i], request.edits, joints, &appended);
+    }
+  });
+  ClipOutcome outcome{.request = std::move(request)};
+  for (Expected<ClipEdit>& edit : edits) {
+    const ClipEdit& done = outcome.clips.emplace_back(checked(std::move(edit)));
+    const bool keeps_way = done.loop && joints.in_place == no_parent && joints.extracted == no_parent;
+    outcome.seams.push_back(keeps_way ? seam_of(done.clip, joints.root, done.loop->root_turn) : seam_of(done.clip));
+  }
+  outcome.warnings = warnings_of_values_beside(outcome.request.file);
+  return std::move(checked).or_else(std::move(outcome));
+}
+
+}  // namespace
+
+Json json_of(const ClipSeam& seam, const Skeleton& skeleton) {
+  const auto joint = [&](const ClipSeam::Step& step) {
+    return step.joint == no_parent ? Json(nullptr) : Json(skeleton[step.joint].name);
+  };
+  return {{"seam_deg", seam.pose.value * degrees},
+          {"seam_joint", joint(seam.pose)},
+          {"seam_rate_deg_s", seam.rate.value * degrees},
+          {"seam_rate_joint", joint(seam.rate)}};
+}
+
+Expected<ClipOutcome> clip(ClipRequest request) {
+  const std::string name = request.file.name;
+  return edited_clips(std::move(request)).map_error([&](Error error) {
+    if (error.where.file.empty()) error.where.file = name;
+    return error;
+  });
+}
+
+std::string summary_of(const ClipOutcome& outcome) {
+  const std::string& name = outcome.request.file.name;
+  std::string text =
+      formatted("{}{}\n", counted(outcome.clips.size(), "clip"), name.empty() ? "" : " from " + printable(name));
+  for (std::size_t i = 0; i < outcome.clips.size(); ++i) text += lines_of(outcome, i);
+  return text;
+}
+
+Json document_of(const ClipOutcome& outcome) {
+  Json clips = Json::array();
+  for (std::size_t i = 0; i < outcome.clips.size(); ++i) {
+    Json clip = json_of(outcome, outcome.clips[i]);
+    clip.update(json_of(outcome.seams[i], outcome.request.file.skeleton));
+    clips.push_back(std::move(clip));
+  }
+  Json json;
+  json["clips"] = std::move(clips);
+  return json;
+}
+
+}}}  // namespace orispline::jobs
