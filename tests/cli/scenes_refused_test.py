@@ -53,7 +53,7 @@ class Refused(SceneTest):
                 ("convert arm.bvh -o old.csv", BAD_DATA, "found 2 joints", joints, "--joint NAME"),
                 ("convert arm.bvh --output-euler ZXZ -o old.glb", BAD_USAGE, "--output-euler: found 'ZXZ'"),
                 ("sample arm.bvh --rate 10 -o old.csv", BAD_DATA, "clip 'arm': found 2 joints", joints, "--joint NAME"),
-                ("sample arm.bvh --joint Elbow --rate 10 -o old.glb", BAD_USAGE, "-o: found"),
+                ("sample arm.bvh --joint Elbow --rate 10 -o old.glb", BAD_USAGE, "--joint: found an output that holds all joints"),
                 ("sample keys.csv --clip arm --rate 10 -o old.csv", BAD_USAGE, "--clip: found a CSV file"),
                 ("sample keys.csv --space world --rate 10 -o old.csv", BAD_USAGE, "--space: found a CSV file"),
                 ("sample keys.csv --tolerance 1deg --rate 10 -o old.glb", BAD_USAGE, "--tolerance: found --rate"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/edit/clip_edits.hpp>
 
+#include <limits>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
@@ -45,9 +46,9 @@ Expected<Clip> checked(const Skeleton& skeleton, Clip clip) {
 Expected<void> add_loop(const Skeleton& skeleton, ClipEdit& edit, const ClipEdits& edits, const EditedJoints& joints) {
   const LoopRoot root{joints.root, vector_of(edits.up)};
   if (edits.period_from || edits.period_to) {
-    const Domain all = edit.clip.domain();
     const auto best = best_period(
-        skeleton, edit.clip, {edits.period_from.value_or(0.0), edits.period_to.value_or(all.end - all.start)}, root);
+        skeleton, edit.clip,
+        {edits.period_from.value_or(0.0), edits.period_to.value_or(std::numeric_limits<double>::infinity())}, root);
     if (!best) return tl::unexpected(best.error());
     edit.clip = part_of(edit.clip, *best);
     if (!edits.reverse && edits.speed == 1.0 && !edit.blend) edit.part = *best;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -117,10 +118,11 @@ Expected<Domain> best_period(const Skeleton& skeleton, const Clip& clip, Domain 
         if (square < least) least = square, best = {times[i], times[j]};
       }
     if (best.start < best.end) return best;
-    return bad_option("period_from",
-                      formatted("clip {}: found no two keys {:g} s to {:g} s apart with one between them, wanted a "
-                                "period that the clip has room for",
-                                in_quotes(clip.name), periods.start, periods.end));
+    const std::string apart = std::isinf(periods.end) ? formatted("at least {:g} s", periods.start)
+                                                      : formatted("{:g} s to {:g} s", periods.start, periods.end);
+    return bad_option("period_from", formatted("clip {}: found no two keys {} apart with one between them, wanted a "
+                                               "period that the clip has room for",
+                                               in_quotes(clip.name), apart));
   });
 }
 
