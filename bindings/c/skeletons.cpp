@@ -37,7 +37,8 @@ Value skeleton_of(scenes::Scene scene) {
                           .has_no_unit = format.has_no_unit,
                           .format = format.file,
                           .title = format.title,
-                          .is_single_precise = format.holds_floats};
+                          .is_single_precise = format.holds_floats,
+                          .is_sampled = format.is_sampled};
   return {std::make_shared<const jobs::MotionFile>(std::move(motion)),
           std::make_shared<const scenes::Scene>(std::move(scene))};
 }

@@ -29,6 +29,7 @@ jobs::MotionFile file_of_format(const std::string& name, const scenes::SceneForm
   file.format = format->file;
   file.title = format->title;
   file.is_single_precise = format->holds_floats;
+  file.is_sampled = format->is_sampled;
   return file;
 }
 

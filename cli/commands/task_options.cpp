@@ -343,6 +343,18 @@ void add_reduce_options(Command& app, TaskArguments& o) {
   const auto of_clips = fields_of<orispline::ClipReduceOptions>();
   for (const std::string_view name : {"world_tolerance", "shell", "between"})
     add_field(app, o.fields, field_named(of_clips, name), "Clips");
+  app.add({.names = "--cuts",
+           .sentence =
+               "Take single steps of joints that neither side of them foretells as cuts, as is done anyway with "
+               "--between smooth",
+           .typed = &o.fields["cuts"],
+           .stands_for = "steps",
+           .section = "Clips"});
+  app.add({.names = "--no-cuts",
+           .sentence = "Take every jump as motion, also between keys that are at most 2 ms apart",
+           .typed = &o.fields["cuts"],
+           .stands_for = "none",
+           .section = "Clips"});
   app.add_option("--position-scale", o.fields["position_scale"],
                  "Metres in one unit of length of the file, such as 0.01 [1 for glTF; a BVH file has no unit]")
       ->type_name("X")

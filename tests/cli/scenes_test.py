@@ -71,8 +71,11 @@ class SmallScenes(SceneTest):
             self.assertEqual(report["bytes"], (self.folder / "small.glb").stat().st_size)
             found = self.json_of("difference arm.bvh small.glb")
             self.assertLessEqual(found["angle_max_deg"], tolerance)
-            self.assertAlmostEqual(found["angle_max_deg"], report["angle_deg"]["largest"], delta=1e-5)
-            self.assertAlmostEqual(found["shell_distance_max"], report["shell_distance_m"]["largest"], delta=1e-6)
+            self.assertLessEqual(report["angle_deg"]["largest"], tolerance, "between the frames as well")
+            for at_frames, anywhere in ((found["angle_max_deg"], report["angle_deg"]["largest"]),
+                                        (found["shell_distance_max"], report["shell_distance_m"]["largest"])):
+                self.assertLessEqual(at_frames, anywhere * 1.00001)
+                self.assertGreater(at_frames, 0.9 * anywhere)
             document, _ = parts_of_glb(self.folder / "small.glb")
             samplers = samplers_of(document, "rotation").values()
             self.assertEqual(sum(document["accessors"][s["input"]]["count"] for s in samplers), report["rotation_keys"])
@@ -89,7 +92,8 @@ class SmallScenes(SceneTest):
         report = self.json_of("reduce arm.bvh --world-tolerance 2mm --shell 10cm --position-scale 1 -o small.glb")
         found = self.json_of("difference arm.bvh small.glb --shell 10cm")
         self.assertLessEqual(found["shell_distance_max"], 0.002)
-        self.assertAlmostEqual(found["shell_distance_max"], report["shell_distance_m"]["largest"], delta=1e-6)
+        self.assertLessEqual(found["shell_distance_max"], report["shell_distance_m"]["largest"] * 1.00001)
+        self.assertLessEqual(report["shell_distance_m"]["largest"], 0.002, "between the frames as well")
         self.assertLess(report["rotation_keys"], FRAMES / 4)
 
     def test_closed_tracks_have_the_same_tangents_at_both_ends(self):

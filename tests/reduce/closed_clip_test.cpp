@@ -78,6 +78,7 @@ TEST(ClosedClip, GoesOnWithoutAJumpOfItsRates) {
         const ClipReduceOptions options{.tolerance = tolerance,
                                         .position_tolerance = 0.2 * tolerance,
                                         .method = {method},
+                                        .between = BetweenSamples::smooth,
                                         .precision = KeyPrecision::float32,
                                         .closed = true};
         const ClipReduction found = reduced_joint(clip, options);
@@ -121,6 +122,25 @@ TEST(ClosedClip, RatesThatJumpAreJoinedHalfWay) {
   EXPECT_LT((start - end).norm(), 1e-9);
   EXPECT_NEAR(start.y(), -1.0, 0.5);
   EXPECT_LE(found.angle.largest.value, 0.2 * degree);
+}
+
+TEST(ClosedClip, EndsThatDifferByLessThanTheToleranceBecomeOne) {
+  RotationChannel nearly = loop(0.0);
+  nearly.values.back() = nearly.values.back() * exp<double>(Eigen::Vector3d(0.4 * degree, 0.0, 0.0));
+  const Clip clip{.name = "walk", .rotations = {nearly}, .translations = {path()}};
+  ClipReduceOptions options{.tolerance = 0.5 * degree, .between = BetweenSamples::smooth, .closed = true};
+  const ClipReduction closed = reduced_joint(clip, options);
+  expect_seamless(closed.clip.rotations[0]);
+  EXPECT_LE(closed.angle.largest.value, 0.5 * degree);
+  EXPECT_EQ(closed.open_tracks, 0u);
+  EXPECT_TRUE(closed.open.empty());
+
+  options.tolerance = 0.3 * degree;
+  const ClipReduction open = reduced_joint(clip, options);
+  EXPECT_EQ(open.open_tracks, 1u);
+  ASSERT_EQ(open.open.size(), 1u);
+  EXPECT_TRUE(open.open[0].is_rotation);
+  EXPECT_NEAR(open.open[0].apart, 0.4 * degree, 1e-9);
 }
 
 TEST(ClosedClip, HermiteKeysAreSmoothInsideToo) {

@@ -49,7 +49,8 @@ TEST(ReduceClips, StandsStillBetweenEqualKeysAndIsJudgedAtTheKeysOfEachJoint) {
   }
   const std::array clips{Clip{.name = "swing", .rotations = {with_rest(0), other}}};
   for (const char* method : {"cubicspline", "hermite-c1"}) {
-    const auto reductions = reduce_clips(*skeleton, clips, {.tolerance = 0.01, .method = {method}});
+    const auto reductions =
+        reduce_clips(*skeleton, clips, {.tolerance = 0.01, .method = {method}, .between = BetweenSamples::smooth});
     ASSERT_TRUE(reductions);
     const ClipReduction& reduction = reductions->front();
     EXPECT_LE(reduction.angle.largest.value, 0.01);

@@ -123,9 +123,9 @@ export interface Tasks {
       sigma?: Flag | undefined;
       /** Cut-off frequency 1/(2 pi tau) [Hz] instead of the smoothing time: half of a motion at it is left. */
       cutoff?: Text | Flag | undefined;
-      /** Largest angle that is allowed between a joint and its key before, in the frame of its parent. */
+      /** Largest angle that a joint may be off at any time, in the frame of its parent. */
       tolerance?: Text | undefined;
-      /** Largest distance that is allowed between a joint's translation and its key before. */
+      /** Largest distance that a joint's translation may be off at any time. */
       position_tolerance?: Text | undefined;
       /** Whether keys stay at samples. */
       values?: 'sampled' | 'refit' | undefined;
@@ -133,8 +133,10 @@ export interface Tasks {
       world_tolerance?: Text | undefined;
       /** Distance from a joint of the points that are compared in the world. */
       shell?: Text | undefined;
-      /** What the motion of a clip between its keys is taken to be. */
+      /** What the motion of a clip between its keys is taken to be; of BVH, whose frames are samples, smooth unless you say otherwise. */
       between?: 'smooth' | 'stored' | undefined;
+      /** Which jumps of joints are cuts, on either side of which nothing swings. */
+      cuts?: 'usual' | 'steps' | 'none' | undefined;
     };
   };
   /** The least slowing that keeps a motion within limits. */

@@ -139,6 +139,7 @@ jobs::MotionFile motion_of(const SharedScene& shared) {
   file.format = scene.format->file;
   file.title = scene.format->title;
   file.is_single_precise = scene.format->holds_floats;
+  file.is_sampled = scene.format->is_sampled;
   return file;
 }
 

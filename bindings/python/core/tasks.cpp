@@ -278,6 +278,7 @@ nb::dict attributes(const jobs::ReduceSceneOutcome& outcome) {
   all["distance"] = worst_of(outcome, totals.distance, &ClipReduction::distance, outcome.metres());
   all["from_smooth"] = worst_of(outcome, totals.from_smooth, &ClipReduction::from_smooth);
   all["from_stored"] = worst_of(outcome, totals.from_stored, &ClipReduction::from_stored);
+  all["cuts"] = totals.cuts;
   return all;
 }
 

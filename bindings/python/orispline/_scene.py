@@ -260,13 +260,15 @@ class SceneReduction(_DoneToScene):
     translation_keys, translation_keys_before
         Keys of translations.
     angle
-        The largest angle between a joint and its key before, in the frame of its parent [rad].
+        The largest angle between a joint and its motion before, at any time, in the frame of its parent [rad].
     translation
-        The largest distance between a joint and its key before there; its unit is that of `distance`.
+        The largest distance from its motion before there; its unit is that of `distance`.
     distance
-        The largest shell distance in the world, at the same times [m]; in the unit of the file where nobody says what it is.
+        The largest shell distance in the world [m]; in the unit of the file where nobody says what it is.
     from_smooth, from_stored
-        The largest angles between the keys before, from the curve `auto` through them and from what the file says [rad].
+        The largest angles from the curve `auto` through the keys before, and from what the file says [rad].
+    cuts
+        Jumps that were taken as no motion.
     """
 
     rotation_keys: int
@@ -280,6 +282,7 @@ class SceneReduction(_DoneToScene):
     distance: Worst
     from_smooth: Worst
     from_stored: Worst
+    cuts: int
     _members: dict[str, Any] = dataclasses.field(repr=False, compare=False)
     _summary: str = dataclasses.field(repr=False, compare=False)
     _core: Any = dataclasses.field(repr=False, compare=False)

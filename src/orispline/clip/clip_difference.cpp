@@ -65,7 +65,7 @@ struct JointsBeside {
     return found;
   }
 
-  [[nodiscard]] std::vector<JointDifference> around(std::span<const double> times) const {
+  [[nodiscard]] std::vector<JointDifference> around(std::span<const double> times, Between between) const {
     struct Summits {
       SummitsInPassing angle, translation, distance;
     };
@@ -75,8 +75,17 @@ struct JointsBeside {
       summits[joint].translation.pass({t, translation});
       summits[joint].distance.pass({t, distance});
     });
-    const auto largest = [](SummitsInPassing& passed, const auto& f) {
-      const Height top = passed.highest(f);
+    const auto known = [&](SummitsInPassing Summits::*of) {
+      double passed = 0.0;
+      if (between == Between::looked_at_for_largest)
+        for (const Summits& joint : summits) passed = std::max(passed, (joint.*of).highest_passed().value);
+      return passed;
+    };
+    double angle_known = known(&Summits::angle), translation_known = known(&Summits::translation),
+           distance_known = known(&Summits::distance);
+    const auto largest = [&](SummitsInPassing& passed, double& largest_known, const auto& f) {
+      const Height top = passed.highest(f, largest_known);
+      if (between == Between::looked_at_for_largest) largest_known = std::max(largest_known, top.value);
       return LargestInTime{.value = top.value, .time = top.place};
     };
     const LargestInTime none{.time = times.front()};
@@ -84,9 +93,9 @@ struct JointsBeside {
     for (std::size_t i = 0; i < counterparts.size(); ++i) {
       if (counterparts[i] == no_parent) continue;
       auto& [angles, translations, distances] = summits[i];
-      found[i] = {.angle = largest(angles, [&](double t) { return angle(i, t); }),
-                  .translation = largest(translations, [&](double t) { return translation(i, t); }),
-                  .distance = largest(distances, [&](double t) { return distance(i, t); })};
+      found[i] = {.angle = largest(angles, angle_known, [&](double t) { return angle(i, t); }),
+                  .translation = largest(translations, translation_known, [&](double t) { return translation(i, t); }),
+                  .distance = largest(distances, distance_known, [&](double t) { return distance(i, t); })};
     }
     return found;
   }
@@ -106,7 +115,7 @@ std::vector<JointDifference> differences(const ClipMotion& first, const ClipMoti
                                          std::span<const std::size_t> counterparts, std::span<const double> times,
                                          double shell, Between between) {
   const JointsBeside beside{first, second, counterparts, shell};
-  return between == Between::nothing ? beside.at(times) : beside.around(times);
+  return between == Between::nothing ? beside.at(times) : beside.around(times, between);
 }
 
 std::vector<double> key_times(const Clip& clip) {

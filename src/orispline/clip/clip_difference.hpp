@@ -30,8 +30,9 @@ struct JointDifference {
 };
 
 /// Whether motions are compared at the times alone, or also between them, beside the largest differences until nothing
-/// rises: what is found is the largest there is if the times are dense enough to show where it is.
-enum class Between { nothing, looked_at };
+/// rises: what is found is the largest there is if the times are dense enough to show where it is. Of all joints, or of
+/// the one where each difference is largest: what the others have is the largest at the times.
+enum class Between { nothing, looked_at, looked_at_for_largest };
 
 /// Of every joint of the first skeleton, over the times [s], rising, at least one. `counterparts` are the joints of the
 /// second skeleton that are the same ones (`Counterparts::joints`), `no_parent` for those that are not there, which do

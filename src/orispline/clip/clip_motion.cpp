@@ -286,6 +286,12 @@ ChannelCurve<P>::ChannelCurve(const Channel<P>& channel)
     : curve_(curve_of(channel)), last_(channel.values.back()), joint_(channel.joint) {}
 
 template <CurvePoint P>
+ChannelCurve<P>::ChannelCurve(std::size_t joint, ErasedCurve<P> curve)
+    : curve_(std::move(curve)),
+      last_(curve_.point(knots().back(), knots().segment_at(knots().back()))),
+      joint_(joint) {}
+
+template <CurvePoint P>
 P ChannelCurve<P>::at(double t) const noexcept {
   if (t >= knots().back()) return last_;
   t = std::max(t, knots().front());
@@ -307,10 +313,15 @@ template class ChannelCurve<Eigen::Quaterniond>;
 template class ChannelCurve<Eigen::Vector3d>;
 
 ClipMotion::ClipMotion(const Skeleton& skeleton, const Clip& clip)
+    : ClipMotion(skeleton, curves_of(clip.rotations), curves_of(clip.translations), curves_of(clip.scales)) {}
+
+ClipMotion::ClipMotion(const Skeleton& skeleton, std::vector<ChannelCurve<Eigen::Quaterniond>> rotations,
+                       std::vector<ChannelCurve<Eigen::Vector3d>> translations,
+                       std::vector<ChannelCurve<Eigen::Vector3d>> scales)
     : skeleton_(&skeleton),
-      rotations_(curves_of(clip.rotations)),
-      translations_(curves_of(clip.translations)),
-      scales_(curves_of(clip.scales)),
+      rotations_(std::move(rotations)),
+      translations_(std::move(translations)),
+      scales_(std::move(scales)),
       places_(skeleton.size()) {
   for (std::size_t i = 0; i < rotations_.size(); ++i) places_[rotations_[i].joint()].rotation = i + 1;
   for (std::size_t i = 0; i < translations_.size(); ++i) places_[translations_[i].joint()].translation = i + 1;

@@ -22,6 +22,8 @@ class ORISPLINE_EXPORT ChannelCurve {
  public:
   /// Precondition: check_clip() finds the channel sound.
   explicit ChannelCurve(const Channel<P>& channel);
+  /// Of a joint that moves as any curve says.
+  ChannelCurve(std::size_t joint, ErasedCurve<P> curve);
 
   [[nodiscard]] std::size_t joint() const noexcept { return joint_; }
   [[nodiscard]] const Knots& knots() const noexcept { return curve_.knots(); }
@@ -52,6 +54,10 @@ class ORISPLINE_EXPORT ClipMotion {
   /// Precondition: check_clip() finds the clip sound.
   ClipMotion(const Skeleton& skeleton, const Clip& clip);
   ClipMotion(Skeleton&&, const Clip&) = delete;
+  /// Of a joint there is at most one curve in each list.
+  ClipMotion(const Skeleton& skeleton, std::vector<ChannelCurve<Eigen::Quaterniond>> rotations,
+             std::vector<ChannelCurve<Eigen::Vector3d>> translations,
+             std::vector<ChannelCurve<Eigen::Vector3d>> scales);
 
   [[nodiscard]] const Skeleton& skeleton() const noexcept { return *skeleton_; }
   /// In the frame of its parent at time t [s].

@@ -29,6 +29,7 @@ struct MotionFile {
   std::string_view format{};       ///< with its article: `a BVH file`; empty where it is not known
   std::string_view title{};        ///< of the format: `glTF`
   bool is_single_precise = false;  ///< times and values are in single precision
+  bool is_sampled = false;         ///< the keys are frames of a motion: the file does not say what lies between them
 };
 
 /// Clips that have the same name are the same, and so is the only clip of both files; joints go by counterparts_of().

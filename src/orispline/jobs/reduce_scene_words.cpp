@@ -21,6 +21,30 @@ std::string worst_place(const ReduceSceneOutcome& outcome, const ClipReduction& 
                    worst.largest.time);
 }
 
+/// `rotation of joint 'hips' of clip 'run' (7.8°)`
+std::string open_text(const ReduceSceneOutcome& outcome, const ClipReduction& reduction,
+                      const ClipReduction::OpenTrack& track) {
+  return formatted("{} of {} ({:.4g}{})", track.is_rotation ? "rotation" : "translation",
+                   orispline::place_of(outcome.request.skeleton, reduction.clip, track.joint),
+                   track.apart * (track.is_rotation ? degrees : outcome.metres()),
+                   track.is_rotation ? "°" : length_unit(outcome));
+}
+
+/// With the tracks that stay open, of many the first few.
+std::string closed_line(const ReduceSceneOutcome& outcome, const ClipTotals& totals) {
+  constexpr std::size_t most = 4;
+  std::vector<std::string> open;
+  std::size_t count = 0;
+  for (const ClipReduction& reduction : outcome.reductions)
+    for (const ClipReduction::OpenTrack& track : reduction.open)
+      if (++count <= most) open.push_back(open_text(outcome, reduction, track));
+  std::string text = formatted("closed          {} of {} of rotations", totals.rotation_tracks - totals.open_tracks,
+                               counted(totals.rotation_tracks, "track"));
+  if (count > 0) text += formatted("; these do not end as they begin: {}", joined(open, ", "));
+  if (count > most) text += formatted(" and {} more", count - most);
+  return text + "\n";
+}
+
 std::string counts_lines(const ReduceSceneOutcome& outcome, const ClipTotals& totals) {
   std::string text;
   if (totals.rotation_tracks > 0)
@@ -31,32 +55,39 @@ std::string counts_lines(const ReduceSceneOutcome& outcome, const ClipTotals& to
   if (totals.translation_keys < totals.translation_keys_before)
     text += formatted("translations    {} of {}\n", totals.translation_keys,
                       counted(totals.translation_keys_before, "key"));
-  if (outcome.options.closed)
-    text += formatted("closed          {} of {}: those that end as they begin\n",
-                      totals.rotation_tracks - totals.open_tracks, counted(totals.rotation_tracks, "track"));
+  if (outcome.options.closed) text += closed_line(outcome, totals);
   return text;
+}
+
+/// What lies between the keys, and how many cuts there were.
+std::string between_line(const ReduceSceneOutcome& outcome, const ClipTotals& totals) {
+  const bool is_smooth = outcome.options.between == BetweenSamples::smooth;
+  std::string text =
+      formatted("between keys    {}; holds between keys, where the motion is {}", counted(totals.cuts, "cut"),
+                is_smooth ? "the curve auto through them" : "what the input says");
+  if (totals.from_smooth)
+    text +=
+        is_smooth
+            ? formatted("; {:.6g}° from what the input says", totals.from_stored->from_stored.largest.value * degrees)
+            : formatted("; {:.6g}° from the curve auto", totals.from_smooth->from_smooth.largest.value * degrees);
+  return text + "\n";
 }
 
 std::string errors_lines(const ReduceSceneOutcome& outcome, const ClipTotals& totals) {
   std::string text;
   if (totals.angle)
-    text += formatted("largest angle   {:.6g}° at every key of the input, {}\n",
-                      totals.angle->angle.largest.value * degrees,
+    text += formatted("largest angle   {:.6g}°, {}\n", totals.angle->angle.largest.value * degrees,
                       worst_place(outcome, *totals.angle, totals.angle->angle));
   if (totals.translation && std::isfinite(outcome.options.position_tolerance))
-    text += formatted("largest shift   {:.6g}{} at every key of the input, {}\n",
-                      totals.translation->translation.largest.value * outcome.metres(), length_unit(outcome),
-                      worst_place(outcome, *totals.translation, totals.translation->translation));
-  if (totals.from_smooth)
     text +=
-        formatted("between keys    {:.6g}° from the curve auto through them, {:.6g}° from what the input has there\n",
-                  totals.from_smooth->from_smooth.largest.value * degrees,
-                  totals.from_stored->from_stored.largest.value * degrees);
+        formatted("largest shift   {:.6g}{}, {}\n", totals.translation->translation.largest.value * outcome.metres(),
+                  length_unit(outcome), worst_place(outcome, *totals.translation, totals.translation->translation));
   if (totals.distance)
     text += formatted("shell distance  {:.6g}{} in the world, {}; shell {:g}{}\n",
                       totals.distance->distance.largest.value * outcome.metres(), length_unit(outcome),
                       worst_place(outcome, *totals.distance, totals.distance->distance),
                       outcome.options.shell * outcome.metres(), length_unit(outcome));
+  if (totals.angle || totals.translation) text += between_line(outcome, totals);
   return text;
 }
 
@@ -66,6 +97,18 @@ Json worst_json(const ReduceSceneOutcome& outcome, const ClipReduction& reductio
           {"clip", reduction.clip.name},
           {"joint", outcome.request.skeleton[worst.joint].name},
           {"time_s", worst.largest.time}};
+}
+
+Json open_json(const ReduceSceneOutcome& outcome) {
+  Json list = Json::array();
+  for (const ClipReduction& reduction : outcome.reductions)
+    for (const ClipReduction::OpenTrack& track : reduction.open) {
+      Json open{{"clip", reduction.clip.name}, {"joint", outcome.request.skeleton[track.joint].name}};
+      if (track.is_rotation) open["angle_deg"] = track.apart * degrees;
+      else open["translation_m"] = track.apart * outcome.metres();
+      list.push_back(std::move(open));
+    }
+  return list;
 }
 
 }  // namespace
@@ -102,7 +145,12 @@ Json document_of(const ReduceSceneOutcome& outcome) {
   json["rotation_keys"] = totals.rotation_keys;
   json["translation_keys_before"] = totals.translation_keys_before;
   json["translation_keys"] = totals.translation_keys;
-  if (options.closed) json["open_tracks"] = totals.open_tracks;
+  json["between"] = word_of(options.between);
+  json["cuts"] = totals.cuts;
+  if (options.closed) {
+    json["open_tracks"] = totals.open_tracks;
+    json["open"] = open_json(outcome);
+  }
   if (totals.angle) json["angle_deg"] = worst_json(outcome, *totals.angle, totals.angle->angle, degrees);
   if (totals.translation && std::isfinite(options.position_tolerance))
     json["translation_m"] = worst_json(outcome, *totals.translation, totals.translation->translation, metres);

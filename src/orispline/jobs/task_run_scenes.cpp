@@ -24,7 +24,8 @@ TaskOutcome with_clips(TaskOutcome outcome, const MotionFile& file, std::vector<
                             .has_no_unit = file.has_no_unit,
                             .format = file.format,
                             .title = file.title,
-                            .is_single_precise = file.is_single_precise});
+                            .is_single_precise = file.is_single_precise,
+                            .is_sampled = file.is_sampled});
   return outcome;
 }
 
@@ -55,6 +56,7 @@ Expected<ReduceSceneRequest> reduce_scene_request_in(const TaskRequest& request)
                          .options = checked(options_in<ClipReduceOptions>(request)),
                          .position_scale = checked(positive_in(request, "position_scale")),
                          .threads = checked(threads_in(request))};
+  if (file.is_sampled && !is_stated(request, "between")) job.options.between = BetweenSamples::smooth;
   job.options.method = checked(clip_method_in(request));
   job.options.closed = checked(flag(request, "closed"));
   return std::move(checked).or_else(std::move(job));

@@ -69,14 +69,18 @@ class SummitsInPassing {
     ++count_;
   }
 
-  /// The largest, once all places have been passed. Precondition: there was one.
+  /// The largest at the places. Precondition: there was one.
+  [[nodiscard]] const Height& highest_passed() const { return best_; }
+
+  /// The largest, once all places have been passed; one that is not above `known` need not be found. Precondition:
+  /// there was a place.
   template <class F>
-  [[nodiscard]] Height highest(const F& f) {
+  [[nodiscard]] Height highest(const F& f, double known = 0.0) {
     ORISPLINE_EXPECT(count_ > 0);
     if (count_ > 1) note(last_, last_);
     std::ranges::sort(summits_, std::ranges::greater(), &Summit::reach);
     for (const Summit& summit : summits_) {
-      if (!(summit.reach > best_.value)) break;
+      if (!(summit.reach > std::max(best_.value, known))) break;
       const Height top = climbed(f, summit.start, summit.top, summit.end);
       if (top.value > best_.value) best_ = top;
     }

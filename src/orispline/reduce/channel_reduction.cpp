@@ -2,7 +2,9 @@
 #include <orispline/reduce/channel_reduction.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -13,6 +15,7 @@
 #include <orispline/curve/key_check.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/highest.hpp>
+#include <orispline/math/number.hpp>
 #include <orispline/reduce/cubic_keys.hpp>
 #include <orispline/reduce/hermite_keys.hpp>
 #include <orispline/reduce/reduce.hpp>
@@ -21,13 +24,18 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-constexpr int attempts = 4;  // to hold the tolerance with the numbers of the file too
+constexpr int attempts = 10;  // to hold the tolerance between the samples, and with the numbers of the file
 /// Of the tolerance, for the keys of a method that is then written as cubics; the rest is for these.
 constexpr double share_of_keys = 0.8;
+/// Of the tolerance, so that the numbers of a file hold it too.
+constexpr double share_before_rounding = 0.9999;
 constexpr double no_bound = 1e3;  // wider than any angle [rad]: of rotations that are the same throughout
 
 double distance(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return angular_distance(a, b); }
 double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm(); }
+
+Eigen::Quaterniond halfway(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return a.slerp(0.5, b); }
+Eigen::Vector3d halfway(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return 0.5 * (a + b); }
 
 double distance_from_zero(const Eigen::Quaterniond& tangent) { return tangent.coeffs().norm(); }
 double distance_from_zero(const Eigen::Vector3d& tangent) { return tangent.norm(); }
@@ -96,6 +104,172 @@ Expected<Channel<P>> by_method(const Channel<P>& channel, double tolerance, cons
   return without_half_turns(std::move(result), channel);
 }
 
+/// Chords of the unit sphere are faster than angles, and rise with them.
+double chord(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+  const double same = (a.coeffs() - b.coeffs()).squaredNorm(), other = (a.coeffs() + b.coeffs()).squaredNorm();
+  return std::sqrt(std::min(same, other));
+}
+double chord(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm(); }
+template <CurvePoint P>
+double distance_of_chord(double chord) {
+  if (!std::same_as<P, Eigen::Quaterniond>) return chord;
+  const double sine = std::min(1.0, 0.5 * chord);
+  return 4.0 * elementary::arctangent(sine, std::sqrt(1.0 - sine * sine));
+}
+template <CurvePoint P>
+double chord_of_distance(double distance) {
+  if (!std::same_as<P, Eigen::Quaterniond>) return distance;
+  return 2.0 * elementary::sine_cosine(0.25 * std::min(distance, std::numbers::pi)).sine;
+}
+
+/// What few keys miss of a motion.
+struct Missed {
+  double at_samples = 0.0;             ///< the farthest there [rad, or a length]
+  std::vector<std::size_t> between{};  ///< after which of the samples the tolerance is broken before the next
+};
+
+/// Samples of a motion that few keys are to follow, and what it is where it is looked at between two of them.
+template <CurvePoint P>
+class Samples {
+ public:
+  explicit Samples(const TakenChannel<P>& taken) : motion_(taken.motion), samples_(taken.channel) {
+    for (std::size_t i = 0; i < samples_.size(); ++i) add_looks(samples_.times, i, looks_);
+  }
+
+  [[nodiscard]] const Channel<P>& keys() const { return samples_; }
+
+  /// The first key and the last one are the same from now on.
+  void join_ends() {
+    samples_.values.front() = samples_.values.back() = halfway(samples_.values.front(), samples_.values.back());
+  }
+
+  [[nodiscard]] Missed missed_by(const Channel<P>& reduced, double tolerance) const {
+    constexpr std::size_t each = looks_between + 1;
+    const ChannelCurve<P> curve(reduced);
+    const auto off = [&](double t) { return chord(motion_.at(t), curve.at(t)); };
+    const double bound = chord_of_distance<P>(tolerance);
+    Missed missed;
+    std::array<double, each + 1> places{}, chords{};
+    chords.back() = chord(looks_[0], curve.at(samples_.times[0]));
+    for (std::size_t i = 0; i + 1 < samples_.size(); ++i) {
+      for (std::size_t k = 0; k < places.size(); ++k) places[k] = look(samples_.times, i, k);
+      chords.front() = chords.back();
+      for (std::size_t k = 1; k < places.size(); ++k) chords[k] = chord(looks_[i * each + k], curve.at(places[k]));
+      const double at_ends = std::max(chords.front(), chords.back());
+      missed.at_samples = std::max(missed.at_samples, distance_of_chord<P>(at_ends));
+      const Height top = highest(places, chords, off, bound);
+      if (top.value > std::max(bound, at_ends)) missed.between.push_back(i);
+    }
+    return missed;
+  }
+
+  /// With the middle of the motion after those samples as another one.
+  void add_middles(const std::vector<std::size_t>& after) {
+    if (after.empty()) return;
+    Channel<P> more{.joint = samples_.joint, .interpolation = samples_.interpolation};
+    std::vector<P> looks;
+    auto next = after.begin();
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      more.times.push_back(samples_.times[i]);
+      more.values.push_back(samples_.values[i]);
+      if (next == after.end() || *next != i) continue;
+      more.times.push_back(samples_.times[i] + 0.5 * (samples_.times[i + 1] - samples_.times[i]));
+      more.values.push_back(motion_.at(more.times.back()));
+      ++next;
+    }
+    samples_ = std::move(more);
+    for (std::size_t i = 0; i < samples_.size(); ++i) add_looks(samples_.times, i, looks);
+    looks_ = std::move(looks);
+  }
+
+ private:
+  [[nodiscard]] static double look(const std::vector<double>& times, std::size_t i, std::size_t k) {
+    if (k == 0 || i + 1 == times.size()) return times[i];
+    if (k > looks_between) return times[i + 1];
+    return times[i] + static_cast<double>(k) / (looks_between + 1) * (times[i + 1] - times[i]);
+  }
+  /// The motion at a sample and up to the next one.
+  void add_looks(const std::vector<double>& times, std::size_t i, std::vector<P>& looks) const {
+    for (std::size_t k = 0; k <= (i + 1 < times.size() ? looks_between : 0); ++k)
+      looks.push_back(motion_.at(look(times, i, k)));
+  }
+
+  const ChannelCurve<P>& motion_;
+  Channel<P> samples_;
+  std::vector<P> looks_;
+};
+
+void turn_signs(RotationChannel& channel) {
+  for (auto* const list : {&channel.values, &channel.in_tangents, &channel.out_tangents})
+    for (Eigen::Quaterniond& entry : *list) entry.coeffs() = -entry.coeffs();
+}
+
+template <CurvePoint P>
+void append_keys(Channel<P>& channel, const Channel<P>& more) {
+  if (channel.interpolation == ChannelInterpolation::cubicspline)
+    channel.out_tangents.back() = more.out_tangents.front();
+  const auto add = [](auto& list, const auto& others) {
+    if (!others.empty()) list.insert(list.end(), others.begin() + 1, others.end());
+  };
+  add(channel.times, more.times), add(channel.values, more.values);
+  add(channel.in_tangents, more.in_tangents), add(channel.out_tangents, more.out_tangents);
+}
+/// The keys of a channel behind those of another one, whose last key is its first.
+void append(RotationChannel& channel, RotationChannel more) {
+  if (channel.values.back().dot(more.values.front()) < 0.0) turn_signs(more);
+  append_keys(channel, more);
+}
+void append(VectorChannel& channel, VectorChannel more) { append_keys(channel, more); }
+
+template <CurvePoint P>
+Expected<Channel<P>> with_fewer_keys(const Channel<P>& samples, const ChannelCurve<P>& motion, double tolerance,
+                                     const ClipReduceOptions& options, bool closes) {
+  const bool is_cubic = options.method.name == cubicspline_method;
+  if (!is_cubic && !seeks_rates(options.method)) return by_method(samples, tolerance, options.method);
+  const CubicSamples<P> targets = cubic_samples(samples, motion);
+  return is_cubic ? fewest_cubics(targets, tolerance, closes)
+                  : hermite_channel(targets, tolerance, options.method, closes);
+}
+
+/// Keys within the tolerance at the samples, of every stretch between cuts by itself.
+template <CurvePoint P>
+Expected<Channel<P>> with_fewer_keys(const Channel<P>& samples, const TakenChannel<P>& before, double tolerance,
+                                     const ClipReduceOptions& options, bool closes) {
+  if (before.cuts.empty()) return with_fewer_keys(samples, before.motion, tolerance, options, closes);
+  Expected<Channel<P>> whole = Channel<P>();
+  pass_stretches<P>(samples, before.cuts, [&](std::size_t first, std::size_t last) {
+    if (!whole) return;
+    auto part = with_fewer_keys(stretch_of(samples, first, last), before.motion, tolerance, options, false);
+    if (!part || whole->times.empty()) whole = std::move(part);
+    else append(*whole, *std::move(part));
+  });
+  return whole;
+}
+
+/// Cubics, of which those that break the tolerance at one of these times, each with the one behind it, are found anew.
+template <CurvePoint P>
+Channel<P> with_spans_anew(const Channel<P>& found, const Channel<P>& samples, const ChannelCurve<P>& motion,
+                           const std::vector<double>& broken, double tolerance) {
+  const auto sample_at = [&](double t) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(samples.times, t) - samples.times.begin());
+  };
+  Channel<P> whole;
+  for (std::size_t k = 0, end = 0; k + 1 < found.size(); k = end) {
+    end = k + 1;
+    const auto next = std::ranges::lower_bound(broken, found.times[k]);
+    const bool is_broken = next != broken.end() && *next < found.times[end];
+    if (is_broken) end = std::min(end + 1, found.size() - 1);
+    Channel<P> part = stretch_of(found, k, end);
+    if (is_broken)
+      part = fewest_cubics(
+          cubic_samples(stretch_of(samples, sample_at(found.times[k]), sample_at(found.times[end])), motion),
+          tolerance);
+    if (whole.times.empty()) whole = std::move(part);
+    else append(whole, std::move(part));
+  }
+  return whole;
+}
+
 /// How far apart two values may be that are the same but for rounding of files [rad, or a length].
 template <CurvePoint P>
 constexpr double rounding = std::same_as<P, Eigen::Quaterniond> ? rest_angle : rest_length;
@@ -132,68 +306,86 @@ Channel<P> resting_channel(const Channel<P>& channel, const P& rest, double fart
   return channel;
 }
 
-template <CurvePoint P>
-LargestInTime farthest_at_keys(const Channel<P>& before, const Channel<P>& after) {
-  const ChannelCurve<P> curve(after);
-  LargestInTime farthest{.time = before.times.front()};
-  for (std::size_t i = 0; i < before.size(); ++i)
-    farthest.take(distance(before.values[i], curve.at(before.times[i])), before.times[i]);
-  return farthest;
+std::vector<double> with_looks_between(std::span<const double> times) {
+  constexpr double pieces = looks_between + 1;
+  std::vector<double> all;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    all.push_back(times[i]);
+    for (std::size_t k = 1; k <= looks_between && i + 1 < times.size(); ++k)
+      all.push_back(times[i] + static_cast<double>(k) / pieces * (times[i + 1] - times[i]));
+  }
+  return all;
 }
 
 template <CurvePoint P>
-LargestInTime farthest_between(const Channel<P>& before, const Channel<P>& after, BetweenSamples between) {
-  const CubicSamples<P> samples = cubic_samples(before, between);
+LargestInTime farthest_from(const ChannelCurve<P>& motion, const Channel<P>& after, std::span<const double> times) {
   const ChannelCurve<P> curve(after);
-  const auto off = [&](double t) { return distance(samples.motion(t), curve.at(t)); };
-  const std::vector<double>& times = samples.targets.times;
+  const auto off = [&](double t) { return distance(motion.at(t), curve.at(t)); };
+  const std::vector<double> places = with_looks_between(times);
   std::vector<double> distances;
-  for (std::size_t i = 0; i < times.size(); ++i)
-    distances.push_back(distance(P(samples.targets.points[i]), curve.at(times[i])));
-  const Height farthest = highest(times, distances, off);
+  for (const double t : places) distances.push_back(off(t));
+  const Height farthest = highest(places, distances, off);
   return {.value = farthest.value, .time = farthest.place};
 }
 
 template <CurvePoint P>
-bool ends_as_it_begins(const Channel<P>& channel) {
-  return distance(channel.values.front(), channel.values.back()) <= rounding<P>;
+double apart_at_ends(const Channel<P>& channel) {
+  return distance(channel.values.front(), channel.values.back());
 }
 
 template <CurvePoint P>
-Expected<Channel<P>> reduced_channel(const Channel<P>& channel, double tolerance, const ClipReduceOptions& options) {
+bool ends_as_it_begins(const Channel<P>& channel) {
+  return apart_at_ends(channel) <= rounding<P>;
+}
+
+template <CurvePoint P>
+Expected<Channel<P>> reduced_channel(const TakenChannel<P>& before, double tolerance,
+                                     const ClipReduceOptions& options) {
+  const Channel<P>& channel = before.channel;
   if (channel.size() < 3 || channel.interpolation == ChannelInterpolation::step) return channel;
-  const bool is_cubic = options.method.name == cubicspline_method, is_fitted = is_cubic || seeks_rates(options.method);
-  const bool closes = options.closed && ends_as_it_begins(channel);
-  const std::optional<CubicSamples<P>> samples =
-      is_fitted ? std::optional(cubic_samples(channel, options.between)) : std::nullopt;
-  const auto reduced_within = [&](double asked) -> Expected<Channel<P>> {
-    if (is_cubic) return fewest_cubics(*samples, asked, closes);
-    return is_fitted ? hermite_channel(*samples, asked, options.method, closes)
-                     : by_method(channel, asked, options.method);
-  };
-  double asked = tolerance;
+  const bool closes =
+      options.closed && before.cuts.empty() && apart_at_ends(channel) <= std::max(tolerance, rounding<P>);
+  Samples<P> samples(before);
+  if (closes && !ends_as_it_begins(channel)) samples.join_ends();
+  const bool is_mended_in_parts = options.method.name == cubicspline_method && !closes;
+  double asked = share_before_rounding * tolerance;
+  std::vector<double> broken;
+  Channel<P> found;
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    Expected<Channel<P>> fewer = reduced_within(asked);
-    if (!fewer) return fewer;
-    std::optional<Channel<P>> reduced = stored(*std::move(fewer), options.precision);
+    if (broken.empty() || !is_mended_in_parts) {
+      auto fewer = with_fewer_keys(samples.keys(), before, asked, options, closes);
+      if (!fewer) return fewer;
+      found = *std::move(fewer);
+    } else {
+      found = with_spans_anew(found, samples.keys(), before.motion, broken, asked);
+    }
+    std::optional<Channel<P>> reduced = stored(found, options.precision);
     if (!reduced || reduced->size() >= channel.size()) break;
     reduced->joint = channel.joint;
-    const double found = farthest_at_keys(channel, *reduced).value;
-    if (found <= tolerance) return *std::move(reduced);
-    asked *= 0.999 * tolerance / found;
+    const Missed missed = samples.missed_by(*reduced, tolerance);
+    if (missed.between.empty() && missed.at_samples <= tolerance) return *std::move(reduced);
+    broken.clear();
+    if (missed.at_samples > tolerance) asked *= 0.999 * tolerance / missed.at_samples;
+    else
+      for (const std::size_t i : missed.between) broken.push_back(samples.keys().times[i]);
+    samples.add_middles(missed.between);
   }
   return channel;
 }
 
 template RotationChannel resting_channel(const RotationChannel&, const Eigen::Quaterniond&, double, KeyPrecision);
 template VectorChannel resting_channel(const VectorChannel&, const Eigen::Vector3d&, double, KeyPrecision);
-template LargestInTime farthest_at_keys(const RotationChannel&, const RotationChannel&);
-template LargestInTime farthest_at_keys(const VectorChannel&, const VectorChannel&);
-template LargestInTime farthest_between(const RotationChannel&, const RotationChannel&, BetweenSamples);
-template LargestInTime farthest_between(const VectorChannel&, const VectorChannel&, BetweenSamples);
+template LargestInTime farthest_from(const ChannelCurve<Eigen::Quaterniond>&, const RotationChannel&,
+                                     std::span<const double>);
+template LargestInTime farthest_from(const ChannelCurve<Eigen::Vector3d>&, const VectorChannel&,
+                                     std::span<const double>);
+template double apart_at_ends(const RotationChannel&);
+template double apart_at_ends(const VectorChannel&);
 template bool ends_as_it_begins(const RotationChannel&);
 template bool ends_as_it_begins(const VectorChannel&);
-template Expected<RotationChannel> reduced_channel(const RotationChannel&, double, const ClipReduceOptions&);
-template Expected<VectorChannel> reduced_channel(const VectorChannel&, double, const ClipReduceOptions&);
+template Expected<RotationChannel> reduced_channel(const TakenChannel<Eigen::Quaterniond>&, double,
+                                                   const ClipReduceOptions&);
+template Expected<VectorChannel> reduced_channel(const TakenChannel<Eigen::Vector3d>&, double,
+                                                 const ClipReduceOptions&);
 
 }}  // namespace orispline

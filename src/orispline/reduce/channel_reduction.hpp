@@ -1,16 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <orispline/reduce/channel_motion.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
+#include <orispline/reduce/cuts.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
-/// A channel with fewer keys, within the tolerance [rad, or a length] at every key that it had; itself where that
-/// cannot be had with fewer, or only with numbers that are too large for the file.
+/// A channel, and the motion that it is taken to be.
+template <CurvePoint P>
+struct TakenChannel {
+  const Channel<P>& channel;
+  const ChannelCurve<P>& motion;
+  const std::vector<Cut>& cuts;  ///< of the channel: stretches between them are reduced by themselves
+};
+
+/// A channel with fewer keys, within the tolerance [rad, or a length] of the motion at and between the keys that it
+/// had; itself where that cannot be had with fewer, or only with numbers that are too large for the file.
+///
+/// Where a curve within the tolerance at its samples is not between two of them, the middle between these becomes a
+/// sample too, and the search begins again.
 ///
 /// Errors: those of reduce().
 template <CurvePoint P>
-[[nodiscard]] Expected<Channel<P>> reduced_channel(const Channel<P>& channel, double tolerance,
+[[nodiscard]] Expected<Channel<P>> reduced_channel(const TakenChannel<P>& before, double tolerance,
                                                    const ClipReduceOptions& options);
 
 /// One key in the place of those of a channel that moves no farther than that [rad, or a length]: the joint's rest pose
@@ -20,15 +33,19 @@ template <CurvePoint P>
 [[nodiscard]] Channel<P> resting_channel(const Channel<P>& channel, const P& rest, double farthest,
                                          KeyPrecision precision);
 
-/// The farthest that a channel with fewer keys is from the keys before [rad, or a length].
+/// The farthest that a channel with fewer keys is from a motion [rad, or a length]: at those times and between them,
+/// where it is looked at in `looks_between` places, and beside the farthest of these until nothing rises.
 template <CurvePoint P>
-[[nodiscard]] LargestInTime farthest_at_keys(const Channel<P>& before, const Channel<P>& after);
+[[nodiscard]] LargestInTime farthest_from(const ChannelCurve<P>& motion, const Channel<P>& after,
+                                          std::span<const double> times);
+inline constexpr std::size_t looks_between = 8;
 
-/// The farthest that a channel with fewer keys is from what the motion before is taken to be: at the keys that it had
-/// and between them, beside the farthest of three points there until nothing rises [rad, or a length].
+/// The times with so many between two of them.
+[[nodiscard]] std::vector<double> with_looks_between(std::span<const double> times);
+
+/// How far its last key is from its first one [rad, or a length].
 template <CurvePoint P>
-[[nodiscard]] LargestInTime farthest_between(const Channel<P>& before, const Channel<P>& after, BetweenSamples between);
-
+[[nodiscard]] double apart_at_ends(const Channel<P>& channel);
 /// Whether a channel ends as it begins, but for rounding.
 template <CurvePoint P>
 [[nodiscard]] bool ends_as_it_begins(const Channel<P>& channel);
@@ -36,13 +53,17 @@ template <CurvePoint P>
 extern template RotationChannel resting_channel(const RotationChannel&, const Eigen::Quaterniond&, double,
                                                 KeyPrecision);
 extern template VectorChannel resting_channel(const VectorChannel&, const Eigen::Vector3d&, double, KeyPrecision);
-extern template LargestInTime farthest_at_keys(const RotationChannel&, const RotationChannel&);
-extern template LargestInTime farthest_at_keys(const VectorChannel&, const VectorChannel&);
-extern template LargestInTime farthest_between(const RotationChannel&, const RotationChannel&, BetweenSamples);
-extern template LargestInTime farthest_between(const VectorChannel&, const VectorChannel&, BetweenSamples);
+extern template LargestInTime farthest_from(const ChannelCurve<Eigen::Quaterniond>&, const RotationChannel&,
+                                            std::span<const double>);
+extern template LargestInTime farthest_from(const ChannelCurve<Eigen::Vector3d>&, const VectorChannel&,
+                                            std::span<const double>);
+extern template double apart_at_ends(const RotationChannel&);
+extern template double apart_at_ends(const VectorChannel&);
 extern template bool ends_as_it_begins(const RotationChannel&);
 extern template bool ends_as_it_begins(const VectorChannel&);
-extern template Expected<RotationChannel> reduced_channel(const RotationChannel&, double, const ClipReduceOptions&);
-extern template Expected<VectorChannel> reduced_channel(const VectorChannel&, double, const ClipReduceOptions&);
+extern template Expected<RotationChannel> reduced_channel(const TakenChannel<Eigen::Quaterniond>&, double,
+                                                          const ClipReduceOptions&);
+extern template Expected<VectorChannel> reduced_channel(const TakenChannel<Eigen::Vector3d>&, double,
+                                                        const ClipReduceOptions&);
 
 }}  // namespace orispline

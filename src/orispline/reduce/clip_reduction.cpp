@@ -12,7 +12,9 @@
 #include <orispline/clip/single_precision.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/math/degrees.hpp>
+#include <orispline/reduce/channel_motion.hpp>
 #include <orispline/reduce/channel_reduction.hpp>
+#include <orispline/reduce/cuts.hpp>
 #include <orispline/reduce/hermite_keys.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -72,9 +74,52 @@ std::vector<double> stretches_of(const Skeleton& skeleton, const Clip& clip) {
   return above;
 }
 
+/// A clip, and the motion that it is taken to be.
+struct TakenClip {
+  Clip clip;                                                        ///< with short cuts
+  std::size_t cuts = 0;                                             ///< in the clip
+  std::vector<std::vector<Cut>> of_rotations{}, of_translations{};  ///< of every channel
+  std::vector<ChannelCurve<Eigen::Quaterniond>> rotations{};
+  std::vector<ChannelCurve<Eigen::Vector3d>> translations{}, scales{};
+  std::vector<double> times{};  ///< of its keys, and those between at which it is looked at
+
+  TakenClip(const Skeleton& skeleton, const Clip& before, const ClipReduceOptions& options) : clip(before) {
+    if (options.cuts != Cuts::none) {
+      const bool with_steps = options.cuts == Cuts::steps || options.between == BetweenSamples::smooth;
+      auto cuts_of_joints = cuts_of(skeleton, clip, with_steps ? CutSearch::single_steps : CutSearch::close_keys);
+      cuts = count_of(cuts_of_joints);
+      if (cuts > 0) clip = with_short_cuts(std::move(clip), cuts_of_joints);
+      for (const RotationChannel& channel : clip.rotations)
+        of_rotations.push_back(cuts_in(channel, cuts_of_joints[channel.joint]));
+      for (const VectorChannel& channel : clip.translations)
+        of_translations.push_back(cuts_in(channel, cuts_of_joints[channel.joint]));
+    }
+    of_rotations.resize(clip.rotations.size()), of_translations.resize(clip.translations.size());
+    for (std::size_t i = 0; i < clip.rotations.size(); ++i)
+      rotations.push_back(motion_between(clip.rotations[i], options.between, of_rotations[i]));
+    for (std::size_t i = 0; i < clip.translations.size(); ++i)
+      translations.push_back(motion_between(clip.translations[i], options.between, of_translations[i]));
+    for (const VectorChannel& channel : clip.scales) scales.emplace_back(channel);
+    times = with_looks_between(key_times(clip));
+  }
+
+  /// What the clip with fewer keys is measured against: channels that are the same are no distance off.
+  [[nodiscard]] ClipMotion beside(const Skeleton& skeleton, const Clip& after) const {
+    const auto taken = []<CurvePoint P>(std::vector<ChannelCurve<P>> motions, const std::vector<Channel<P>>& before,
+                                        const std::vector<Channel<P>>& fewer) {
+      for (std::size_t i = 0; i < motions.size(); ++i)
+        if (fewer[i].size() == before[i].size() && fewer[i].interpolation == before[i].interpolation)
+          motions[i] = ChannelCurve<P>(before[i]);
+      return motions;
+    };
+    return {skeleton, taken(rotations, clip.rotations, after.rotations),
+            taken(translations, clip.translations, after.translations), scales};
+  }
+};
+
 /// A clip on its way to fewer keys.
 struct ClipWork {
-  const Clip* before;
+  const TakenClip* before;
   double factor = first_factor, too_large = infinity;  ///< of the tolerances in the world
   bool is_done = false;
   std::optional<ClipReduction> best{};
@@ -94,13 +139,16 @@ class ClipReducer {
         world_(skeleton, options.world_tolerance, options.shell) {}
 
   Expected<std::vector<ClipReduction>> reduced(std::span<const Clip> clips) {
+    std::vector<std::optional<TakenClip>> taken(clips.size());
+    parallel_for(clips.size(), threads_, [&](std::size_t i) { taken[i].emplace(skeleton_, clips[i], options_); });
     std::vector<ClipWork> works;
-    for (const Clip& clip : clips) works.push_back({.before = &clip});
+    for (const auto& clip : taken) works.push_back({.before = &*clip});
     for (int round = 0; round < (in_world() ? rounds_in_world : 1); ++round)
       if (auto went = try_all(works); !went) return tl::unexpected(std::move(went.error()));
     std::vector<ClipReduction> reductions;
-    for (ClipWork& work : works)
-      reductions.push_back(work.best ? *std::move(work.best) : measured(*work.before, *work.before));
+    for (std::size_t i = 0; i < works.size(); ++i)
+      reductions.push_back(works[i].best ? *std::move(works[i].best) : measured(*works[i].before, clips[i]));
+    parallel_for(works.size(), threads_, [&](std::size_t i) { complete(reductions[i], clips[i], *works[i].before); });
     return reductions;
   }
 
@@ -112,13 +160,14 @@ class ClipReducer {
     std::vector<Clip> after;
     std::vector<Piece> pieces;
     for (std::size_t i = 0; i < works.size(); ++i) {
-      after.push_back(works[i].is_done ? Clip() : resting_once(*works[i].before, works[i].factor));
+      after.push_back(works[i].is_done ? Clip() : resting_once(works[i].before->clip, works[i].factor));
       for (std::size_t k = 0; k < after[i].rotations.size(); ++k) pieces.push_back({i, 0, k});
       for (std::size_t k = 0; k < after[i].translations.size(); ++k) pieces.push_back({i, 1, k});
     }
     std::vector<std::optional<Error>> errors(pieces.size());
     parallel_for(pieces.size(), threads_, [&](std::size_t i) {
-      errors[i] = reduce(after[pieces[i].work], pieces[i], works[pieces[i].work].factor);
+      const ClipWork& work = works[pieces[i].work];
+      errors[i] = reduce(*work.before, after[pieces[i].work], pieces[i], work.factor);
     });
     for (auto& error : errors)
       if (error) return tl::unexpected(*std::move(error));
@@ -167,14 +216,17 @@ class ClipReducer {
     return false;
   }
 
-  std::optional<Error> reduce(Clip& clip, const Piece& piece, double factor) const {
+  std::optional<Error> reduce(const TakenClip& before, Clip& clip, const Piece& piece, double factor) const {
+    const std::size_t i = piece.channel;
     if (piece.list == 0) {
-      RotationChannel& channel = clip.rotations[piece.channel];
+      RotationChannel& channel = clip.rotations[i];
       const double tolerance = angle_tolerance(channel.joint, factor);
-      return reduce(clip, channel, tolerance < infinity ? std::min(tolerance, std::numbers::pi / 2) : tolerance);
+      return reduce(clip, channel, before.rotations[i], before.of_rotations[i],
+                    tolerance < infinity ? std::min(tolerance, std::numbers::pi / 2) : tolerance);
     }
-    VectorChannel& channel = clip.translations[piece.channel];
-    return reduce(clip, channel, length_tolerance(channel.joint, factor));
+    VectorChannel& channel = clip.translations[i];
+    return reduce(clip, channel, before.translations[i], before.of_translations[i],
+                  length_tolerance(channel.joint, factor));
   }
 
   /// Of a joint's rotation and of its translation, both in the frame of its parent; infinite where nothing bounds them.
@@ -186,9 +238,10 @@ class ClipReducer {
   }
 
   template <CurvePoint P>
-  std::optional<Error> reduce(const Clip& clip, Channel<P>& channel, double tolerance) const {
+  std::optional<Error> reduce(const Clip& clip, Channel<P>& channel, const ChannelCurve<P>& motion,
+                              const std::vector<Cut>& cuts, double tolerance) const {
     if (!(tolerance < infinity)) return std::nullopt;
-    auto reduced = reduced_channel(channel, tolerance, options_);
+    auto reduced = reduced_channel<P>({channel, motion, cuts}, tolerance, options_);
     if (!reduced) {
       reduced.error().message = formatted("{}: {}", place_of(skeleton_, clip, channel.joint), reduced.error().message);
       return std::move(reduced.error());
@@ -213,44 +266,61 @@ class ClipReducer {
     work.factor = next;
   }
 
-  [[nodiscard]] ClipReduction measured(const Clip& before, Clip clip) const {
+  /// With the keys of tracks and the distances from the motion before.
+  [[nodiscard]] ClipReduction measured(const TakenClip& taken, Clip clip) const {
+    const Clip& before = taken.clip;
     const Clip after = as_stored(clip, options_);
-    ClipReduction reduction;
-    for (const RotationChannel& channel : before.rotations) {
-      if (channel.size() < 3) continue;
-      ++reduction.rotation_tracks;
-      reduction.rotation_keys_before += channel.size();
-      if (!ends_as_it_begins(channel)) ++reduction.open_tracks;
+    ClipReduction reduction{.cuts = taken.cuts};
+    std::vector<JointDifference> found(skeleton_.size());
+    if (!taken.times.empty()) {
+      std::vector<std::size_t> same(skeleton_.size());
+      std::iota(same.begin(), same.end(), std::size_t{0});
+      found = differences(taken.beside(skeleton_, after), ClipMotion(skeleton_, after), same, taken.times,
+                          options_.shell, Between::looked_at_for_largest);
+      for (std::size_t i = 0; i < found.size(); ++i) reduction.distance.take(found[i].distance, i);
     }
     for (std::size_t i = 0; i < before.rotations.size(); ++i) {
-      const RotationChannel &channel = before.rotations[i], &reduced = after.rotations[i];
+      const RotationChannel& channel = before.rotations[i];
       if (channel.interpolation != ChannelInterpolation::step)
-        reduction.angle.take(farthest_at_keys(channel, reduced), channel.joint);
-      if (channel.size() < 3) continue;
-      reduction.rotation_keys += reduced.size();
-      reduction.from_smooth.take(farthest_between(channel, reduced, BetweenSamples::smooth), channel.joint);
-      reduction.from_stored.take(farthest_between(channel, reduced, BetweenSamples::stored), channel.joint);
+        reduction.angle.take(found[channel.joint].angle, channel.joint);
+      if (channel.size() >= 3) reduction.rotation_keys += after.rotations[i].size();
     }
     for (std::size_t i = 0; i < before.translations.size(); ++i) {
-      const VectorChannel &channel = before.translations[i], &reduced = after.translations[i];
-      reduction.translation_keys_before += channel.size();
-      reduction.translation_keys += reduced.size();
+      const VectorChannel& channel = before.translations[i];
+      reduction.translation_keys += after.translations[i].size();
       if (channel.interpolation != ChannelInterpolation::step)
-        reduction.translation.take(farthest_at_keys(channel, reduced), channel.joint);
+        reduction.translation.take(found[channel.joint].translation, channel.joint);
     }
-    const auto found = differences_at_keys(before, after);
-    for (std::size_t i = 0; i < found.size(); ++i) reduction.distance.take(found[i].distance, i);
     reduction.clip = std::move(clip);
     return reduction;
   }
 
-  /// Of every joint, at all keys of the clip before.
-  [[nodiscard]] std::vector<JointDifference> differences_at_keys(const Clip& before, const Clip& after) const {
-    const std::vector<double> times = key_times(before);
-    if (times.empty()) return {};
-    std::vector<std::size_t> same(skeleton_.size());
-    std::iota(same.begin(), same.end(), std::size_t{0});
-    return differences(ClipMotion(skeleton_, before), ClipMotion(skeleton_, after), same, times, options_.shell);
+  /// With what is told of the clip that was chosen.
+  void complete(ClipReduction& reduction, const Clip& given, const TakenClip& taken) const {
+    const Clip after = as_stored(reduction.clip, options_);
+    for (std::size_t i = 0; i < given.rotations.size(); ++i) {
+      const RotationChannel &channel = given.rotations[i], &fewer = after.rotations[i];
+      if (channel.size() < 3) continue;
+      ++reduction.rotation_tracks;
+      reduction.rotation_keys_before += channel.size();
+      if (!ends_as_it_begins(fewer)) {
+        ++reduction.open_tracks;
+        reduction.open.push_back({channel.joint, true, apart_at_ends(fewer)});
+      }
+      const auto other = options_.between == BetweenSamples::smooth ? BetweenSamples::stored : BetweenSamples::smooth;
+      (other == BetweenSamples::smooth ? reduction.from_smooth : reduction.from_stored)
+          .take(farthest_from(motion_between(taken.clip.rotations[i], other, taken.of_rotations[i]), fewer,
+                              taken.clip.rotations[i].times),
+                channel.joint);
+    }
+    if (reduction.rotation_tracks > 0)
+      (options_.between == BetweenSamples::smooth ? reduction.from_smooth : reduction.from_stored) = reduction.angle;
+    for (std::size_t i = 0; i < given.translations.size(); ++i) {
+      const VectorChannel &channel = given.translations[i], &fewer = after.translations[i];
+      reduction.translation_keys_before += channel.size();
+      if (channel.size() >= 3 && !ends_as_it_begins(fewer))
+        reduction.open.push_back({channel.joint, false, apart_at_ends(fewer)});
+    }
   }
 
   const Skeleton& skeleton_;

@@ -24,24 +24,32 @@ enum class BetweenSamples {
   stored   ///< what the channel says: its own interpolation
 };
 
+/// Which jumps of joints are cuts, on either side of which the motion has nothing to do with the other.
+enum class Cuts {
+  usual,  ///< between keys at most 2 ms apart; of smooth motion also steps that neither side of them foretells
+  steps,  ///< both, whatever lies between the keys
+  none
+};
+
 /// The numbers of the keys, as the file that they are for holds them.
 enum class KeyPrecision { float64, float32 };
 
 /// How the keys of clips are reduced. At least one of the tolerances is finite.
 struct ClipReduceOptions {
-  double tolerance = std::numeric_limits<double>::infinity();  ///< of rotations, at every key that they had [rad]
-  double position_tolerance =
-      std::numeric_limits<double>::infinity();  ///< of translations, at every key [the skeleton's unit]
-  double world_tolerance = std::numeric_limits<double>::infinity();  ///< of the shell distance at all keys [that unit]
-  double shell = default_shell;                                      ///< of its points from a joint [that unit]
+  double tolerance = std::numeric_limits<double>::infinity();           ///< of rotations [rad]
+  double position_tolerance = std::numeric_limits<double>::infinity();  ///< of translations [the skeleton's unit]
+  double world_tolerance = std::numeric_limits<double>::infinity();     ///< of the shell distance [that unit]
+  double shell = default_shell;                                         ///< of its points from a joint [that unit]
   /// That; or `slerp`, whose channels are `linear`; or another one that reduce() takes, of which cubics follow the
   /// curve. The rates of `hermite-c1` are sought with its keys.
   Method method{cubicspline_method};
-  BetweenSamples between = BetweenSamples::smooth;
+  BetweenSamples between = BetweenSamples::stored;
+  Cuts cuts = Cuts::usual;
   KeyPrecision precision = KeyPrecision::float64;
   KeyPrecision precision_before = KeyPrecision::float64;  ///< that the keys have: those that stay are then the same
-  /// Of `cubicspline` and `hermite-c1`: channels that end as they begin have the same tangent at both ends, so that the
-  /// clip goes on without a jump of its rates where it begins again.
+  /// Of `cubicspline` and `hermite-c1`: channels that end as they begin, or nearer to it than the tolerance, have the
+  /// same key and tangent at both ends, so that the clip goes on without a jump where it begins again. Those with cuts
+  /// stay open.
   bool closed = false;
 };
 
@@ -62,15 +70,24 @@ struct ClipReduction {
     }
   };
 
+  /// A channel that does not end as it begins.
+  struct OpenTrack {
+    std::size_t joint = 0;
+    bool is_rotation = true;  ///< else a translation
+    double apart = 0.0;       ///< [rad], or in the skeleton's unit of length
+  };
+
   Clip clip{};
   std::size_t rotation_keys = 0, rotation_keys_before = 0;  ///< of tracks that had three keys or more
   std::size_t rotation_tracks = 0;                          ///< such ones
   std::size_t translation_keys = 0, translation_keys_before = 0;
-  std::size_t open_tracks = 0;  ///< rotation tracks of `rotation_tracks` that do not end as they begin
-  Worst angle{};                ///< of rotations in the frames of the parents, at the keys that each had [rad]
-  Worst translation{};          ///< of translations, in the same places [the skeleton's unit]
-  Worst distance{};             ///< the shell distance in the world, at all times of keys of the clip before
-  /// Of rotations between their keys before: from the curve `auto` through these, and from what the clip says [rad].
+  std::size_t open_tracks = 0;    ///< rotation tracks of `rotation_tracks` that do not end as they begin
+  std::vector<OpenTrack> open{};  ///< those, and such translations
+  std::size_t cuts = 0;           ///< in the clip before: those of several joints at one time are one
+  Worst angle{};                  ///< of rotations in the frames of the parents, at all times [rad]
+  Worst translation{};            ///< of translations, in the same frames [the skeleton's unit]
+  Worst distance{};               ///< the shell distance in the world
+  /// Of rotations: from the curve `auto` through the keys before, and from what the clip says [rad].
   Worst from_smooth{}, from_stored{};
 };
 
@@ -79,16 +96,23 @@ struct ClipReduction {
 [[nodiscard]] ORISPLINE_EXPORT Clip as_stored(Clip clip, const ClipReduceOptions& options);
 
 /// Every one of the clips with the fewest keys found whose rotations and translations are within the tolerances at
-/// every key that they had, and whose places in the world are within theirs at all times of the clip's keys; the first
-/// and the last key of each channel stay. Rotations are reduced where `tolerance` or `world_tolerance` is finite,
+/// every key that they had and between these, and whose places in the world are within theirs: of what the motion
+/// before is taken to be, which is looked at in eight places between two keys of the clip and beside the farthest of
+/// these until nothing rises. Channels that stay as they are are no distance off. The first and the last key of each
+/// channel stay.
+///
+/// Cuts are not smoothed: each side of them is reduced by itself. Where a step is one, its first value is held until 1
+/// ms before the second.
+///
+/// Rotations are reduced where `tolerance` or `world_tolerance` is finite,
 /// translations where `position_tolerance` or `world_tolerance` is; scales, steps and channels of two keys stay as they
 /// are. But channels of any kind that stand still but for rounding become one key, that of the rest pose where it is
 /// the same. Rounding is `rest_angle`, `rest_length` in the world and in the frame of the parent, and that part of the
 /// largest scale, and no more than the tolerances say.
 ///
 /// For `world_tolerance` a joint's rotation may be off by that length over its reach: the longest chain of bones below
-/// it, and the shell. All joints' tolerances are then scaled by one factor until the shell distance of the whole clip,
-/// measured at the times of its keys, is within the length.
+/// it, and the shell. All joints' tolerances are then scaled by one factor until the shell distance of the whole clip
+/// is within the length.
 ///
 /// On up to that many threads, 0 means one per core; the results are the same on any number of them.
 /// Errors: those of check(); bad_argument for a method that reduce() does not take.
@@ -103,6 +127,13 @@ inline constexpr std::array words<BetweenSamples>{
     word("stored", BetweenSamples::stored, "It is what the input says, such as straight lines")};
 
 template <>
+inline constexpr std::array words<Cuts>{word("usual", Cuts::usual,
+                                             "Jumps between keys that are at most 2 ms apart, and in smooth motion "
+                                             "single steps that neither side foretells"),
+                                        word("steps", Cuts::steps, "Both, whatever lies between the keys"),
+                                        word("none", Cuts::none, "Every jump is motion")};
+
+template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexcept;
 
 /// The tolerances that are given: `0.1°, 0.02 m in the world`.
@@ -114,7 +145,7 @@ ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexc
 /// Of all clips together; its members are those of the clips.
 struct ClipTotals {
   std::size_t rotation_keys = 0, rotation_keys_before = 0, rotation_tracks = 0, open_tracks = 0;
-  std::size_t translation_keys = 0, translation_keys_before = 0;
+  std::size_t translation_keys = 0, translation_keys_before = 0, cuts = 0;
   /// The clips where these are largest, of equals the first; null where no clip has one.
   const ClipReduction *angle = nullptr, *translation = nullptr, *distance = nullptr;
   const ClipReduction *from_smooth = nullptr, *from_stored = nullptr;

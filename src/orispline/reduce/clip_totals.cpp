@@ -22,6 +22,7 @@ ClipTotals totals_of(std::span<const ClipReduction> reductions) {
     totals.open_tracks += reduction.open_tracks;
     totals.translation_keys += reduction.translation_keys;
     totals.translation_keys_before += reduction.translation_keys_before;
+    totals.cuts += reduction.cuts;
     take_larger<&ClipReduction::angle>(totals.angle, reduction);
     take_larger<&ClipReduction::translation>(totals.translation, reduction);
     take_larger<&ClipReduction::distance>(totals.distance, reduction);

@@ -2,11 +2,7 @@
 #include <orispline/reduce/cubic_keys.hpp>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
-
-#include <orispline/clip/clip_motion.hpp>
-#include <orispline/families/registry.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -176,38 +172,6 @@ class CubicChains {
 
 constexpr std::size_t points_a_sample = 4;  // three points between two samples
 
-template <CurvePoint P>
-using PointAt = std::function<P(double)>;
-
-/// That stands still between keys that are equal, as joints do that rest.
-Method between_method() { return {"auto", {.parameters = {{"hold", {1.0}}}}}; }
-
-/// Keys that `auto` refuses, such as two nearly at one time, have no smooth motion.
-std::optional<PointAt<Eigen::Quaterniond>> smooth_motion(const RotationChannel& channel) {
-  auto curve =
-      Keyframes::make({.times = channel.times, .orientations = channel.values}).and_then([](const Keyframes& keys) {
-        return make_curve(between_method(), keys);
-      });
-  if (!curve) return std::nullopt;
-  return [curve = *std::move(curve)](double t) { return curve(t); };
-}
-std::optional<PointAt<Eigen::Vector3d>> smooth_motion(const VectorChannel& channel) {
-  KeyframeData data{.times = channel.times, .positions = channel.values};
-  data.orientations.assign(channel.size(), Eigen::Quaterniond::Identity());
-  auto curve = Keyframes::make(std::move(data)).and_then([](const Keyframes& keys) {
-    return make_pose_curve(between_method(), keys);
-  });
-  if (!curve) return std::nullopt;
-  return [path = *std::move(curve->position)](double t) { return path.linear_motion(t).position; };
-}
-
-template <CurvePoint P>
-PointAt<P> motion_between(const Channel<P>& channel, BetweenSamples between) {
-  if (between == BetweenSamples::smooth && channel.interpolation == ChannelInterpolation::linear)
-    if (auto motion = smooth_motion(channel)) return *std::move(motion);
-  return [curve = ChannelCurve<P>(channel)](double t) { return curve.at(t); };
-}
-
 Eigen::Vector4d components(const Eigen::Quaterniond& point) { return point.coeffs(); }
 Eigen::Vector3d components(const Eigen::Vector3d& point) { return point; }
 
@@ -233,23 +197,31 @@ template Channel<Eigen::Quaterniond> fewest_cubics(const CubicSamples<Eigen::Qua
 template Channel<Eigen::Vector3d> fewest_cubics(const CubicSamples<Eigen::Vector3d>&, double, bool);
 
 template <CurvePoint P>
-CubicSamples<P> cubic_samples(const Channel<P>& channel, BetweenSamples between) {
-  CubicSamples<P> samples{.motion = motion_between(channel, between), .stride = points_a_sample};
+CubicSamples<P> cubic_samples(const Channel<P>& keys, const ChannelCurve<P>& motion) {
+  CubicSamples<P> samples{.targets = {}, .stride = points_a_sample};
   auto& [times, points] = samples.targets;
-  for (std::size_t i = 0; i < channel.size(); ++i) {
-    times.push_back(channel.times[i]);
-    append(points, components(channel.values[i]));
-    if (i + 1 == channel.size()) break;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    times.push_back(keys.times[i]);
+    append(points, components(keys.values[i]));
+    if (i + 1 == keys.size()) break;
     for (std::size_t k = 1; k < points_a_sample; ++k) {
       const double share = static_cast<double>(k) / points_a_sample;
-      times.push_back(channel.times[i] + share * (channel.times[i + 1] - channel.times[i]));
-      append(points, components(samples.motion(times.back())));
+      times.push_back(keys.times[i] + share * (keys.times[i + 1] - keys.times[i]));
+      append(points, components(motion.at(times.back())));
     }
   }
   return samples;
 }
 
-template CubicSamples<Eigen::Quaterniond> cubic_samples(const Channel<Eigen::Quaterniond>&, BetweenSamples);
-template CubicSamples<Eigen::Vector3d> cubic_samples(const Channel<Eigen::Vector3d>&, BetweenSamples);
+template <CurvePoint P>
+CubicSamples<P> cubic_samples(const Channel<P>& channel, BetweenSamples between) {
+  return cubic_samples(channel, motion_between(channel, between));
+}
+
+template CubicSamples<Eigen::Quaterniond> cubic_samples(const RotationChannel&,
+                                                        const ChannelCurve<Eigen::Quaterniond>&);
+template CubicSamples<Eigen::Vector3d> cubic_samples(const VectorChannel&, const ChannelCurve<Eigen::Vector3d>&);
+template CubicSamples<Eigen::Quaterniond> cubic_samples(const RotationChannel&, BetweenSamples);
+template CubicSamples<Eigen::Vector3d> cubic_samples(const VectorChannel&, BetweenSamples);
 
 }}  // namespace orispline

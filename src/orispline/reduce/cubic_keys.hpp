@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include <orispline/clip/clip.hpp>
-#include <orispline/reduce/clip_reduction.hpp>
+#include <orispline/reduce/channel_motion.hpp>
 #include <orispline/reduce/cubic_span.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
-/// Targets of which every `stride`-th, from the first to the last, is a sample that may become a key, and the motion
-/// that they are of.
+/// Targets of which every `stride`-th, from the first to the last, is a sample that may become a key.
 template <CurvePoint P>
 struct CubicSamples {
-  std::function<P(double)> motion{};
   CubicTargets<P> targets{};
   std::size_t stride = 1;
 
@@ -35,15 +32,18 @@ template <CurvePoint P>
 extern template Channel<Eigen::Quaterniond> fewest_cubics(const CubicSamples<Eigen::Quaterniond>&, double, bool);
 extern template Channel<Eigen::Vector3d> fewest_cubics(const CubicSamples<Eigen::Vector3d>&, double, bool);
 
-/// The keys of a channel as samples, and three points between two of them. A `cubicspline` is its own motion in any
-/// case.
-///
-/// A fit of as many unknowns as samples would swing between them; the points hold it. `auto` predicts left-out frames
-/// of recorded animation better than their chords do (docs/skeletons.md). Precondition: two keys at least.
+/// Keys of a motion as samples, and three points of it between two of them: a fit of as many unknowns as samples would
+/// swing between them; the points hold it. Precondition: two keys at least.
+template <CurvePoint P>
+[[nodiscard]] CubicSamples<P> cubic_samples(const Channel<P>& keys, const ChannelCurve<P>& motion);
+/// Those of a channel, of the motion that it is taken to be.
 template <CurvePoint P>
 [[nodiscard]] CubicSamples<P> cubic_samples(const Channel<P>& channel, BetweenSamples between);
 
-extern template CubicSamples<Eigen::Quaterniond> cubic_samples(const Channel<Eigen::Quaterniond>&, BetweenSamples);
-extern template CubicSamples<Eigen::Vector3d> cubic_samples(const Channel<Eigen::Vector3d>&, BetweenSamples);
+extern template CubicSamples<Eigen::Quaterniond> cubic_samples(const RotationChannel&,
+                                                               const ChannelCurve<Eigen::Quaterniond>&);
+extern template CubicSamples<Eigen::Vector3d> cubic_samples(const VectorChannel&, const ChannelCurve<Eigen::Vector3d>&);
+extern template CubicSamples<Eigen::Quaterniond> cubic_samples(const RotationChannel&, BetweenSamples);
+extern template CubicSamples<Eigen::Vector3d> cubic_samples(const VectorChannel&, BetweenSamples);
 
 }}  // namespace orispline

@@ -74,14 +74,14 @@ std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexcept {
   static constexpr std::array fields{
       field<&ClipReduceOptions::tolerance>(
           {.name = "tolerance",
-           .sentence = "Largest angle that is allowed between a joint and its key before, in the frame of its parent",
+           .sentence = "Largest angle that a joint may be off at any time, in the frame of its parent",
            .quantity = &quantities::angle,
            .range = positive_or_none,
            .example = "0.1deg or 2e-3rad",
            .absent = "angles are not bounded"}),
       field<&ClipReduceOptions::position_tolerance>(
           {.name = "position_tolerance",
-           .sentence = "Largest distance that is allowed between a joint's translation and its key before",
+           .sentence = "Largest distance that a joint's translation may be off at any time",
            .quantity = &quantities::length,
            .range = positive_or_none,
            .absent = "translations stay as they are"}),
@@ -99,7 +99,11 @@ std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexcept {
            .example = "3cm",
            .absent = "3cm"}),
       field<&ClipReduceOptions::between>(
-          {.name = "between", .sentence = "What the motion of a clip between its keys is taken to be"}),
+          {.name = "between",
+           .sentence = "What the motion of a clip between its keys is taken to be; of BVH, whose frames are samples, "
+                       "smooth unless you say otherwise"}),
+      field<&ClipReduceOptions::cuts>(
+          {.name = "cuts", .sentence = "Which jumps of joints are cuts, on either side of which nothing swings"}),
   };
   return fields;
 }

@@ -73,6 +73,7 @@ struct ORISPLINE_EXPORT SceneFormat {
   std::span<const std::string_view> extensions{};  ///< in small letters, with their dots
   bool has_no_unit = false;   ///< its files do not say in what their lengths are; others: in metres
   bool holds_floats = false;  ///< times and values are in single precision
+  bool is_sampled = false;    ///< its keys are frames: it does not say what lies between them
 
   /// Whether a file of so many bytes that begins with `start` can be one of the format, before all of it is read: the
   /// errors are those of `read`. Null: only `read` tells.

@@ -410,6 +410,7 @@ constinit const SceneFormat bvh_format{.id = "bvh",
                                        .summary = "motion capture as a hierarchy and a table of angles",
                                        .extensions = bvh::file_extensions,
                                        .has_no_unit = true,
+                                       .is_sampled = true,
                                        .check_start = bvh::check_start,
                                        .read = bvh::read,
                                        .write = bvh::write};

@@ -226,12 +226,30 @@ Expected<std::string> animation_name(const Object& animation, std::size_t index)
   });
 }
 
+namespace {
+
+/// The nodes whose translations are no places but the weights of an avatar's expressions: so does VRM animate these.
+std::vector<std::size_t> expression_nodes(const Document& document) {
+  std::vector<std::size_t> nodes;
+  const Json expressions =
+      document.json.value(Json::json_pointer("/extensions/VRMC_vrm_animation/expressions"), Json::object());
+  for (const Json& kind : expressions)
+    for (const Json& expression : kind.is_object() ? kind : Json::object())
+      if (const auto node = expression.is_object() ? expression.find("node") : expression.end();
+          node != expression.end() && node->is_number_unsigned())
+        nodes.push_back(*node);
+  return nodes;
+}
+
+}  // namespace
+
 Expected<std::vector<AnimationChannel>> animation_channels(const Document& document, const Object& animation) {
   const auto samplers = animation.list("samplers");
   if (!samplers) return tl::unexpected(samplers.error());
   const auto list = animation.list("channels");
   if (!list) return tl::unexpected(list.error());
   const std::size_t nodes = document.root().list("nodes").value()->size();
+  const std::vector<std::size_t> weights = expression_nodes(document);
   std::vector<AnimationChannel> channels((*list)->size());
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const auto channel = animation.entry("channels", "channel", i);
@@ -241,6 +259,9 @@ Expected<std::vector<AnimationChannel>> animation_channels(const Document& docum
     const auto target = channel->object("target").and_then([&](const Object& read) { return target_of(read, nodes); });
     if (!target) return tl::unexpected(target.error());
     channels[i] = {*sampler, *target};
+    std::optional<ChannelTarget>& ours = channels[i].target;
+    if (ours && ours->property == Property::translation && std::ranges::find(weights, ours->node) != weights.end())
+      ours.reset();
   }
   return channels;
 }

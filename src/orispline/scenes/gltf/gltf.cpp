@@ -435,7 +435,20 @@ void take_matrices_apart(Json& json, const Nodes& nodes) {
 }
 
 constexpr std::string_view binary_extension = ".glb", text_extension = ".gltf";
-constexpr std::array file_extensions{binary_extension, text_extension};
+/// Of files that hold an avatar and a motion for one, by the extensions that say so.
+constexpr std::string_view avatar_extension = ".vrm", avatar_motion_extension = ".vrma";
+constexpr std::array file_extensions{binary_extension, text_extension, avatar_extension, avatar_motion_extension};
+
+/// Errors (bad_argument): the name of a file for avatars, without what makes it one.
+Expected<void> check_name(const Json& json, const std::string& path) {
+  const auto extensions = json.find("extensions");
+  const auto has = [&](std::string_view name) { return extensions != json.end() && extensions->contains(name); };
+  if (has_extension(path, avatar_extension) && !has("VRMC_vrm") && !has("VRM"))
+    return failure(ErrorCode::bad_argument, "found no VRM avatar for a .vrm file, wanted a name that ends in .glb");
+  if (has_extension(path, avatar_motion_extension) && !has("VRMC_vrm_animation"))
+    return failure(ErrorCode::bad_argument, "found no VRM animation for a .vrma file, wanted a name that ends in .glb");
+  return {};
+}
 
 /// The bytes of a file. Names of strangers need not be UTF-8: what is not is replaced.
 Expected<std::string> file_of(Json json, const std::string& binary, const std::string& path) {
@@ -465,6 +478,7 @@ std::vector<Warning> warnings_of_images(const Json& json, const std::string& fro
 
 Expected<SceneWritten> written_from(const Source& source, const Scene& scene, const std::string& path) {
   const Document& document = source.document();
+  if (auto named = check_name(document.json, path); !named) return tl::unexpected(std::move(named.error()));
   const auto plan = plan_of(document, scene.clips);
   if (!plan) return tl::unexpected(plan.error());
   const Uses uses = uses_of(document, plan->kept);
@@ -512,7 +526,8 @@ Expected<Scene> read_scene(std::string_view bytes, const io::Input& from, const 
   return document_of(bytes, from).and_then([&](Document document) { return scene_of(std::move(document), reading); });
 }
 
-/// The scene as a GLB, or as text where the path ends in `.gltf`. Errors (bad_data): what glTF cannot hold.
+/// The scene as a GLB, or as text where the path ends in `.gltf`. Errors: bad_data for what glTF cannot hold; those of
+/// check_name().
 Expected<SceneWritten> written_scene(const Scene& scene, const std::string& path, const SceneWriting& writing) {
   const auto* source = dynamic_cast<const Source*>(scene.source.get());
   const bool is_ours = source != nullptr && source->nodes().skeleton.size() == scene.skeleton.size();
@@ -531,7 +546,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
 constinit const SceneFormat gltf_format{.id = "gltf",
                                         .title = "glTF",
                                         .file = "a glTF file",
-                                        .summary = "glTF 2.0, in one file or as text",
+                                        .summary = "glTF 2.0, in one file or as text, and VRM",
                                         .extensions = gltf::file_extensions,
                                         .holds_floats = true,
                                         .check_start = gltf::check_start,
