@@ -17,7 +17,8 @@ constexpr double batch_share = 0.2;  // of the mean interval: as near stand the 
 constexpr double wrap = 1.5;             // of the largest rate: a step that long is one round
 constexpr std::size_t fewest_wraps = 4;  // of a counter that comes round rather than rates that are wrong
 
-constexpr double turns = 5.0;  // in medians of what the rates of live axes differ by from those of the orientations
+constexpr double shows_a_turn =
+    5.0;  // in medians of what the rates of live axes differ by from those of the orientations
 
 constexpr double far_off = 0.05;      // [rad]: what is mounted nearer is found with the rest of the calibration
 constexpr double nearer_share = 0.4;  // of what rates differ by from those of the orientations, once they are turned
@@ -105,7 +106,7 @@ std::array<bool, 3> dead_axes_of(const SeenPoses& poses, const GyroRates& gyro) 
     if (!dead[axis]) usual = std::max(usual, medians[axis]);
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
-    dead[axis] = dead[axis] && medians[axis] > turns * std::max(least_noise, usual);
+    dead[axis] = dead[axis] && medians[axis] > shows_a_turn * std::max(least_noise, usual);
   return std::ranges::count(dead, true) < 3 ? dead : std::array<bool, 3>{};
 }
 
