@@ -15,4 +15,5 @@
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/families/setting_quantity.hpp>
 #include <orispline/math/geodesic.hpp>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include <orispline/base/counted.hpp>
@@ -62,9 +63,11 @@ std::string counts_lines(const ReduceSceneOutcome& outcome, const ClipTotals& to
 /// What lies between the keys, and how many cuts there were.
 std::string between_line(const ReduceSceneOutcome& outcome, const ClipTotals& totals) {
   const bool is_smooth = outcome.options.between == BetweenSamples::smooth;
-  std::string text =
-      formatted("between keys    {}; holds between keys, where the motion is {}", counted(totals.cuts, "cut"),
-                is_smooth ? "the curve auto through them" : "what the input says");
+  const bool holds = std::ranges::find(outcome.warnings, std::string_view("single_precision"), &Warning::code) ==
+                     outcome.warnings.end();
+  std::string text = formatted("between keys    {}; {}, where the motion is {}", counted(totals.cuts, "cut"),
+                               holds ? "holds between keys" : "single precision breaks a tolerance",
+                               is_smooth ? "the curve auto through them" : "what the input says");
   if (totals.from_smooth)
     text +=
         is_smooth
