@@ -406,9 +406,10 @@ ORISPLINE_C_API orispline_code orispline_value_of_rates(const double *times, con
 /// The skeleton with its clips of a file that is in memory, of glTF (.gltf, .glb) or BVH.
 ///
 /// `name`: that it would have, for messages, and whose extension names the format. `options`: `clip=NAME` for some of
-/// the clips, once for each; `drop_duplicates` keeps the first of keys at equal times; `signs=shortest` lets cubic rotations
-/// whose signs flip go the short way, `signs=as-given` the way that they say. Errors: ORISPLINE_BAD_DATA;
-/// ORISPLINE_BAD_ARGUMENT for a name of no such format, and with the option.
+/// the clips, once for each; `drop_duplicates` keeps the first of keys at equal times; `signs=shortest` lets cubic
+/// rotations whose signs flip go the short way, `signs=as-given` the way that they say; `salvage` takes the whole
+/// frames of a BVH file that was cut off. Errors: ORISPLINE_BAD_DATA; ORISPLINE_BAD_ARGUMENT for a name of no such
+/// format, and with the option.
 ORISPLINE_C_API orispline_code orispline_value_of_skeleton(const void *bytes, size_t size, const char *name,
                                                            const char *const *options, size_t option_count,
                                                            orispline_value **value, orispline_error **error);

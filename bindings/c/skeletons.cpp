@@ -45,12 +45,13 @@ Value skeleton_of(scenes::Scene scene) {
 
 Expected<Value> read_skeleton(std::string name, std::string bytes, const Stated& stated) {
   io::Reading reading;
-  return check_names(stated, std::array<std::string_view, 3>{"clip", "drop_duplicates", "signs"})
+  return check_names(stated, std::array<std::string_view, 4>{"clip", "drop_duplicates", "signs", "salvage"})
       .and_then([&] { return io::take_options(reading, stated); })
       .and_then([&] {
-        return scenes::read_scene(
-            io::Input::in_memory(std::move(name), std::move(bytes)),
-            {.drop_duplicates = reading.options.drop_duplicates, .signs = reading.options.scene.signs});
+        return scenes::read_scene(io::Input::in_memory(std::move(name), std::move(bytes)),
+                                  {.drop_duplicates = reading.options.drop_duplicates,
+                                   .signs = reading.options.scene.signs,
+                                   .salvage = reading.options.scene.salvage});
       })
       .and_then([&](scenes::Scene scene) { return scenes::with_clips(std::move(scene), reading.options.scene.clips); })
       .map(skeleton_of);

@@ -65,6 +65,7 @@ void add_difference_options(Command& app, TaskArguments& o) {
   app.add_option("--clip", o.clips, "Clip to compare, by its name; repeatable [all of them]")
       ->repeated()
       ->type_name("NAME");
+  add_scene_reading_options(app, o.input);
   add_field(app, o.fields, field_named(fields_of<orispline::ClipReduceOptions>(), "shell"), "");
   app.add_option("--rate", o.fields["rate"],
                  "Look between keys too: at so many times per second, and beside the largest differences [at the keys "
@@ -93,6 +94,7 @@ void add_clip_options(Command& app, TaskArguments& o) {
   app.add_option("--clip", o.clips, "Clip to edit, by its name; repeatable, the others are left out [all of them]")
       ->repeated()
       ->type_name("NAME");
+  add_scene_reading_options(app, o.input);
   add_fields(app, o.fields, fields_of<orispline::ClipEdits>(), "Clips");
   app.add_option("--append", o.files["append"], "File of the same skeleton, whose clip comes behind")
       ->type_name(file_type)

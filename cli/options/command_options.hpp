@@ -20,6 +20,9 @@ void add_input_options(Command& app, InputOptions& options,
 void add_reading_options(Command& app, InputOptions& options,
                          std::string_view default_signs = "as INPUT says, else shortest");
 
+/// The options of those that concern skeletons as a whole.
+void add_scene_reading_options(Command& app, InputOptions& options);
+
 /// Where the output goes and in which form, part of several commands.
 void add_output_file(Command& app, std::string& path);
 void add_summary_options(Command& app, SummaryOptions& options);

@@ -38,7 +38,14 @@ bool is_scene(const InputOptions& options, const std::string& path) {
 scenes::SceneReading scene_reading(const InputRequest& input) {
   return {.drop_duplicates = input.read.drop_duplicates,
           .signs = input.read.scene.signs,
-          .format = input.read.format ? scene_format_of(input) : nullptr};
+          .format = input.read.format ? scene_format_of(input) : nullptr,
+          .salvage = input.read.scene.salvage};
+}
+
+Expected<scenes::Scene> read_scene_as_typed(InputOptions options, const std::string& path) {
+  options.path = path;
+  return input_request(options).and_then(
+      [](const InputRequest& input) { return scenes::read_scene(input.path, scene_reading(input)); });
 }
 
 Expected<scenes::Scene> open_scene(const InputRequest& input) {

@@ -21,7 +21,7 @@ TEST(SceneFormat, OfAnotherExtensionIsAnErrorThatNamesThoseThereAre) {
   const auto scene = read_scene("keys.csv");
   ASSERT_FALSE(scene);
   EXPECT_EQ(describe(scene.error()),
-            "keys.csv: found a file of no format that holds a skeleton, wanted one of .bvh, .glb, .gltf");
+            "keys.csv: found a file of no format that holds a skeleton, wanted one of .bvh, .glb, .gltf, .vrm, .vrma");
 }
 
 constexpr std::size_t gigabytes = std::size_t{1} << 31;  // less than what is read at most, and much of no file

@@ -43,6 +43,7 @@ struct SceneReading {
   bool drop_duplicates = false;         ///< of keys of a channel at equal times keep the first
   std::optional<Signs> signs{};         ///< of `cubicspline` rotations; absent: as given, with a warning of long ways
   const SceneFormat* format = nullptr;  ///< of the file; null: that of its extension
+  bool salvage = false;                 ///< of a BVH file that was cut off take the whole frames that are there
 };
 
 /// How a scene is to be written.
