@@ -59,13 +59,14 @@ Expected<Value> read_skeleton(std::string name, std::string bytes, const Stated&
 
 Expected<scenes::SceneWriting> writing_in(const Stated& stated) {
   scenes::SceneWriting writing;
-  if (auto known = check_names(stated, std::array<std::string_view, 2>{"output_euler", "rate"}); !known)
+  if (auto known = check_names(stated, std::array<std::string_view, 3>{"output_euler", "rate", "position_scale"});
+      !known)
     return tl::unexpected(std::move(known.error()));
   for (const auto& [name, text] : stated) {
-    if (name == "rate") {
-      const auto rate = typed::positive(text);
-      if (!rate) return bad_option(name, rate.error().message);
-      writing.rate = *rate;
+    if (name == "rate" || name == "position_scale") {
+      const auto number = typed::positive(text);
+      if (!number) return bad_option(name, number.error().message);
+      (name == "rate" ? writing.rate : writing.position_scale) = *number;
       continue;
     }
     writing.euler = euler_order_of(text);

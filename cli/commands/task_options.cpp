@@ -110,6 +110,7 @@ void add_clip_options(Command& app, TaskArguments& o) {
   add_name("in_place", "JOINT", "Joint whose way across and heading about up are taken out");
   o.output.scenes = scenes_written();
   add_output_options(app, o.output);
+  add_position_scale(app, o.output);
   add_report_option(app, o.report);
   app.add_option("--threads", o.inputs.threads, "Threads that work on the clips, with the same results [all cores]")
       ->type_name("N")
@@ -250,6 +251,7 @@ void add_smooth_options(Command& app, TaskArguments& o) {
                    "Write samples at so many per second instead of keys");
   o.output.scenes = scenes_written();
   add_output_options(app, o.output);
+  add_position_scale(app, o.output);
   add_row_options(app, o.rows);
   add_band_option(app, o.rows);
   add_report_option(app, o.report);

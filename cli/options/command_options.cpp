@@ -114,6 +114,14 @@ void add_report_option(Command& app, ReportOptions& o) {
       ->group("Output");
 }
 
+void add_position_scale(Command& app, OutputOptions& o) {
+  app.add_option("--position-scale", o.position_scale,
+                 "Metres in one unit of length of a BVH file, such as 0.01, for glTF, whose lengths are in metres "
+                 "[lengths are kept as they are]")
+      ->type_name("X")
+      ->group("Output");
+}
+
 void add_output_options(Command& app, OutputOptions& o) {
   add_output_file(app, o.path);
   if (const std::string endings = endings_of(o.scenes); !endings.empty())

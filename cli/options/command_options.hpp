@@ -29,6 +29,8 @@ void add_summary_options(Command& app, SummaryOptions& options);
 void add_output_options(Command& app, OutputOptions& options);
 /// Of a command that prints what it found where no file is named; `sentence` says what goes into the file.
 void add_made_output(Command& app, OutputOptions& output, SummaryOptions& summary, std::string_view sentence);
+/// How long a unit of INPUT is, of a command that writes skeletons.
+void add_position_scale(Command& app, OutputOptions& options);
 void add_report_option(Command& app, ReportOptions& options);
 
 /// The settings, ends and rates that shape a curve, part of several commands.

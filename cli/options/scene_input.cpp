@@ -74,6 +74,9 @@ Error with_output_for_all(Error error, std::string_view output) {
 
 Expected<scenes::SceneWriting> scene_writing(const OutputOptions& options) {
   scenes::SceneWriting writing;
+  const auto scale = if_given("--position-scale", options.position_scale, [](OptionText o) { return positive_in(o); });
+  if (!scale) return tl::unexpected(scale.error());
+  writing.position_scale = *scale;
   for (const auto& [name, text] : options.writing) {
     if (!text) continue;
     if (name == "output_format") {

@@ -50,6 +50,9 @@ struct SceneReading {
 struct SceneWriting {
   std::optional<EulerOrder> euler{};  ///< of BVH: absent is the input's, else ZYX about the axes of the body
   std::optional<double> rate{};  ///< of BVH: frames per second [Hz]; absent is that of the keys, which must be even
+  /// Of glTF: metres in the unit of length of a scene whose file states none; its lengths are written in metres.
+  /// Absent: they are written as they are.
+  std::optional<double> position_scale{};
   bool bones = true;  ///< of glTF: whether a skeleton without a mesh gets one bone of a few triangles per joint
 };
 
