@@ -48,6 +48,9 @@ class AnimationCases(CommandTest):
                 self.assertIn(f"{file}:53: found {whole} whole frames of the {stated} that the file states, read them", told.stderr)
             self.output_of(f"convert {file} --salvage -o cut.bvh")
             self.assertEqual(frames_of(self.read("cut.bvh")), frames_of(file.read_text())[:whole])
+        self.write("keys.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n")
+        self.assert_fails("convert keys.csv --salvage -o cut.csv", BAD_USAGE,
+                          "--salvage: found a CSV file, which has no skeleton, wanted a file of skeletons")
 
     def test_a_run_is_kept_where_that_is_asked_for(self):
         kept = self.json_of(f"smooth {CASES / '07_jump12.bvh'} --no-runs -o kept.bvh")
