@@ -406,9 +406,10 @@ ORISPLINE_C_API orispline_code orispline_value_of_rates(const double *times, con
 /// The skeleton with its clips of a file that is in memory, of glTF (.gltf, .glb) or BVH.
 ///
 /// `name`: that it would have, for messages, and whose extension names the format. `options`: `clip=NAME` for some of
-/// the clips, once for each; `drop_duplicates` keeps the first of keys at equal times; `signs=shortest` lets cubic rotations
-/// whose signs flip go the short way, `signs=as-given` the way that they say. Errors: ORISPLINE_BAD_DATA;
-/// ORISPLINE_BAD_ARGUMENT for a name of no such format, and with the option.
+/// the clips, once for each; `drop_duplicates` keeps the first of keys at equal times; `signs=shortest` lets cubic
+/// rotations whose signs flip go the short way, `signs=as-given` the way that they say; `salvage` takes the whole
+/// frames of a BVH file that was cut off. Errors: ORISPLINE_BAD_DATA; ORISPLINE_BAD_ARGUMENT for a name of no such
+/// format, and with the option.
 ORISPLINE_C_API orispline_code orispline_value_of_skeleton(const void *bytes, size_t size, const char *name,
                                                            const char *const *options, size_t option_count,
                                                            orispline_value **value, orispline_error **error);
@@ -436,7 +437,8 @@ ORISPLINE_C_API orispline_code orispline_value_rates(const orispline_value *valu
 /// read from held besides is passed on where the format is the same.
 ///
 /// `name`: as of orispline_value_of_skeleton(). `options`: of BVH, `output_euler=ZYX` and `rate=30`, frames per second
-/// for keys at uneven times. `warnings`: null, or where their JSON goes: what the format has no room for is left out,
+/// for keys at uneven times; of glTF, `position_scale=0.01`, the metres in the unit of length of a BVH file that was
+/// read, so that lengths are written in metres. `warnings`: null, or where their JSON goes: what the format has no room for is left out,
 /// and they say so. Errors: ORISPLINE_BAD_ARGUMENT; ORISPLINE_BAD_DATA for what the format cannot hold.
 ORISPLINE_C_API orispline_code orispline_value_write(const orispline_value *value, const char *name,
                                                      const char *const *options, size_t option_count, char **bytes,

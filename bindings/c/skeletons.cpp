@@ -45,12 +45,13 @@ Value skeleton_of(scenes::Scene scene) {
 
 Expected<Value> read_skeleton(std::string name, std::string bytes, const Stated& stated) {
   io::Reading reading;
-  return check_names(stated, std::array<std::string_view, 3>{"clip", "drop_duplicates", "signs"})
+  return check_names(stated, std::array<std::string_view, 4>{"clip", "drop_duplicates", "signs", "salvage"})
       .and_then([&] { return io::take_options(reading, stated); })
       .and_then([&] {
-        return scenes::read_scene(
-            io::Input::in_memory(std::move(name), std::move(bytes)),
-            {.drop_duplicates = reading.options.drop_duplicates, .signs = reading.options.scene.signs});
+        return scenes::read_scene(io::Input::in_memory(std::move(name), std::move(bytes)),
+                                  {.drop_duplicates = reading.options.drop_duplicates,
+                                   .signs = reading.options.scene.signs,
+                                   .salvage = reading.options.scene.salvage});
       })
       .and_then([&](scenes::Scene scene) { return scenes::with_clips(std::move(scene), reading.options.scene.clips); })
       .map(skeleton_of);
@@ -58,13 +59,14 @@ Expected<Value> read_skeleton(std::string name, std::string bytes, const Stated&
 
 Expected<scenes::SceneWriting> writing_in(const Stated& stated) {
   scenes::SceneWriting writing;
-  if (auto known = check_names(stated, std::array<std::string_view, 2>{"output_euler", "rate"}); !known)
+  if (auto known = check_names(stated, std::array<std::string_view, 3>{"output_euler", "rate", "position_scale"});
+      !known)
     return tl::unexpected(std::move(known.error()));
   for (const auto& [name, text] : stated) {
-    if (name == "rate") {
-      const auto rate = typed::positive(text);
-      if (!rate) return bad_option(name, rate.error().message);
-      writing.rate = *rate;
+    if (name == "rate" || name == "position_scale") {
+      const auto number = typed::positive(text);
+      if (!number) return bad_option(name, number.error().message);
+      (name == "rate" ? writing.rate : writing.position_scale) = *number;
       continue;
     }
     writing.euler = euler_order_of(text);

@@ -45,21 +45,18 @@ Expected<TaskJob> clip_job(const TaskArguments& arguments) {
       .map([&] { return std::move(*read); });
 }
 
-Expected<scenes::Scene> read_chosen(const std::string& path, const std::vector<std::string>& clips) {
-  return scenes::read_scene(path).and_then([&](scenes::Scene scene) {
-    warn(scene.warnings);
-    return scenes::with_clips(std::move(scene), clips);
-  });
-}
-
 Expected<void> read_clips(const TaskArguments& arguments, TaskJob& job) {
-  auto scene = read_chosen(arguments.input.path, arguments.clips);
+  auto scene = read_scene_as_typed(arguments.input, arguments.input.path).and_then([&](scenes::Scene whole) {
+    warn(whole.warnings);
+    return scenes::with_clips(std::move(whole), arguments.clips);
+  });
   if (!scene) return tl::unexpected(std::move(scene.error()));
   job.request.inputs = {{"scene", motion_of(arguments.input.path, *scene)}};
   job.scene = *std::move(scene);
   const auto behind = file_of(arguments, "append");
   if (!behind) return {};
-  return read_chosen(*behind, {}).map([&](const scenes::Scene& second) {
+  return read_scene_as_typed(arguments.input, *behind).map([&](const scenes::Scene& second) {
+    warn(second.warnings);
     job.request.inputs.emplace_back("append", motion_of(*behind, second));
   });
 }

@@ -144,12 +144,13 @@ Expected<WrittenResult> write_reduced_scene(const TaskArguments& arguments, Task
 // difference
 
 /// The chosen clips. The only clip of both files is the one that is compared, whatever its name in the second.
-Expected<jobs::TaskValue> motion_in(const std::string& path, const std::vector<std::string>& clips, bool is_second) {
-  return scenes::read_scene(path)
+Expected<jobs::TaskValue> motion_in(const TaskArguments& arguments, const std::string& path) {
+  return read_scene_as_typed(arguments.input, path)
       .and_then([&](scenes::Scene scene) -> Expected<scenes::Scene> {
         warn(scene.warnings);
-        if (is_second && scene.clips.size() == 1 && clips.size() == 1) return scene;
-        return scenes::with_clips(std::move(scene), clips);
+        const bool is_second = &path == &arguments.second;
+        if (is_second && scene.clips.size() == 1 && arguments.clips.size() == 1) return scene;
+        return scenes::with_clips(std::move(scene), arguments.clips);
       })
       .map([&](const scenes::Scene& scene) { return jobs::TaskValue(motion_of(path, scene)); });
 }
@@ -174,8 +175,7 @@ Expected<void> run_difference(const TaskArguments& arguments) {
   jobs::TaskRequest request = request_of(arguments);
   if (auto sound = jobs::check_task("difference", request); !sound) return sound;
   FirstError checked;
-  request.inputs = {{"first", checked(motion_in(first, arguments.clips, false))},
-                    {"second", checked(motion_in(second, arguments.clips, true))}};
+  request.inputs = {{"first", checked(motion_in(arguments, first))}, {"second", checked(motion_in(arguments, second))}};
   auto outcome = std::move(checked).or_else(std::move(request)).and_then([](const jobs::TaskRequest& sound) {
     return jobs::run_task("difference", sound);
   });

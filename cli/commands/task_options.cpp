@@ -65,6 +65,7 @@ void add_difference_options(Command& app, TaskArguments& o) {
   app.add_option("--clip", o.clips, "Clip to compare, by its name; repeatable [all of them]")
       ->repeated()
       ->type_name("NAME");
+  add_scene_reading_options(app, o.input);
   add_field(app, o.fields, field_named(fields_of<orispline::ClipReduceOptions>(), "shell"), "");
   app.add_option("--rate", o.fields["rate"],
                  "Look between keys too: at so many times per second, and beside the largest differences [at the keys "
@@ -93,6 +94,7 @@ void add_clip_options(Command& app, TaskArguments& o) {
   app.add_option("--clip", o.clips, "Clip to edit, by its name; repeatable, the others are left out [all of them]")
       ->repeated()
       ->type_name("NAME");
+  add_scene_reading_options(app, o.input);
   add_fields(app, o.fields, fields_of<orispline::ClipEdits>(), "Clips");
   app.add_option("--append", o.files["append"], "File of the same skeleton, whose clip comes behind")
       ->type_name(file_type)
@@ -108,6 +110,7 @@ void add_clip_options(Command& app, TaskArguments& o) {
   add_name("in_place", "JOINT", "Joint whose way across and heading about up are taken out");
   o.output.scenes = scenes_written();
   add_output_options(app, o.output);
+  add_position_scale(app, o.output);
   add_report_option(app, o.report);
   app.add_option("--threads", o.inputs.threads, "Threads that work on the clips, with the same results [all cores]")
       ->type_name("N")
@@ -248,6 +251,7 @@ void add_smooth_options(Command& app, TaskArguments& o) {
                    "Write samples at so many per second instead of keys");
   o.output.scenes = scenes_written();
   add_output_options(app, o.output);
+  add_position_scale(app, o.output);
   add_row_options(app, o.rows);
   add_band_option(app, o.rows);
   add_report_option(app, o.report);

@@ -1,9 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "options/command_options.hpp"
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 #include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> of_scenes{"signs", "drop_duplicates", "salvage"};
+
+void add_reading_option(Command& app, InputOptions& o, const io::FileOption<io::Reading>& option,
+                        std::string_view standing) {
+  TypedTexts& typed = o.reading[option.name];
+  Option added{
+      .names = flag_of(option.name),
+      .sentence = standing.empty() ? std::string(option.sentence) : formatted("{} [{}]", option.sentence, standing),
+      .typed = &typed.once,
+      .stands_for = option.argument ? "" : "true",
+      .argument = option.argument ? option.argument() : "",
+      .section = "Reading",
+      .is_repeated = option.is_repeated};
+  if (option.is_repeated) added.typed = &typed.each;
+  app.add(std::move(added));
+}
+
+}  // namespace
+
 void add_input_options(Command& app, InputOptions& o, std::string_view default_signs) {
   app.add_option("INPUT", o.path,
                  formatted("{} file of keyframes; '-' is standard input", io::any_of(io::formats_read())))
@@ -13,20 +39,13 @@ void add_input_options(Command& app, InputOptions& o, std::string_view default_s
 }
 
 void add_reading_options(Command& app, InputOptions& o, std::string_view default_signs) {
-  for (const auto& option : io::reading_options()) {
-    TypedTexts& typed = o.reading[option.name];
-    const std::string_view standing = option.name == "signs" ? default_signs : "";
-    Option added{
-        .names = flag_of(option.name),
-        .sentence = standing.empty() ? std::string(option.sentence) : formatted("{} [{}]", option.sentence, standing),
-        .typed = &typed.once,
-        .stands_for = option.argument ? "" : "true",
-        .argument = option.argument ? option.argument() : "",
-        .section = "Reading",
-        .is_repeated = option.is_repeated};
-    if (option.is_repeated) added.typed = &typed.each;
-    app.add(std::move(added));
-  }
+  for (const auto& option : io::reading_options())
+    add_reading_option(app, o, option, option.name == "signs" ? default_signs : "");
+}
+
+void add_scene_reading_options(Command& app, InputOptions& o) {
+  for (const auto& option : io::reading_options())
+    if (std::ranges::find(of_scenes, option.name) != of_scenes.end()) add_reading_option(app, o, option, "");
 }
 
 void add_blending_option(Command& app, std::vector<std::string>& files) {
@@ -92,6 +111,14 @@ void add_made_output(Command& app, OutputOptions& output, SummaryOptions& summar
 void add_report_option(Command& app, ReportOptions& o) {
   app.add_option("--report", o.path, "Write a page to look at in a browser: measures, plots and a view in space")
       ->type_name(file_type)
+      ->group("Output");
+}
+
+void add_position_scale(Command& app, OutputOptions& o) {
+  app.add_option("--position-scale", o.position_scale,
+                 "Metres in one unit of length of a BVH file, such as 0.01, for glTF, whose lengths are in metres "
+                 "[lengths are kept as they are]")
+      ->type_name("X")
       ->group("Output");
 }
 

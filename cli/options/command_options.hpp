@@ -20,12 +20,17 @@ void add_input_options(Command& app, InputOptions& options,
 void add_reading_options(Command& app, InputOptions& options,
                          std::string_view default_signs = "as INPUT says, else shortest");
 
+/// The options of those that concern skeletons as a whole.
+void add_scene_reading_options(Command& app, InputOptions& options);
+
 /// Where the output goes and in which form, part of several commands.
 void add_output_file(Command& app, std::string& path);
 void add_summary_options(Command& app, SummaryOptions& options);
 void add_output_options(Command& app, OutputOptions& options);
 /// Of a command that prints what it found where no file is named; `sentence` says what goes into the file.
 void add_made_output(Command& app, OutputOptions& output, SummaryOptions& summary, std::string_view sentence);
+/// How long a unit of INPUT is, of a command that writes skeletons.
+void add_position_scale(Command& app, OutputOptions& options);
 void add_report_option(Command& app, ReportOptions& options);
 
 /// The settings, ends and rates that shape a curve, part of several commands.

@@ -20,6 +20,7 @@ struct OutputOptions {
   std::string_view option = "-o";                                    ///< by which the path was named
   std::map<std::string_view, std::optional<std::string>> writing{};  ///< by the names of io::writing_options()
   std::vector<const scenes::SceneFormat*> scenes{};                  ///< files of skeletons that may be written too
+  std::optional<std::string> position_scale{};                       ///< of a skeleton: metres in the unit of INPUT
 };
 
 /// All formats of skeletons that are written.

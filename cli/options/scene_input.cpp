@@ -38,7 +38,14 @@ bool is_scene(const InputOptions& options, const std::string& path) {
 scenes::SceneReading scene_reading(const InputRequest& input) {
   return {.drop_duplicates = input.read.drop_duplicates,
           .signs = input.read.scene.signs,
-          .format = input.read.format ? scene_format_of(input) : nullptr};
+          .format = input.read.format ? scene_format_of(input) : nullptr,
+          .salvage = input.read.scene.salvage};
+}
+
+Expected<scenes::Scene> read_scene_as_typed(InputOptions options, const std::string& path) {
+  options.path = path;
+  return input_request(options).and_then(
+      [](const InputRequest& input) { return scenes::read_scene(input.path, scene_reading(input)); });
 }
 
 Expected<scenes::Scene> open_scene(const InputRequest& input) {
@@ -67,6 +74,9 @@ Error with_output_for_all(Error error, std::string_view output) {
 
 Expected<scenes::SceneWriting> scene_writing(const OutputOptions& options) {
   scenes::SceneWriting writing;
+  const auto scale = if_given("--position-scale", options.position_scale, [](OptionText o) { return positive_in(o); });
+  if (!scale) return tl::unexpected(scale.error());
+  writing.position_scale = *scale;
   for (const auto& [name, text] : options.writing) {
     if (!text) continue;
     if (name == "output_format") {

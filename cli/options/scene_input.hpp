@@ -24,6 +24,10 @@ namespace orispline::cli {
 /// How it is to be read.
 [[nodiscard]] scenes::SceneReading scene_reading(const InputRequest& input);
 
+/// A file of skeletons with all its clips, read as it was typed for INPUT. Errors: bad_argument; those of
+/// scenes::read_scene().
+[[nodiscard]] Expected<scenes::Scene> read_scene_as_typed(InputOptions options, const std::string& path);
+
 /// The chosen clips of a file of skeletons; of a file of keys the scene of one joint that moves as they say. Errors
 /// name the file; bad_argument where one joint of many is chosen.
 [[nodiscard]] Expected<scenes::Scene> open_scene(const InputRequest& input);

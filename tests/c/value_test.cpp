@@ -218,6 +218,28 @@ TEST(ValuesOfC, TakeTheSkeletonThatATaskHasMade) {
   EXPECT_EQ(written(made, "smooth.glb").substr(0, 4), "glTF");
 }
 
+TEST(ValuesOfC, SalvageARecordingThatWasCutOff) {
+  const std::string whole = walking(), cut = whole.substr(0, whole.size() - 10);
+  const ReadSkeleton refused = read_skeleton(cut, "walking.bvh");
+  EXPECT_EQ(refused.result.code, ORISPLINE_BAD_DATA);
+  EXPECT_STREQ(orispline_error_remedy(refused.result.error.get()), "salvage");
+  const auto end = [](const ValueHandle& value) {
+    return done("inspect", {{"keys", value.get()}}).document()["clips"][0]["end_s"].get<double>();
+  };
+  EXPECT_LT(end(skeleton_of(cut, "walking.bvh", {"salvage"})), end(skeleton_of(whole, "walking.bvh")));
+}
+
+TEST(ValuesOfC, AreWrittenInMetres) {
+  const ValueHandle skeleton = skeleton_of(walking(), "walking.bvh");
+  const auto distance = [&](const char* name, const Options& options) {
+    const ValueHandle other = skeleton_of(written(skeleton, name, options), name);
+    const TaskOnValues apart = done("difference", {{"first", skeleton.get()}, {"second", other.get()}});
+    return apart.document()["translation_max"].get<double>();
+  };
+  EXPECT_LT(distance("walking.glb", {}), 1e-3);
+  EXPECT_GT(distance("walking.glb", {"position_scale=0.01"}), 50.0);
+}
+
 TEST(ValuesOfC, CutTheClipsOfASkeleton) {
   const ValueHandle skeleton = skeleton_of(walking(), "walking.bvh");
   const TaskOnValues cut =
@@ -294,6 +316,8 @@ TEST(ValuesOfC, SayWhatFilesOfSkeletonsLack) {
   EXPECT_EQ(fault("turn.bvh", {"output_euler=ZXZ"}), "output_euler");
   EXPECT_EQ(fault("turn.bvh", {"rate=-1"}), "rate");
   EXPECT_EQ(fault("turn.bvh", {"rates=1"}), "rates");
+  EXPECT_EQ(fault("turn.glb", {"position_scale=0"}), "position_scale");
+  EXPECT_EQ(fault("turn.glb", {"position_scale=0.01"}), "position_scale");  // which is in metres
 }
 
 TEST(ValuesOfC, AreOfOneKind) {

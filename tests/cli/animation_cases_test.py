@@ -6,9 +6,10 @@ import os
 import pathlib
 import unittest
 
-from command import BAD_USAGE, CommandTest, main
+from command import BAD_DATA, BAD_USAGE, CommandTest, main
 
 CASES = pathlib.Path(os.environ.get("ORISPLINE_SHARED_DATA", "shared/data")).parent / "cases/clips"
+RECORDINGS = CASES.parent / "animation"
 
 
 def frames_of(text):
@@ -33,6 +34,23 @@ class AnimationCases(CommandTest):
         hand = range(9, 12)
         self.assertGreater(largest_step(frames_of(jump.read_text()), hand), 55)
         self.assertLess(largest_step(frames_of(self.read("clean.bvh")), hand), 2)
+
+    def test_files_that_were_cut_off_are_salvaged_where_that_is_asked_for(self):
+        for name, stated, whole in (("b10_framesmore", 25, 20), ("b27_truncated", 20, 19)):
+            file = RECORDINGS / f"{name}.bvh"
+            self.assert_fails(f"convert {file} -o cut.glb", BAD_DATA,
+                              f"{file}:53: found {whole} whole frames, wanted {stated}, the number in line 31 (--salvage reads those that are whole)")
+            self.assertFalse((self.folder / "cut.glb").exists())
+            for command in ("convert {} --salvage -o cut.bvh", "smooth {} --salvage --smoothing-time 0.05 -o cut.bvh",
+                            "sample {} --salvage --rate 30 -o cut.bvh", "clip {} --salvage --reverse -o cut.bvh"):
+                told = self.run_command(command.format(file))
+                self.assertEqual(told.returncode, 0, told.stderr)
+                self.assertIn(f"{file}:53: found {whole} whole frames of the {stated} that the file states, read them", told.stderr)
+            self.output_of(f"convert {file} --salvage -o cut.bvh")
+            self.assertEqual(frames_of(self.read("cut.bvh")), frames_of(file.read_text())[:whole])
+        self.write("keys.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n")
+        self.assert_fails("convert keys.csv --salvage -o cut.csv", BAD_USAGE,
+                          "--salvage: found a CSV file, which has no skeleton, wanted a file of skeletons")
 
     def test_a_run_is_kept_where_that_is_asked_for(self):
         kept = self.json_of(f"smooth {CASES / '07_jump12.bvh'} --no-runs -o kept.bvh")

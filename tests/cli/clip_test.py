@@ -146,7 +146,7 @@ class ClipCommand(CommandTest):
             self.assert_fails(f"clip {arguments} -o out.glb", code, message)
             self.assertFalse((self.folder / "out.glb").exists(), arguments)
         self.assert_fails("clip walk.bvh -o out.csv", BAD_USAGE,
-                          "-o: found 'out.csv', wanted a file of skeletons, whose name ends in .bvh, .glb or .gltf")
+                          "-o: found 'out.csv', wanted a file of skeletons, whose name ends in .bvh, .glb, .gltf, .vrm or .vrma")
 
     @with_pages
     def test_it_has_a_page(self):

@@ -137,7 +137,7 @@ class EmptyScenes(SceneTest):
         for name, text, found in (("none", hierarchy.format("0", 1, ""), "7: found no channels, wanted one at least"),
                                   ("zero", hierarchy.format("1 Xrotation", 0, ""), "8: found 0 frames, wanted one at least"),
                                   ("cut", hierarchy.format("1 Xrotation", 2, "1"),
-                                   "11: found 1 whole frame, wanted 2, the number in line 8")):
+                                   "11: found 1 whole frame, wanted 2, the number in line 8 (--salvage reads those that are whole)")):
             self.write(f"{name}.bvh", text)
             for arguments in (*OF_ONE_TRACK, "inspect {}", "reduce {} --tolerance 1deg -o x.glb", "difference {} arm.bvh",
                               "difference arm.bvh {}", "convert {} -o x.glb", "smooth {} -o x.bvh"):

@@ -7,7 +7,7 @@ import pathlib
 import shutil
 import struct
 
-from command import BAD_DATA, main, rows_of
+from command import BAD_DATA, BAD_USAGE, main, rows_of
 from small_scenes import (BVH_HIERARCHY, FRAMES, SPLINE, SPLINE_TIMES, SceneTest, angle_between, elbow_angle,
                           gltf_document, parts_of_glb, product, samplers_of, shoulder_turn, spline_at, turn_about,
                           turned)
@@ -36,6 +36,39 @@ class SmallScenes(SceneTest):
         self.assertLess(report["shell_distance_max"], 1e-6)
         self.assertEqual(report["clips"][0]["times"], FRAMES)
         self.assertIn("\nFrame Time: 0.0083333\n", self.read("back.bvh"))
+
+    def test_gltf_is_in_metres_where_the_unit_of_a_recording_is_stated(self):
+        for command in ("convert arm.bvh", "smooth arm.bvh", "sample arm.bvh --rate 30", "clip arm.bvh --reverse"):
+            self.output_of(f"{command} -o as_it_is.glb")
+            self.output_of(f"{command} --position-scale 0.01 -o metres.glb")
+            ways = []
+            for name, scale in (("as_it_is", 1.0), ("metres", 0.01)):
+                elbow, = (node for node in parts_of_glb(self.folder / f"{name}.glb")[0]["nodes"] if node["name"] == "Elbow")
+                self.assertLess(math.dist(elbow["translation"], (0.3 * scale, 0, 0)), 1e-8)
+                self.output_of(f"convert {name}.glb --joint Shoulder -o way.csv")
+                ways.append([row[5:8] for row in rows_of(self.read("way.csv"))])
+            self.assertEqual(len(ways[0]), len(ways[1]))
+            for place, scaled in zip(*ways):
+                self.assertLess(math.dist([0.01 * x for x in place], scaled), 1e-7)
+
+    def test_a_unit_of_what_has_or_keeps_one_is_refused(self):
+        self.output_of("convert arm.bvh -o arm.glb")
+        for arguments, code, found in (
+                ("convert arm.bvh --position-scale 0 -o x.glb", BAD_USAGE, "--position-scale: found '0', wanted a number greater than 0"),
+                ("smooth arm.bvh --position-scale cm -o x.glb", BAD_USAGE, "--position-scale: found 'cm', wanted a number greater than 0"),
+                ("convert arm.bvh --joint Elbow --position-scale 0.01 -o x.csv", BAD_USAGE,
+                 "--position-scale: found an output of one track, wanted a skeleton in .glb, .gltf, .vrm or .vrma"),
+                ("sample arm.bvh --joint Elbow --rate 30 --position-scale 0.01 -o x.csv", BAD_USAGE,
+                 "--position-scale: found an output of one track, wanted a skeleton in .glb, .gltf, .vrm or .vrma"),
+                ("clip arm.bvh --position-scale 0.01 -o x.bvh", BAD_USAGE,
+                 "--position-scale: found an output that is a BVH file, which has no unit of length and keeps that of the input, wanted glTF"),
+                ("convert arm.glb --position-scale 0.01 -o x.glb", BAD_USAGE,
+                 "--position-scale: found a glTF file, whose lengths are in metres, wanted a file without a unit, such as BVH")):
+            done = self.run_command(arguments)
+            self.assertEqual(done.returncode, code, done.stderr)
+            self.assertIn(found, done.stderr)
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+            self.assertFalse((self.folder / arguments.split()[-1]).exists())
 
     def test_a_joint_is_the_same_after_CSV(self):
         self.output_of("convert arm.bvh -o arm.glb")

@@ -109,6 +109,68 @@ TEST(Bvh, ReadsTheStatedFramesOfMoreAndSaysSo) {
   EXPECT_EQ(scene.warnings[0].code, "frames_left_out");
 }
 
+TEST(Bvh, SalvagesTheWholeFramesOfAFileThatWasCutOff) {
+  const std::string_view channels = "CHANNELS 3 Zrotation Xrotation Yrotation";
+  const auto read = [&](std::string_view frames, std::string_view head, bool salvage) {
+    return bvh_format.read(one_joint(channels, frames, head), "folder/walk.bvh", {.salvage = salvage});
+  };
+  const auto cut_off = {
+      "1 2 3\n4 5 6\n",        "1 2 3\n4 5 6\n7 8",   "1 2 3\n4 5 6\n7 8\n",        "1 2 3\n4 5 6\n7 8 -",
+      "1 2 3\n4 5 6\n7 8 1e-", "1 2 3\n4 5 6\n7 8 9", "1 2 3\r\n4 5 6\r\n7\r\n\x1A"};
+  for (const std::string_view frames : cut_off) {
+    const auto refused = read(frames, "Frames: 4\n", false);
+    ASSERT_FALSE(refused) << frames;
+    EXPECT_EQ(refused.error().remedy, "salvage") << frames;
+    EXPECT_NE(refused.error().message.find("found 2 whole frames, wanted 4, the number in line 8"), std::string::npos)
+        << refused.error().message;
+    const auto scene = read(frames, "Frames: 4\n", true);
+    ASSERT_TRUE(scene) << frames << describe(scene.error());
+    EXPECT_EQ(scene->clips[0].rotations[0].size(), 2u) << frames;
+    EXPECT_EQ(scene->clips[0].rotations[0].times, (std::vector<double>{0, 0.0083333})) << frames;
+    ASSERT_EQ(scene->warnings.size(), 1u) << frames;
+    EXPECT_EQ(scene->warnings[0].code, "frames_missing");
+    EXPECT_EQ(scene->warnings[0].message, "found 2 whole frames of the 4 that the file states, read them");
+    const std::string written = text_of(*scene);
+    EXPECT_NE(written.find("Frames: 2\n"), std::string::npos) << written;
+    EXPECT_EQ(frames_of(written), (std::vector<std::vector<double>>{{1, 2, 3}, {4, 5, 6}})) << frames;
+  }
+}
+
+TEST(Bvh, SalvagesNothingElse) {
+  const std::string_view channels = "CHANNELS 3 Zrotation Xrotation Yrotation";
+  const auto read = [&](std::string_view frames) {
+    return bvh_format.read(one_joint(channels, frames, "Frames: 3\n"), "folder/walk.bvh", {.salvage = true});
+  };
+  for (const std::string_view frames : {"1 2 3\n4 5 6\n7 8 9", "1 2 3\n4 5 6\n7 8 9\n"}) {
+    const auto whole = read(frames);
+    ASSERT_TRUE(whole) << frames;
+    EXPECT_EQ(whole->clips[0].rotations[0].size(), 3u) << frames;
+    EXPECT_TRUE(whole->warnings.empty()) << frames;
+  }
+  for (const auto& [frames, fault] : std::vector<std::pair<std::string_view, std::string_view>>{
+           {"1 2", "10: found 0 whole frames, wanted 3, the number in line 8"},
+           {"", "10: found 0 whole frames, wanted 3, the number in line 8"},
+           {"1 2 3\n4 5\n7 8 9\n", "11: found 2 numbers in the line, wanted a frame of 3, one for each channel"},
+           {"1 2 3\n4 5 x", "11: found 'x', wanted a number such as -1.5e-3"}}) {
+    const auto refused = read(frames);
+    ASSERT_FALSE(refused) << frames;
+    EXPECT_EQ(describe(refused.error()), "folder/walk.bvh:" + std::string(fault));
+  }
+}
+
+TEST(Bvh, CtrlZAtTheEndEndsTheFile) {
+  const std::string whole = one_joint("CHANNELS 1 Xrotation", "1\n2\n", "Frames: 2\n");
+  for (const std::string_view end : {"\x1A", "\x1A\r\n", "\n\x1A\x1A\x1A", " \x1A \x1A\n"}) {
+    const Scene scene = scene_of(whole + std::string(end));
+    ASSERT_EQ(scene.clips.size(), 1u);
+    EXPECT_EQ(scene.clips[0].rotations[0].size(), 2u);
+    EXPECT_TRUE(scene.warnings.empty());
+    EXPECT_EQ(text_of(scene), text_of(scene_of(whole)));
+  }
+  EXPECT_EQ(scene_of(whole.substr(0, whole.size() - 1) + "\x1A").clips[0].rotations[0].size(), 2u);
+  EXPECT_FALSE(read_bvh(one_joint("CHANNELS 1 Xrotation", "1\n\x1A\n2\n", "Frames: 2\n")));
+}
+
 TEST(Bvh, ReadsFramesByLinesWhereAllLinesHaveMoreNumbersThanChannels) {
   for (const std::string_view end : {"\n", "\r\n", "\r", " \t\n\n"}) {
     std::string frames;
@@ -189,7 +251,7 @@ TEST(Bvh, FilesOfStrangersAreRefusedWithTheLine) {
       {one_joint(three, "0 0 0", "Frames: 99999999999999999999999\n"),
        "8: found '99999999999999999999999', wanted a number of frames"},
       {one_joint(three, "0 0 0\n1 2\n", "Frames: 89478485\n"),
-       "12: found 1 whole frame, wanted 89478485, the number in line 8"},
+       "12: found 1 whole frame, wanted 89478485, the number in line 8 (option salvage)"},
       {one_joint(three, "0 0 0\n1 2\n", "Frames: 89478486\n"),
        "8: found 89478486 frames of 3 channels, wanted 268435456 numbers at most in all"},
       {one_joint(three, "0 0 0", ""), "8: found 'Frame', wanted Frames:"},

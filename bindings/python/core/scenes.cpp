@@ -25,9 +25,9 @@ namespace orispline::python {
 namespace {
 
 nb::tuple read_scene(const std::string& path, bool drop_duplicates, const std::optional<std::string>& signs,
-                     const std::optional<nb::bytes>& bytes) {
+                     bool salvage, const std::optional<nb::bytes>& bytes) {
   const io::Input input = input_of(path, bytes);
-  scenes::SceneReading reading{.drop_duplicates = drop_duplicates};
+  scenes::SceneReading reading{.drop_duplicates = drop_duplicates, .salvage = salvage};
   if (signs) reading.signs = *signs == "as-given" ? Signs::as_given : Signs::shortest;
   auto read = [&] {
     const nb::gil_scoped_release release;
@@ -40,8 +40,8 @@ nb::tuple read_scene(const std::string& path, bool drop_duplicates, const std::o
 
 /// The bytes of a file of that name, and warnings.
 nb::tuple written_scene(const SharedScene& shared, const std::string& path, const std::optional<std::string>& euler,
-                        std::optional<double> rate, bool bones) {
-  scenes::SceneWriting writing{.rate = rate, .bones = bones};
+                        std::optional<double> rate, std::optional<double> position_scale, bool bones) {
+  scenes::SceneWriting writing{.rate = rate, .position_scale = position_scale, .bones = bones};
   if (euler) {
     writing.euler = euler_order_of(*euler);
     if (!writing.euler || writing.euler->is_proper() || writing.euler->axes != EulerOrder::Axes::of_body)
@@ -151,8 +151,9 @@ void add_scenes(nb::module_& module) {
       .def_prop_ro("clips", &clips_of)
       .def("channels", &channels_of, "clip"_a)
       .def("with_clip", &with_clip, "clip"_a)
-      .def("written", &written_scene, "path"_a, "euler"_a.none(), "rate"_a.none(), "bones"_a);
-  module.def("read_scene", &read_scene, "path"_a, "drop_duplicates"_a, "signs"_a.none(), "bytes"_a.none());
+      .def("written", &written_scene, "path"_a, "euler"_a.none(), "rate"_a.none(), "position_scale"_a.none(),
+           "bones"_a);
+  module.def("read_scene", &read_scene, "path"_a, "drop_duplicates"_a, "signs"_a.none(), "salvage"_a, "bytes"_a.none());
 }
 
 }  // namespace orispline::python

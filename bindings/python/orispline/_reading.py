@@ -36,7 +36,7 @@ def read(path: Source, *, input_format: str | None = None,  # type: ignore[misc]
          space: str | None = None, conjugate: bool = False, inverse_poses: bool = False, world_axes: str | None = None,
          body_axes: str | None = None, world_rotation: Any = None, body_rotation: Any = None, signs: str | None = None,
          ignore_recipe: bool = False, normalise: bool = False, normalize: bool = False, drop_duplicates: bool = False, drop_invalid: bool = False,
-         sort: bool = False, session: int | str | None = None, gap: Number | None = None, jumps: bool = False, no_positions: bool = False,
+         salvage: bool = False, sort: bool = False, session: int | str | None = None, gap: Number | None = None, jumps: bool = False, no_positions: bool = False,
          scalar_first: bool = False) -> Keys | list[Keys]:
     """The keyframes of a file: CSV, TUM or EuRoC, told by its name and its content; of a glTF or BVH file one joint.
 
@@ -92,7 +92,8 @@ def read(path: Source, *, input_format: str | None = None,  # type: ignore[misc]
              "world_axes": world_axes, "body_axes": body_axes, "world_rotation": rotation_text("world_rotation", world_rotation),
              "body_rotation": rotation_text("body_rotation", body_rotation), "signs": signs, "session": session, "gap": gap}
     mending = {"normalise": normalise, "drop_duplicates": drop_duplicates, "drop_invalid": drop_invalid, "sort": sort}
-    set_or_not = {"conjugate": conjugate, "inverse_poses": inverse_poses, "ignore_recipe": ignore_recipe, "jumps": jumps, "no_positions": no_positions}
+    set_or_not = {"conjugate": conjugate, "inverse_poses": inverse_poses, "ignore_recipe": ignore_recipe, "jumps": jumps, "no_positions": no_positions,
+                  "salvage": salvage}
     if name.lower().endswith(".npy") and input_format in (None, "npy"):
         frames = stated({**named, **dict.fromkeys(("input_format", "signs", "session", "time_scale"))}) + flags({**set_or_not, "jumps": False, "no_positions": False})
         check_options(option for option, _ in frames)

@@ -165,7 +165,8 @@ class Scene(Viewed):
         """The skeleton as the clips move it."""
         return page_of_scene(self._core)
 
-    def write(self, path: Target, *, output_euler: str | None = None, rate: float | None = None, bones: bool = True) -> None:
+    def write(self, path: Target, *, output_euler: str | None = None, rate: float | None = None, position_scale: float | None = None,
+              bones: bool = True) -> None:
         """Writes the scene in the format of the path's extension: .glb, .gltf or .bvh.
 
         The file appears complete or not at all.
@@ -179,6 +180,8 @@ class Scene(Viewed):
             Order of the angles in BVH, such as "ZYX". Without it that of the file that was read, else ZYX.
         rate : float, optional
             Frames per second in BVH [Hz]. Without it that of the keys, which must be even.
+        position_scale : float, optional
+            Metres in one unit of length of a BVH file that was read, such as 0.01: glTF gets its lengths in metres. Without it they are kept.
         bones : bool
             Give a skeleton without a mesh a few triangles for each joint in glTF, so that viewers show something.
 
@@ -200,7 +203,8 @@ class Scene(Viewed):
             raise TypeError(f"output_euler: found {output_euler!r}, wanted a text such as 'ZYX'")
         hertz = None if rate is None else positive("rate", rate)
         name, file = target_of(path)
-        content, warnings = self._core.written(name, output_euler, hertz, flag("bones", bones))
+        metres = None if position_scale is None else positive("position_scale", position_scale)
+        content, warnings = self._core.written(name, output_euler, hertz, metres, flag("bones", bones))
         write_bytes(name, file, content)
         tell(warnings)
 

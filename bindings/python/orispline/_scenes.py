@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 TOLERANCES = ("tolerance", "position_tolerance", "world_tolerance")
 
 
-def read_scene(path: Source, *, drop_duplicates: bool = False, signs: Signs | None = None, scalar_first: bool = False) -> Scene:
+def read_scene(path: Source, *, drop_duplicates: bool = False, signs: Signs | None = None, salvage: bool = False,
+               scalar_first: bool = False) -> Scene:
     """The skeleton and the clips of a glTF or BVH file, in the format of its extension.
 
     Parameters
@@ -32,6 +33,8 @@ def read_scene(path: Source, *, drop_duplicates: bool = False, signs: Signs | No
     signs : {"shortest", "as-given"}, optional
         Whether cubic rotations whose signs flip from key to key go the short way, or the long way as their signs say. Without it they do that, with a
         warning.
+    salvage : bool
+        Read the whole frames of a BVH file that was cut off.
     scalar_first : bool
         The order of quaternions in all that the scene gives back: w, x, y, z.
 
@@ -63,7 +66,7 @@ def read_scene(path: Source, *, drop_duplicates: bool = False, signs: Signs | No
     if signs is not None:
         index_of("signs", signs, SIGNS)
     name, content = source_of(path)
-    core, warnings = _core.read_scene(name, flag("drop_duplicates", drop_duplicates), signs, content)
+    core, warnings = _core.read_scene(name, flag("drop_duplicates", drop_duplicates), signs, flag("salvage", salvage), content)
     tell(warnings)
     return Scene._of(core, flag("scalar_first", scalar_first))
 

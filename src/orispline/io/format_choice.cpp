@@ -46,10 +46,14 @@ Expected<void> move_to_first_row(TextTable& table) {
   return {};
 }
 
-/// Tables have neither clips nor joints.
+/// Tables have neither clips nor joints, nor do they state how many rows they have.
 Expected<void> check_scene(const FormatInfo& format, const ReadOptions& options) {
-  if (format.reading.tracks || !options.scene.is_given()) return {};
-  const std::string_view option = options.scene.joint ? "joint" : options.scene.clips.empty() ? "space" : "clip";
+  const SceneTrack& scene = options.scene;
+  if (format.reading.tracks || !(scene.is_given() || scene.salvage)) return {};
+  const std::string_view option = scene.joint            ? "joint"
+                                  : !scene.clips.empty() ? "clip"
+                                  : scene.salvage        ? "salvage"
+                                                         : "space";
   return bad_option(option, formatted("found {}, which has no skeleton, wanted a file of skeletons", format.file));
 }
 

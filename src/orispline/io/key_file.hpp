@@ -45,6 +45,7 @@ struct SceneTrack {
   std::optional<std::string> joint{};  ///< its name; absent: the only one that has keys
   Space space = Space::local;
   std::optional<Signs> signs{};  ///< of rotations that are cubic splines; absent: nobody says
+  bool salvage = false;          ///< of a file that was cut off take the whole frames that are there
 
   [[nodiscard]] bool is_given() const noexcept { return !clips.empty() || joint || space != Space::local; }
 };

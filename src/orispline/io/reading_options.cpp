@@ -86,6 +86,11 @@ Expected<void> take_session(Reading& reading, std::string_view text) {
   return {};
 }
 
+Expected<void> take_salvage(Reading& reading, std::string_view) {
+  reading.options.scene.salvage = true;
+  return {};
+}
+
 template <bool ReadOptions::*Member>
 Expected<void> set(Reading& reading, std::string_view) {
   reading.options.*Member = true;
@@ -275,6 +280,11 @@ const std::array reading_list{
         .take = set<&ReadOptions::drop_invalid>,
         .member = "drop_invalid",
         .use = "drops such rows"},
+    ReadingOption{.name = "salvage",
+                  .sentence = "Read the whole frames of a BVH file that was cut off",
+                  .take = take_salvage,
+                  .member = "salvage",
+                  .use = "reads those that are whole"},
     ReadingOption{.name = "sort",
                   .sentence = "Sort the rows by time",
                   .take = set<&ReadOptions::sort>,

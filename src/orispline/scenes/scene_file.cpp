@@ -12,6 +12,7 @@
 #include <orispline/io/file_format.hpp>
 #include <orispline/io/output_file.hpp>
 #include <orispline/scenes/cubic_signs.hpp>
+#include <orispline/scenes/scene_units.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
 
@@ -106,7 +107,15 @@ Expected<SceneWritten> written_scene(const Scene& scene, const std::string& path
                    {.file = path});
   for (const Clip& clip : scene.clips)
     if (auto sound = check_clip(scene.skeleton, clip); !sound) return tl::unexpected(std::move(sound.error()));
-  return (*format)->write(scene, path, writing);
+  if (!writing.position_scale) return (*format)->write(scene, path, writing);
+  if ((*format)->has_no_unit)
+    return bad_option("position_scale",
+                      formatted("found an output that is {}, which has no unit of length and keeps that "
+                                "of the input, wanted glTF",
+                                (*format)->file));
+  return in_metres(scene, *writing.position_scale).and_then([&](const Scene& scaled) {
+    return (*format)->write(scaled, path, writing);
+  });
 }
 
 Expected<std::vector<Warning>> write_scene(const Scene& scene, const std::string& path, const SceneWriting& writing) {

@@ -43,12 +43,16 @@ struct SceneReading {
   bool drop_duplicates = false;         ///< of keys of a channel at equal times keep the first
   std::optional<Signs> signs{};         ///< of `cubicspline` rotations; absent: as given, with a warning of long ways
   const SceneFormat* format = nullptr;  ///< of the file; null: that of its extension
+  bool salvage = false;                 ///< of a BVH file that was cut off take the whole frames that are there
 };
 
 /// How a scene is to be written.
 struct SceneWriting {
   std::optional<EulerOrder> euler{};  ///< of BVH: absent is the input's, else ZYX about the axes of the body
   std::optional<double> rate{};  ///< of BVH: frames per second [Hz]; absent is that of the keys, which must be even
+  /// Of glTF: metres in the unit of length of a scene whose file states none; its lengths are written in metres.
+  /// Absent: they are written as they are.
+  std::optional<double> position_scale{};
   bool bones = true;  ///< of glTF: whether a skeleton without a mesh gets one bone of a few triangles per joint
 };
 

@@ -90,8 +90,10 @@ Expected<KeyframeData> world_keys(const Scene& scene, const Clip& clip, std::siz
 /// One track of a file, as a format of io reads it.
 Expected<std::vector<io::KeyFile>> tracks_in(io::LineReader lines, const io::ReadOptions& options) {
   const SceneFormat* const stated = options.format ? scene_format_named(options.format->id) : nullptr;
-  return read_scene(lines.input(),
-                    {.drop_duplicates = options.drop_duplicates, .signs = options.scene.signs, .format = stated})
+  return read_scene(lines.input(), {.drop_duplicates = options.drop_duplicates,
+                                    .signs = options.scene.signs,
+                                    .format = stated,
+                                    .salvage = options.scene.salvage})
       .and_then([&](const Scene& scene) { return keys_of(scene, options.scene); })
       .map_error([&](Error error) {
         if (error.where.file.empty()) error.where.file = lines.path();

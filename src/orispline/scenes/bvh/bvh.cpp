@@ -203,9 +203,11 @@ Expected<Decimal> read_frame_time(Text& text) {
 /// Reads frames, each of which is a line. Lines may have more numbers than there are channels if all have as many.
 class FrameReader {
  public:
-  FrameReader(Text& text, std::span<const Column> columns) : text_(text), columns_(columns) {}
+  /// `salvage`: of a file that was cut off the whole frames are enough.
+  FrameReader(Text& text, std::span<const Column> columns, bool salvage)
+      : text_(text), columns_(columns), salvage_(salvage) {}
 
-  /// The numbers of the channels in `frames` frames, as many as line `line_of_frames` states.
+  /// The numbers of the channels in `frames` frames, as many as line `line_of_frames` states, or in fewer.
   Expected<std::vector<double>> read(std::size_t frames, std::size_t line_of_frames) {
     // By what there is, not by what the file states: a number and its blank take two bytes.
     const std::size_t room = text_.bytes_left() / 2 + 1;
@@ -213,10 +215,13 @@ class FrameReader {
     for (std::size_t frame = 0; frame < frames; ++frame) {
       const auto found = text_.peek().empty() ? 0 : read_line();
       if (!found) return tl::unexpected(found.error());
-      if (*found < columns_.size() && text_.peek().empty()) {
+      if (is_cut_off(*found, frame + 1 < frames)) {
         static_cast<void>(text_.next());  // the end of the file is what is wrong
-        return text_.fault(formatted("found {}, wanted {}, the number in line {}", counted(frame, "whole frame"),
-                                     frames, line_of_frames));
+        if (frame > 0 && salvage_) return first(frame);
+        auto fault = text_.fault(formatted("found {}, wanted {}, the number in line {}", counted(frame, "whole frame"),
+                                           frames, line_of_frames));
+        if (frame > 0) fault.value().remedy = "salvage";
+        return fault;
       }
       if (frame == 0) line_of_first_ = text_.line(), in_line_ = *found;
       if (*found != in_line_ || !fits(*found)) return wrong_count(*found);
@@ -237,6 +242,12 @@ class FrameReader {
   }
 
  private:
+  /// Whether the file ends within a number, such as `1e-`.
+  [[nodiscard]] bool is_begun(std::string_view word) const {
+    return text_.bytes_left() == 0 && word.find_first_not_of("+-.0123456789eE") == std::string_view::npos &&
+           std::string_view("+-.eE").find(word.back()) != std::string_view::npos;
+  }
+
   /// How many numbers there are in the line.
   Expected<std::size_t> read_line() {
     std::size_t count = 0;
@@ -244,10 +255,23 @@ class FrameReader {
       const std::string_view word = text_.next();
       const bool is_angle = count < columns_.size() && columns_[count].kind == Column::Kind::rotation;
       const auto number = is_angle ? number_of_degrees(text_, word) : number_of_length(text_, word);
+      if (!number && is_begun(word)) return count;
       if (!number) return tl::unexpected(number.error());
       if (count++ < columns_.size()) numbers_.push_back(*number);
     } while (text_.goes_on_in_line());
     return count;
+  }
+
+  /// Whether the file ends within a frame of `found` numbers. Where more frames are stated, a line without an end may
+  /// have lost digits of its last number.
+  [[nodiscard]] bool is_cut_off(std::size_t found, bool has_more) const {
+    return found < columns_.size() ? text_.peek().empty() : has_more && text_.bytes_left() == 0;
+  }
+
+  /// The numbers of so many frames, the last ones that are left being those of a frame that was cut off.
+  [[nodiscard]] std::vector<double> first(std::size_t frames) {
+    numbers_.resize(frames * columns_.size());
+    return std::move(numbers_);
   }
 
   /// A line of twice as many numbers has two frames, and is no frame with a surplus.
@@ -263,6 +287,7 @@ class FrameReader {
 
   Text& text_;
   std::span<const Column> columns_;
+  bool salvage_;
   std::vector<double> numbers_{};
   std::size_t in_line_ = 0, line_of_first_ = 0;  ///< of the first frame
 };
@@ -286,7 +311,16 @@ Expected<std::vector<Warning>> read_rest(Text& text, const Motion& motion, const
               .numbers = {{"frames", static_cast<double>(frames)}, {"stated", static_cast<double>(motion.frames)}}}};
 }
 
-Expected<Motion> read_motion(Text& text, std::span<const WrittenJoint> joints, const std::string& path) {
+/// Of a file that was cut off.
+Warning warning_of_missing(std::size_t stated, std::size_t found, const Text& text, const std::string& path) {
+  return {
+      .code = "frames_missing",
+      .message = formatted("found {} of the {} that the file states, read them", counted(found, "whole frame"), stated),
+      .where = {.file = path, .line = text.line()},
+      .numbers = {{"frames", static_cast<double>(found)}, {"stated", static_cast<double>(stated)}}};
+}
+
+Expected<Motion> read_motion(Text& text, std::span<const WrittenJoint> joints, const std::string& path, bool salvage) {
   const std::vector<Column> columns = columns_in_order(joints);
   if (columns.empty()) return text.fault("found no channels, wanted one at least");
   if (auto found = text.label("Frames"); !found) return tl::unexpected(std::move(found.error()));
@@ -299,10 +333,14 @@ Expected<Motion> read_motion(Text& text, std::span<const WrittenJoint> joints, c
   const std::size_t line = text.line();
   auto frame_time = read_frame_time(text);
   if (!frame_time) return tl::unexpected(std::move(frame_time.error()));
-  FrameReader reader(text, columns);
+  FrameReader reader(text, columns, salvage);
   auto numbers = reader.read(*frames, line);
   if (!numbers) return tl::unexpected(std::move(numbers.error()));
-  Motion motion{*frame_time, *frames, std::move(*numbers), reader.warnings(path)};
+  Motion motion{*frame_time, numbers->size() / columns.size(), std::move(*numbers), reader.warnings(path)};
+  if (motion.frames < *frames) {
+    motion.warnings.push_back(warning_of_missing(*frames, motion.frames, text, path));
+    return motion;
+  }
   auto rest = read_rest(text, motion, path);
   if (!rest) return tl::unexpected(std::move(rest.error()));
   std::ranges::move(*rest, std::back_inserter(motion.warnings));
@@ -375,13 +413,13 @@ Expected<void> check_start(std::string_view start, std::size_t size, const std::
 }
 
 /// A skeleton with one clip, named by the file, and a `Source`. Errors (bad_data) name the file and the line.
-Expected<Scene> read(std::string_view bytes, const io::Input& from, const SceneReading&) {
+Expected<Scene> read(std::string_view bytes, const io::Input& from, const SceneReading& reading) {
   const std::string& path = from.name();
   Text text(bytes, path);
   auto hierarchy = read_hierarchy(text);
   if (!hierarchy) return tl::unexpected(std::move(hierarchy.error()));
   const std::string_view before_motion = text.before();
-  auto motion = read_motion(text, hierarchy->written, path);
+  auto motion = read_motion(text, hierarchy->written, path, reading.salvage);
   if (!motion) return tl::unexpected(std::move(motion.error()));
   Scene scene{.warnings = warnings_of_names(*hierarchy, path)};
   scene.warnings.insert(scene.warnings.end(), motion->warnings.begin(), motion->warnings.end());

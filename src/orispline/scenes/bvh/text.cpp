@@ -13,11 +13,20 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+constexpr char ctrl_z = '\x1A';
 
 bool is_blank(char c) noexcept { return c == ' ' || ('\t' <= c && c <= '\r'); }
 bool ends_line(char c) noexcept { return c == '\n' || c == '\r'; }
 bool is_brace(char c) noexcept { return c == '{' || c == '}'; }
 char small(char c) noexcept { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
+
+/// Where the text ends: before Ctrl-Z, with which DOS ended texts, if only blanks and more of it follow.
+std::size_t end_of(std::string_view bytes) noexcept {
+  std::size_t end = bytes.size();
+  for (std::size_t i = end; i-- > 0 && (is_blank(bytes[i]) || bytes[i] == ctrl_z);)
+    if (bytes[i] == ctrl_z) end = i;
+  return end;
+}
 
 constexpr double greatest_length = 1e100;  // so that squares and sums of them are finite
 constexpr double greatest_angle = 1e9;     // [°], beyond which little is left of the fraction of a turn
@@ -39,6 +48,7 @@ bool is_word(std::string_view word, std::string_view keyword) noexcept {
 
 Text::Text(std::string_view bytes, const std::string& path) : bytes_(bytes), path_(&path) {
   if (bytes_.starts_with(byte_order_mark)) bytes_.remove_prefix(byte_order_mark.size());
+  bytes_ = bytes_.substr(0, end_of(bytes_));
 }
 
 void Text::skip_blanks() noexcept {

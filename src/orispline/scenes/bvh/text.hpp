@@ -14,7 +14,8 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 /// The words of a BVH file, one after the other. Line ends are blanks but for names and for frames.
 class Text {
  public:
-  /// Neither the bytes nor the path are copied. A UTF-8 byte order mark is skipped.
+  /// Neither the bytes nor the path are copied. A UTF-8 byte order mark is skipped, and a Ctrl-Z at the end is
+  /// the end.
   Text(std::string_view bytes, const std::string& path);
 
   /// The next word, a brace being one of its own; empty at the end.
