@@ -6,6 +6,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/fields.hpp>
+#include <orispline/reduce/clip_bytes.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
 #include "commands/task_command.hpp"
@@ -86,12 +87,12 @@ Expected<WrittenResult> write_smooth_scene(const TaskArguments& arguments, TaskJ
 // reduce
 
 Expected<Method> scene_method_in(const TaskArguments& arguments) {
-  const std::string method = arguments.method.value_or(std::string(smallest_method));
-  if (method != smallest_method && method != cubicspline_method) return method_request(method, arguments.shape);
+  const std::string method = arguments.method.value_or(std::string(cubicspline_method));
+  if (!is_of_clips_alone(method)) return method_request(method, arguments.shape);
   if (any_given(arguments.shape))
     return usage_failure(formatted("{}: found the method {}, which has no such option, wanted another --method",
-                                   first_given(arguments.shape), cubicspline_method));
-  return Method{cubicspline_method};
+                                   first_given(arguments.shape), method));
+  return Method{method};
 }
 
 /// What is not for clips.
@@ -128,11 +129,38 @@ std::string size_text(std::size_t bytes) {
   return formatted("{:.3g} {}", static_cast<double>(bytes) * (is_large ? 1e-6 : 1e-3), is_large ? "MB" : "kB");
 }
 
+/// Why a file that was written may be larger than the one that was read, though it has fewer keys.
+std::string why_larger(const TaskJob& job, const std::vector<Clip>& clips) {
+  const auto bytes_of_all = [](const std::vector<Clip>& all) {
+    std::size_t bytes = 0;
+    for (const Clip& clip : all) bytes += bytes_of_keys(clip);
+    return bytes;
+  };
+  std::string why = "the keys of the input are integers, and floats are written";
+  if (!job.scene.has_integer_keys) {
+    if (bytes_of_all(clips) <= bytes_of_all(job.scene.clips))
+      return "what describes nodes and tracks beside the keys takes more room";
+    why = "a key of a cubic has 52 bytes, one of slerp 20";
+  }
+  if (job.request.methods.front().method.name != smallest_method)
+    why += "; --method smallest writes each track with the fewest bytes that were found for it";
+  return why;
+}
+
+Warning larger_file(const std::string& output, std::size_t after, std::size_t before, std::string_view why) {
+  return {.code = "larger_file",
+          .message = formatted("{}: found {} written, more than the {} of the input, for {}", printable(output),
+                               size_text(after), size_text(before), why),
+          .numbers = {{"bytes", static_cast<double>(after)}, {"bytes_before", static_cast<double>(before)}}};
+}
+
 /// With the sizes of the files, of glTF with its buffers, where they are known.
 Expected<WrittenResult> write_reduced_scene(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
   const std::size_t before = job.scene.bytes > 0 ? job.scene.bytes : bytes_of(arguments.input.path);
+  const std::string why = why_larger(job, outcome.scenes.front().clips);
   return write_clips(arguments, job, outcome).map([&] {
     const std::size_t after = bytes_of(arguments.output.path);
+    if (before > 0 && after > before) warn({larger_file(arguments.output.path, after, before, why)});
     const std::string sizes = before == 0 ? "" : formatted(": {} of {}", size_text(after), size_text(before));
     WrittenResult written{.text = formatted("written to {}{}\n", destination(arguments.output.path), sizes)};
     if (before > 0) written.members.emplace_back("bytes_before", before);

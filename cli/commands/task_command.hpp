@@ -56,9 +56,6 @@ struct TaskCommand {
 /// One of them. Precondition: there is one of that name.
 [[nodiscard]] const TaskCommand& task_command(std::string_view name);
 
-/// In the place of a method of `reduce`: of those that are tried where none is named, the one with the fewest keys.
-inline constexpr std::string_view smallest_method = "smallest";
-
 /// What a command line asks of a task.
 struct TaskJob {
   InputRequest input;

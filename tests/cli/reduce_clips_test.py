@@ -78,6 +78,72 @@ class Loops(ReduceTest):
         self.assertAlmostEqual(report["open"][0]["angle_deg"], 60, places=4)
 
 
+def shaking(angle, kind, unit):
+    """A joint that shakes by that angle [rad] from frame to frame; its keys are numbers of that letter of struct, 1 being `unit`."""
+    document = gltf_document()
+    times = [k / 30 for k in range(61)]
+    turns = [c for k in range(61) for c in (0.0, math.sin(angle * math.sin(2.6 * k)), 0.0, math.cos(angle * math.sin(2.6 * k)))]
+    data = struct.pack("<61f", *times)
+    data += struct.pack(f"<244{kind}", *(turns if unit == 1 else [round(unit * c) for c in turns]))
+    document["buffers"] = [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}]
+    document["bufferViews"] = [{"buffer": 0, "byteOffset": at, "byteLength": length} for at, length in ((0, 244), (244, len(data) - 244))]
+    document["accessors"] = [{"bufferView": 0, "componentType": 5126, "count": 61, "type": "SCALAR", "min": [0.0], "max": [times[-1]]},
+                             {"bufferView": 1, "componentType": 5126 if unit == 1 else 5122, "count": 61, "type": "VEC4"} |
+                             ({} if unit == 1 else {"normalized": True})]
+    del document["meshes"], document["nodes"][0]["mesh"]
+    document["animations"] = [{"name": "shake", "samplers": [{"input": 0, "output": 1}],
+                               "channels": [{"sampler": 0, "target": {"node": 0, "path": "rotation"}}]}]
+    return json.dumps(document)
+
+
+class Bytes(ReduceTest):
+    def test_smallest_takes_fewer_bytes_than_either_method_alone(self):
+        self.output_of("convert arm.bvh -o arm.glb")
+        sizes = {}
+        for method in ("smallest", "cubicspline", "slerp"):
+            report = self.json_of(f"reduce arm.glb --tolerance 0.2deg --method {method} -o {method}.glb")
+            sizes[method] = report["bytes"]
+            self.assertEqual(report["method"], method)
+            self.assertLessEqual(self.json_of(f"difference arm.glb {method}.glb")["angle_max_deg"], 0.2, method)
+        self.assertLess(sizes["smallest"], min(sizes["cubicspline"], sizes["slerp"]))
+        after, _ = parts_of_glb(self.folder / "smallest.glb")
+        self.assertEqual([sampler.get("interpolation", "LINEAR") for sampler in after["animations"][0]["samplers"]],
+                         ["CUBICSPLINE", "LINEAR", "LINEAR"], "the elbow turns evenly, the shoulder stays where it is")
+        self.assert_fails("reduce arm.glb --tolerance 0.2deg --method smallest --tension 0.5 -o no.glb", BAD_USAGE,
+                          "--tension: found the method smallest, which has no such option, wanted another --method")
+
+    def test_channels_with_the_same_times_share_them(self):
+        self.output_of("convert arm.bvh -o arm.glb")
+        after, _ = parts_of_glb(self.folder / "arm.glb")
+        inputs = [sampler["input"] for sampler in after["animations"][0]["samplers"]]
+        counts = [after["accessors"][k]["count"] for k in inputs]
+        self.assertEqual(len({k for k, count in zip(inputs, counts) if count == FRAMES}), 1)
+        self.assertEqual(counts.count(FRAMES), 2)
+
+    def test_a_file_that_became_larger_says_so_and_why(self):
+        self.write("shake.gltf", shaking(0.3, "h", 32767))
+        cure = "; --method smallest writes each track with the fewest bytes that were found for it"
+        for method, end in (("cubicspline", cure), ("smallest", "")):
+            report = self.json_of(f"reduce shake.gltf --tolerance 0.001deg --method {method} -o larger.glb")
+            self.assertGreater(report["bytes"], report["bytes_before"])
+            warning, = report["warnings"]
+            self.assertEqual((warning["code"], warning["bytes"], warning["bytes_before"]),
+                             ("larger_file", report["bytes"], report["bytes_before"]))
+            self.assertTrue(warning["message"].endswith("of the input, for the keys of the input are integers, and floats are written" + end),
+                            warning["message"])
+
+    def test_cubics_that_are_larger_than_the_lines_they_replace_say_so(self):
+        self.write("shake.gltf", shaking(0.02, "f", 1))
+        self.output_of("convert shake.gltf -o shake.glb")
+        report = self.json_of("reduce shake.glb --tolerance 0.3deg -o larger.glb")
+        self.assertLess(report["rotation_keys"], 61)
+        self.assertGreater(report["bytes"], report["bytes_before"])
+        self.assertIn(", for a key of a cubic has 52 bytes, one of slerp 20; --method smallest", report["warnings"][0]["message"])
+        smallest = self.json_of("reduce shake.glb --tolerance 0.3deg --method smallest -o smallest.glb")
+        self.assertLessEqual(smallest["bytes"], smallest["bytes_before"])
+        self.assertEqual(smallest["warnings"], [])
+
+
 def avatar_motion():
     """An expression whose weight goes from 0 to 1 and back, as the translation of a node, and a joint that turns."""
     document = gltf_document()

@@ -83,7 +83,8 @@ def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspl
     ----------
     scene : Scene
     method : str, Blending or Curve
-        "cubicspline", which is glTF's; "hermite-c1", whose keys have one rate each; "slerp", which makes linear channels; or
+        "cubicspline", which is glTF's; "smallest", which writes each channel by that or by "slerp", or leaves it as it was,
+        whichever has the fewest bytes; "hermite-c1", whose keys have one rate each; "slerp", which makes linear channels; or
         another one that `reduce` takes, written as cubics within the tolerance.
     closed : bool
         With "cubicspline" and "hermite-c1", channels that end as they begin have the same tangents at both ends.
@@ -122,8 +123,10 @@ def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspl
         raise ArgumentError(f"tolerance: found none, wanted one of {', '.join(TOLERANCES)}")
     words = method_words(method)
     scale = None if position_scale is None else positive("position_scale", position_scale)
-    settings = {"closed": flag("closed", closed), "position_scale": scale, "threads": checked_threads(threads)}
-    methods = [] if words == "cubicspline" else [words]  # which is the library's own, of skeletons alone
+    is_of_scenes_alone = words in ("cubicspline", "smallest")
+    settings = {"closed": flag("closed", closed), "position_scale": scale, "threads": checked_threads(threads),
+                "methods": words if is_of_scenes_alone else None}
+    methods = [] if is_of_scenes_alone else [words]
     found, = Request("reduce", {"recording": scene}, stated, settings, methods=methods).told()
     return Scene._of(found.scene(scene._core), scene._scalar_first), SceneReduction._of(found)
 

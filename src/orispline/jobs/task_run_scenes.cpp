@@ -31,8 +31,7 @@ TaskOutcome with_clips(TaskOutcome outcome, const MotionFile& file, std::vector<
 
 /// The method of cubics for a skeleton, unless another one is stated.
 Expected<Method> clip_method_in(const TaskRequest& request) {
-  if (const std::string* const text = request.option("methods"); text && *text == cubicspline_method)
-    return Method{cubicspline_method};
+  if (const std::string* const text = request.option("methods"); text && is_of_clips_alone(*text)) return Method{*text};
   return methods_in(request).and_then([](const auto& stated) -> Expected<Method> {
     if (!stated) return Method{cubicspline_method};
     if (stated->size() == 1) return stated->front().method;

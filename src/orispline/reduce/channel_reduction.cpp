@@ -16,6 +16,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/math/highest.hpp>
 #include <orispline/math/number.hpp>
+#include <orispline/reduce/clip_bytes.hpp>
 #include <orispline/reduce/cubic_keys.hpp>
 #include <orispline/reduce/hermite_keys.hpp>
 #include <orispline/reduce/reduce.hpp>
@@ -223,23 +224,22 @@ void append(VectorChannel& channel, VectorChannel more) { append_keys(channel, m
 
 template <CurvePoint P>
 Expected<Channel<P>> with_fewer_keys(const Channel<P>& samples, const ChannelCurve<P>& motion, double tolerance,
-                                     const ClipReduceOptions& options, bool closes) {
-  const bool is_cubic = options.method.name == cubicspline_method;
-  if (!is_cubic && !seeks_rates(options.method)) return by_method(samples, tolerance, options.method);
+                                     const Method& method, bool closes) {
+  const bool is_cubic = method.name == cubicspline_method;
+  if (!is_cubic && !seeks_rates(method)) return by_method(samples, tolerance, method);
   const CubicSamples<P> targets = cubic_samples(samples, motion);
-  return is_cubic ? fewest_cubics(targets, tolerance, closes)
-                  : hermite_channel(targets, tolerance, options.method, closes);
+  return is_cubic ? fewest_cubics(targets, tolerance, closes) : hermite_channel(targets, tolerance, method, closes);
 }
 
 /// Keys within the tolerance at the samples, of every stretch between cuts by itself.
 template <CurvePoint P>
 Expected<Channel<P>> with_fewer_keys(const Channel<P>& samples, const TakenChannel<P>& before, double tolerance,
-                                     const ClipReduceOptions& options, bool closes) {
-  if (before.cuts.empty()) return with_fewer_keys(samples, before.motion, tolerance, options, closes);
+                                     const Method& method, bool closes) {
+  if (before.cuts.empty()) return with_fewer_keys(samples, before.motion, tolerance, method, closes);
   Expected<Channel<P>> whole = Channel<P>();
   pass_stretches<P>(samples, before.cuts, [&](std::size_t first, std::size_t last) {
     if (!whole) return;
-    auto part = with_fewer_keys(stretch_of(samples, first, last), before.motion, tolerance, options, false);
+    auto part = with_fewer_keys(stretch_of(samples, first, last), before.motion, tolerance, method, false);
     if (!part || whole->times.empty()) whole = std::move(part);
     else append(*whole, *std::move(part));
   });
@@ -338,29 +338,37 @@ bool ends_as_it_begins(const Channel<P>& channel) {
   return apart_at_ends(channel) <= rounding<P>;
 }
 
+namespace {
+
+/// Fewer keys, or fewer bytes where those are sought.
 template <CurvePoint P>
-Expected<Channel<P>> reduced_channel(const TakenChannel<P>& before, double tolerance,
-                                     const ClipReduceOptions& options) {
+bool is_less(const Channel<P>& channel, const Channel<P>& than, const ClipReduceOptions& options) {
+  if (options.method.name == smallest_method) return bytes_of_keys(channel) < bytes_of_keys(than);
+  return channel.size() < than.size();
+}
+
+template <CurvePoint P>
+Expected<Channel<P>> reduced_by(const Method& method, const TakenChannel<P>& before, double tolerance,
+                                const ClipReduceOptions& options) {
   const Channel<P>& channel = before.channel;
-  if (channel.size() < 3 || channel.interpolation == ChannelInterpolation::step) return channel;
   const bool closes =
       options.closed && before.cuts.empty() && apart_at_ends(channel) <= std::max(tolerance, rounding<P>);
   Samples<P> samples(before);
   if (closes && !ends_as_it_begins(channel)) samples.join_ends();
-  const bool is_mended_in_parts = options.method.name == cubicspline_method && !closes;
+  const bool is_mended_in_parts = method.name == cubicspline_method && !closes;
   double asked = share_before_rounding * tolerance;
   std::vector<double> broken;
   Channel<P> found;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     if (broken.empty() || !is_mended_in_parts) {
-      auto fewer = with_fewer_keys(samples.keys(), before, asked, options, closes);
+      auto fewer = with_fewer_keys(samples.keys(), before, asked, method, closes);
       if (!fewer) return fewer;
       found = *std::move(fewer);
     } else {
       found = with_spans_anew(found, samples.keys(), before.motion, broken, asked);
     }
     std::optional<Channel<P>> reduced = stored(found, options.precision);
-    if (!reduced || reduced->size() >= channel.size()) break;
+    if (!reduced || !is_less(*reduced, channel, options)) break;
     reduced->joint = channel.joint;
     const Missed missed = samples.missed_by(*reduced, tolerance);
     if (missed.between.empty() && missed.at_samples <= tolerance) return *std::move(reduced);
@@ -371,6 +379,20 @@ Expected<Channel<P>> reduced_channel(const TakenChannel<P>& before, double toler
     samples.add_middles(missed.between);
   }
   return channel;
+}
+
+}  // namespace
+
+template <CurvePoint P>
+Expected<Channel<P>> reduced_channel(const TakenChannel<P>& before, double tolerance,
+                                     const ClipReduceOptions& options) {
+  const Channel<P>& channel = before.channel;
+  if (channel.size() < 3 || channel.interpolation == ChannelInterpolation::step) return channel;
+  if (options.method.name != smallest_method) return reduced_by(options.method, before, tolerance, options);
+  auto cubic = reduced_by(Method{cubicspline_method}, before, tolerance, options);
+  auto linear = reduced_by(Method{"slerp"}, before, tolerance, options);
+  if (!cubic || !linear) return cubic ? linear : cubic;
+  return is_less(*linear, *cubic, options) ? linear : cubic;
 }
 
 template RotationChannel resting_channel(const RotationChannel&, const Eigen::Quaterniond&, double, KeyPrecision);

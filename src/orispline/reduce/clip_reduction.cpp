@@ -14,6 +14,7 @@
 #include <orispline/math/degrees.hpp>
 #include <orispline/reduce/channel_motion.hpp>
 #include <orispline/reduce/channel_reduction.hpp>
+#include <orispline/reduce/clip_bytes.hpp>
 #include <orispline/reduce/cuts.hpp>
 #include <orispline/reduce/hermite_keys.hpp>
 
@@ -172,7 +173,9 @@ class ClipReducer {
     for (auto& error : errors)
       if (error) return tl::unexpected(*std::move(error));
     parallel_for(works.size(), threads_, [&](std::size_t i) {
-      if (!works[i].is_done) judge(works[i], std::move(after[i]));
+      if (works[i].is_done) return;
+      if (seeks_bytes()) after[i] = with_shared_times(works[i].before->clip, std::move(after[i]));
+      judge(works[i], std::move(after[i]));
     });
     return {};
   }
@@ -250,15 +253,19 @@ class ClipReducer {
     return std::nullopt;
   }
 
+  [[nodiscard]] bool seeks_bytes() const { return options_.method.name == smallest_method; }
+  /// What is to be least.
+  [[nodiscard]] std::size_t cost_of(const ClipReduction& reduction) const {
+    return seeks_bytes() ? bytes_of_keys(reduction.clip) : reduction.rotation_keys + reduction.translation_keys;
+  }
+
   /// Keeps what is within the length in the world, and chooses the next factor.
   void judge(ClipWork& work, Clip after) const {
     ClipReduction reduction = measured(*work.before, std::move(after));
     const double length = options_.world_tolerance, found = reduction.distance.largest.value;
     if (!in_world() || (found <= length && found >= near_enough * length)) work.is_done = true;
     if (found > length) work.too_large = std::min(work.too_large, work.factor);
-    else if (!work.best || reduction.rotation_keys + reduction.translation_keys <=
-                               work.best->rotation_keys + work.best->translation_keys)
-      work.best = std::move(reduction);
+    else if (!work.best || cost_of(reduction) <= cost_of(*work.best)) work.best = std::move(reduction);
     if (work.is_done) return;
     const double wanted = 0.96 * length / std::max(found, 1e-3 * length);
     const double next = work.factor * std::min(wanted, 4.0);

@@ -17,6 +17,13 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// The method of clips that joins keys by cubic polynomials of the components with tangents of their own on either side
 /// of a key: glTF's CUBICSPLINE.
 inline constexpr std::string_view cubicspline_method = "cubicspline";
+/// In the place of a method. Of clips: each channel by `cubicspline` or `slerp`, or as it was, whichever has the fewest
+/// bytes in a glTF file.
+inline constexpr std::string_view smallest_method = "smallest";
+/// Whether it is one of these two, which only clips have.
+[[nodiscard]] constexpr bool is_of_clips_alone(std::string_view method) noexcept {
+  return method == cubicspline_method || method == smallest_method;
+}
 
 /// What the motion between the samples of a recording is taken to be.
 enum class BetweenSamples {
@@ -40,8 +47,8 @@ struct ClipReduceOptions {
   double position_tolerance = std::numeric_limits<double>::infinity();  ///< of translations [the skeleton's unit]
   double world_tolerance = std::numeric_limits<double>::infinity();     ///< of the shell distance [that unit]
   double shell = default_shell;                                         ///< of its points from a joint [that unit]
-  /// That; or `slerp`, whose channels are `linear`; or another one that reduce() takes, of which cubics follow the
-  /// curve. The rates of `hermite-c1` are sought with its keys.
+  /// That; or `smallest`; or `slerp`, whose channels are `linear`; or another one that reduce() takes, of which cubics
+  /// follow the curve. The rates of `hermite-c1` are sought with its keys.
   Method method{cubicspline_method};
   BetweenSamples between = BetweenSamples::stored;
   Cuts cuts = Cuts::usual;
@@ -95,11 +102,11 @@ struct ClipReduction {
 /// rounded, they may be before it or after it.
 [[nodiscard]] ORISPLINE_EXPORT Clip as_stored(Clip clip, const ClipReduceOptions& options);
 
-/// Every one of the clips with the fewest keys found whose rotations and translations are within the tolerances at
-/// every key that they had and between these, and whose places in the world are within theirs: of what the motion
-/// before is taken to be, which is looked at in eight places between two keys of the clip and beside the farthest of
-/// these until nothing rises. Channels that stay as they are are no distance off. The first and the last key of each
-/// channel stay.
+/// Every one of the clips with the fewest keys, or by `smallest` the fewest bytes, found whose rotations and
+/// translations are within the tolerances at every key that they had and between these, and whose places in the world
+/// are within theirs: of what the motion before is taken to be, which is looked at in eight places between two keys of
+/// the clip and beside the farthest of these until nothing rises. Channels that stay as they are are no distance off.
+/// The first and the last key of each channel stay.
 ///
 /// Cuts are not smoothed: each side of them is reduced by itself. Where a step is one, its first value is held until 1
 /// ms before the second.

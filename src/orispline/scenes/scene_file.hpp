@@ -31,6 +31,7 @@ struct Scene {
   Skeleton skeleton{};
   std::vector<Clip> clips{};
   std::size_t bytes = 0;                        ///< of the files that were read; 0 for a scene that was made
+  bool has_integer_keys = false;                ///< in the file, where they take fewer bytes than floats do
   std::vector<Warning> warnings{};              ///< of reading
   const SceneFormat* format = nullptr;          ///< of the file; null for a scene that was made
   std::shared_ptr<const SceneSource> source{};  ///< null for a scene that was made

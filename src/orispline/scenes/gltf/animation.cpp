@@ -331,6 +331,7 @@ Expected<Channel<P>> AnimationReader::read(const SamplerPlaces& places) {
                              "share accessors",
                              most_stored_));
   stored_left_ -= places.input.count;
+  found_integers_ = found_integers_ || places.output.type != ComponentType::f32;
   return sampler_keys(document_, places, reading_)
       .and_then([](const SamplerKeys& keys) { return channel_of<P>(keys, 0); })
       .map([&](Channel<P> channel) {

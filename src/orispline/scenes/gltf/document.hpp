@@ -209,6 +209,8 @@ class AnimationReader {
 
   /// Of the animations that were read.
   [[nodiscard]] std::vector<Warning> warnings() const;
+  /// Whether values of these are stored as integers.
+  [[nodiscard]] bool found_integers() const noexcept { return found_integers_; }
 
  private:
   template <CurvePoint P>
@@ -234,6 +236,7 @@ class AnimationReader {
   KnownChannels<Eigen::Vector3d> vectors_{};
   std::map<Accessor, SharedList<double>> times_{};
   std::vector<std::string> strided_{};
+  bool found_integers_ = false;
 };
 
 }}}  // namespace orispline::scenes::gltf

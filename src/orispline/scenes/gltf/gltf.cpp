@@ -516,6 +516,7 @@ Expected<Scene> scene_of(Document document, const SceneReading& reading) {
     scene.clips.push_back(std::move(*clip));
   }
   for (Warning& warning : animations.warnings()) scene.warnings.push_back(std::move(warning));
+  scene.has_integer_keys = animations.found_integers();
   scene.source = std::make_shared<const Source>(std::move(document), std::move(*nodes), reading);
   return scene;
 }
