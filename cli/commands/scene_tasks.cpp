@@ -6,7 +6,6 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/fields.hpp>
-#include <orispline/reduce/clip_bytes.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
 #include "commands/task_command.hpp"

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include <orispline/clip/clip.hpp>
+#include <orispline/reduce/clip_reduction.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -19,9 +20,6 @@ template <CurvePoint P>
 [[nodiscard]] std::size_t bytes_of_keys(const Channel<P>& channel) {
   return bytes_of_values(channel) + channel.size() * sizeof(float);
 }
-
-/// Of all channels of a clip, equal times of several channels once.
-[[nodiscard]] ORISPLINE_EXPORT std::size_t bytes_of_keys(const Clip& clip);
 
 /// The clip after with those channels as they were before that then take fewer bytes: channels with the same times
 /// hold these once, which may outweigh fewer keys with times of their own. Precondition: the channels are those of the

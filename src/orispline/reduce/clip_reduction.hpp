@@ -143,6 +143,10 @@ inline constexpr std::array words<Cuts>{word("usual", Cuts::usual,
 template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexcept;
 
+/// Of the keys of a clip in a glTF file, whose numbers are in single precision [bytes]: equal times of several channels
+/// once.
+[[nodiscard]] ORISPLINE_EXPORT std::size_t bytes_of_keys(const Clip& clip);
+
 /// The tolerances that are given: `0.1°, 0.02 m in the world`.
 ///
 /// `metres`: in the skeleton's unit of length; `unit`: what follows a length, such as ` m`.
