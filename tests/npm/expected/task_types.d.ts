@@ -41,6 +41,10 @@ export interface Tasks {
             gap?: Text | undefined;
             /** Let the smoothing time of the orientations vary in time, where that predicts the samples clearly better. */
             adapt?: Flag | undefined;
+            /** Of a skeleton: bridge runs of frames in which joints jump away and back while the others go on. */
+            runs?: Flag | undefined;
+            /** Of a skeleton: joints that stay where they stand on the ground, or auto for those in which its legs end. */
+            keep_contacts?: Text | undefined;
             /** Add one standard deviation of every orientation and rate, along the axes of the body. */
             sigma?: Flag | undefined;
         };
@@ -107,13 +111,17 @@ export interface Tasks {
             gap?: Text | undefined;
             /** Let the smoothing time of the orientations vary in time, where that predicts the samples clearly better. */
             adapt?: Flag | undefined;
+            /** Of a skeleton: bridge runs of frames in which joints jump away and back while the others go on. */
+            runs?: Flag | undefined;
+            /** Of a skeleton: joints that stay where they stand on the ground, or auto for those in which its legs end. */
+            keep_contacts?: Text | undefined;
             /** Add one standard deviation of every orientation and rate, along the axes of the body. */
             sigma?: Flag | undefined;
             /** Cut-off frequency 1/(2 pi tau) [Hz] instead of the smoothing time: half of a motion at it is left. */
             cutoff?: Text | Flag | undefined;
-            /** Largest angle that is allowed between a joint and its key before, in the frame of its parent. */
+            /** Largest angle that a joint may be off at any time, in the frame of its parent. */
             tolerance?: Text | undefined;
-            /** Largest distance that is allowed between a joint's translation and its key before. */
+            /** Largest distance that a joint's translation may be off at any time. */
             position_tolerance?: Text | undefined;
             /** Whether keys stay at samples. */
             values?: 'sampled' | 'refit' | undefined;
@@ -121,8 +129,10 @@ export interface Tasks {
             world_tolerance?: Text | undefined;
             /** Distance from a joint of the points that are compared in the world. */
             shell?: Text | undefined;
-            /** What the motion of a clip between its keys is taken to be. */
+            /** What the motion of a clip between its keys is taken to be; of BVH, whose frames are samples, smooth unless you say otherwise. */
             between?: 'smooth' | 'stored' | undefined;
+            /** Which jumps of joints are cuts, on either side of which nothing swings. */
+            cuts?: 'usual' | 'steps' | 'none' | undefined;
         };
     };
     /** The least slowing that keeps a motion within limits. */
@@ -269,11 +279,56 @@ export interface Tasks {
         };
         options: {
             /** Look between keys too: at so many times per second, and beside the largest differences [Hz]. */
-            rate?: Text | Flag | undefined;
+            rate?: Text | undefined;
             /** At most so many at work; 0: one per core. */
             threads?: Text | Flag | undefined;
             /** Distance from a joint of the points that are compared in the world. */
             shell?: Text | undefined;
+        };
+    };
+    /** Clips of a skeleton cut, turned round, joined, closed into loops, or with the way of a root taken out. */
+    clip: {
+        inputs: {
+            /** A skeleton with its clips, each of which is edited. */
+            scene: SceneInput;
+            /** The same skeleton with the clip that comes behind. */
+            append?: SceneInput | undefined;
+        };
+        options: {
+            /** The name of that clip, where its file has several. */
+            append_clip?: Text | Flag | undefined;
+            /** The joint whose way a loop keeps, and goes on in the appended clip. */
+            root?: Text | Flag | undefined;
+            /** The joint whose way across and heading about up go into a node above it. */
+            extract_root?: Text | Flag | undefined;
+            /** That node, in the place of the topmost one. */
+            root_node?: Text | Flag | undefined;
+            /** The joint whose way across and heading about up are taken out. */
+            in_place?: Text | Flag | undefined;
+            /** At most so many at work; 0: one per core. */
+            threads?: Text | Flag | undefined;
+            /** Keep the clip from this time on. */
+            from?: Text | undefined;
+            /** Keep the clip up to this time. */
+            to?: Text | undefined;
+            /** Let it go backwards. */
+            reverse?: Flag | undefined;
+            /** Let it go so many times as fast. */
+            speed?: Text | undefined;
+            /** How long the clip goes over into the appended one. */
+            blend?: Text | undefined;
+            /** Close it, so that it goes on from its end at its start. */
+            loop?: Flag | undefined;
+            /** With a loop: keep the part of at least this length whose ends are most alike. */
+            period_from?: Text | undefined;
+            /** With a loop: keep the part of at most this length whose ends are most alike. */
+            period_to?: Text | undefined;
+            /** The axis of the world that points up. */
+            up?: 'y' | 'z' | undefined;
+            /** Keys at so many even times per second, and one at the end. */
+            rate?: Text | undefined;
+            /** Let it start at this time. */
+            shift?: Text | undefined;
         };
     };
 }

@@ -22,6 +22,10 @@ export interface SceneFile {
     clips?: string[] | undefined;
     /** Keeps the first of keys at equal times. */
     dropDuplicates?: boolean | undefined;
+    /** Takes the whole frames of a BVH file that was cut off. */
+    salvage?: boolean | undefined;
+    /** Whether cubic rotations whose signs flip go the short way, or as their signs say; nothing: that, with a warning. */
+    signs?: 'shortest' | 'as-given' | undefined;
 }
 export type KeyInput = KeyData | KeyTrack;
 export type RateInput = RateData;
