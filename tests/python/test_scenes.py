@@ -88,7 +88,8 @@ def test_the_world_tolerance_holds_the_shell_distance(arm):
     distances = ori.shell_distance(arm, small, shell=0.05)
     clip, = distances
     assert set(distances[clip]) >= {"shoulder", "elbow"}
-    assert max(distances[clip].values()) == pytest.approx(report.distance.value) and report.distance.value <= 0.002
+    # The report looks between the keys too, where both move on.
+    assert 0.99 * report.distance.value <= max(distances[clip].values()) <= report.distance.value <= 0.002
     assert report.rotation_keys < 60
 
 

@@ -438,7 +438,10 @@ class SceneEdit(_DoneToScene):
 
     @classmethod
     def _of(cls, core: Any) -> SceneEdit:
-        clips = (EditedClip(*(Worst(*value) if isinstance(value, tuple) else value for value in clip)) for clip in core.attributes()["clips"])
+        clips = []
+        for clip in core.attributes()["clips"]:
+            values: list[Any] = [Worst(*value) if isinstance(value, tuple) else value for value in clip]
+            clips.append(EditedClip(*values))
         return cls(tuple(clips), core.members(), core.summary(), core)
 
 
