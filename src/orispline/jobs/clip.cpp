@@ -213,7 +213,10 @@ std::string summary_of(const ClipOutcome& outcome) {
   const std::string& name = outcome.request.file.name;
   std::string text =
       formatted("{}{}\n", counted(outcome.clips.size(), "clip"), name.empty() ? "" : " from " + printable(name));
-  for (std::size_t i = 0; i < outcome.clips.size(); ++i) text += lines_of(outcome, i);
+  constexpr std::size_t most_shown = 10;
+  const std::size_t shown = std::min(most_shown, outcome.clips.size());
+  for (std::size_t i = 0; i < shown; ++i) text += lines_of(outcome, i);
+  if (shown < outcome.clips.size()) text += formatted("… and {} clips more\n", outcome.clips.size() - shown);
   return text;
 }
 

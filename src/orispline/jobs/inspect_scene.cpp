@@ -59,12 +59,12 @@ std::string clips_table(const InspectSceneOutcome& outcome) {
   if (clips.empty()) return "";
   std::size_t width = 4;
   for (const Clip& clip : clips) width = std::max(width, printable(clip.name).size());
-  std::string table = formatted("\n  {:<{}}{:>11}{:>8}{:>9}{:>7}{:>10}{:>10}{:>13}\n", "clip", width, "duration",
+  std::string table = formatted("\n  {:<{}}{:>11}{:>8}{:>9}{:>7}{:>10}{:>11}{:>15}\n", "clip", width, "duration",
                                 "tracks", "keys", "flips", "max step", "seam", "seam rate");
   for (std::size_t i = 0; i < clips.size(); ++i) {
     const SceneCounts& counts = outcome.clips[i];
     const Domain domain = clips[i].whole_domain();
-    table += formatted("  {:<{}}{:>9.4g} s{:>8}{:>9}{:>7}{:>9.4g}°{:>9.4g}°{:>9.4g} °/s\n", printable(clips[i].name),
+    table += formatted("  {:<{}}{:>9.4g} s{:>8}{:>9}{:>7}{:>9.4g}°{:>10.4g}°{:>11.4g} °/s\n", printable(clips[i].name),
                        width, domain.end - domain.start, counts.rotation_tracks, counts.rotation_keys,
                        counts.sign_flips, counts.widest_step * degrees, outcome.seams[i].pose.value * degrees,
                        outcome.seams[i].rate.value * degrees);
