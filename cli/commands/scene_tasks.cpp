@@ -128,13 +128,14 @@ std::string size_text(std::size_t bytes) {
   return formatted("{:.3g} {}", static_cast<double>(bytes) * (is_large ? 1e-6 : 1e-3), is_large ? "MB" : "kB");
 }
 
+std::size_t bytes_of_all(const std::vector<Clip>& clips) {
+  std::size_t bytes = 0;
+  for (const Clip& clip : clips) bytes += bytes_of_keys(clip);
+  return bytes;
+}
+
 /// Why a file that was written may be larger than the one that was read, though it has fewer keys.
 std::string why_larger(const TaskJob& job, const std::vector<Clip>& clips) {
-  const auto bytes_of_all = [](const std::vector<Clip>& all) {
-    std::size_t bytes = 0;
-    for (const Clip& clip : all) bytes += bytes_of_keys(clip);
-    return bytes;
-  };
   std::string why = "the keys of the input are integers, and floats are written";
   if (!job.scene.has_integer_keys) {
     if (bytes_of_all(clips) <= bytes_of_all(job.scene.clips))
@@ -159,7 +160,8 @@ Expected<WrittenResult> write_reduced_scene(const TaskArguments& arguments, Task
   const std::string why = why_larger(job, outcome.scenes.front().clips);
   return write_clips(arguments, job, outcome).map([&] {
     const std::size_t after = bytes_of(arguments.output.path);
-    if (before > 0 && after > before) warn({larger_file(arguments.output.path, after, before, why)});
+    if (before > 0 && after > before && bytes_of_all(job.scene.clips) > 0)
+      warn({larger_file(arguments.output.path, after, before, why)});
     const std::string sizes = before == 0 ? "" : formatted(": {} of {}", size_text(after), size_text(before));
     WrittenResult written{.text = formatted("written to {}{}\n", destination(arguments.output.path), sizes)};
     if (before > 0) written.members.emplace_back("bytes_before", before);

@@ -57,7 +57,8 @@ Expected<jobs::TaskValue> skeleton_of(const Input& input, std::optional<scenes::
                                                                   .has_no_unit = scene.format->has_no_unit,
                                                                   .format = scene.format->file,
                                                                   .title = scene.format->title,
-                                                                  .is_single_precise = scene.format->holds_floats}));
+                                                                  .is_single_precise = scene.format->holds_floats,
+                                                                  .is_sampled = scene.format->is_sampled}));
   });
 }
 

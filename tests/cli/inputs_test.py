@@ -59,7 +59,7 @@ class Turns(CommandTest):
                 said = warning.replace("csv:2:", "csv:") if command.startswith("sample") and "--rate" in command else warning
                 keeps_signs = command.startswith("convert")  # and with them the turns
                 self.assertEqual(done.stderr.count(said), 0 if keeps_signs else 1, done.stderr)
-        self.assertEqual(self.run_command("sample clock.csv --count 3 --signs as-given --quiet").stderr, "")
+        self.assertEqual(self.run_command("sample clock.csv --count 3 --signs as-given --method slerp --quiet").stderr, "")
 
     def test_steps_near_180_degrees_are_warned_of(self):
         self.write("half.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.6,0,0,0.8\n2,-0.8,0,0,0.6\n3,-1,0,0,0\n")

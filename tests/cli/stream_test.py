@@ -50,7 +50,8 @@ class Streamed(CommandTest):
         self.assertNotIn("--sort", arguments)
         held = self.run_command(f"sample {arguments} --sort -o held.{suffix}", **options)
         done = self.run_command(f"sample {arguments} -o streamed.{suffix}", **options)
-        self.assertEqual(done.stderr.replace("streamed", "held"), held.stderr)
+        of_all_keys = "".join(line for line in held.stderr.splitlines(True) if " away from the shortest way, " not in line)
+        self.assertEqual(done.stderr.replace("streamed", "held"), of_all_keys)
         self.assertEqual((done.returncode, done.stdout.replace("streamed", "held")), (held.returncode, held.stdout))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue((self.folder / f"held.{suffix}").read_bytes() == (self.folder / f"streamed.{suffix}").read_bytes(),

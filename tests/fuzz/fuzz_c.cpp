@@ -262,6 +262,9 @@ class Program {
     error = nullptr;
     text = nullptr;
     take_text(orispline_curve_warnings(curve, &text, &error), error, text);
+    error = nullptr;
+    text = nullptr;
+    take_text(orispline_bake_text(curve, 1e-3, 1e-3, &text, &error), error, text);
     claim(orispline_curve_has_positions(curve) <= 1, "positions neither there nor not");
   }
 

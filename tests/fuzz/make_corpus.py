@@ -20,6 +20,8 @@ SECOND = 20  # the byte of a step of 2^0 s
 
 # How many families and methods of streams there are; seeds name them by number, and too large a number starts over.
 FAMILIES, ONLINE = 35, 25
+# In this order each has the seeds that it had before monotone, the last here, came among them.
+NUMBERS = [*range(16), *range(17, FAMILIES + 1), 16]
 
 # What a key asks for behind its turn.
 TURN_BYTES = {NONE: b"", FULL: b"", HALF: b"\x02", TINY: bytes([8, 90, 200, 30]), ORDINARY: bytes([60, 220, 30]),
@@ -57,11 +59,11 @@ LOOP = bytes([0b10000, 5]) + bytes(30)
 
 
 def curve_seeds():
-    for family in range(FAMILIES):
+    for family, number in enumerate(NUMBERS):
         for name in ("walk", "uneven"):
-            yield f"{family:02}_{name}", bytes([family]) + PLAIN + KEY_SEEDS[name]
+            yield f"{family:02}_{name}", bytes([number]) + PLAIN + KEY_SEEDS[name]
         name = list(KEY_SEEDS)[family % len(KEY_SEEDS)]
-        yield f"{family:02}_{name}_settings", bytes([family]) + (LOOP if family % 3 == 0 else SETTINGS) + KEY_SEEDS[name]
+        yield f"{family:02}_{name}_settings", bytes([number]) + (LOOP if family % 3 == 0 else SETTINGS) + KEY_SEEDS[name]
 
 
 def online_seeds():

@@ -63,13 +63,13 @@ test('what it bakes is what the command bakes, and is played', () => {
   const one = ori.curve('auto', { times: [2], orientations: [0, 0, 1, 0], order: 'xyzw' }).bake({ tolerance: 1e-3 });
   assert.deepEqual(player(one).at(5), [0, 0, 1, 0]);
   const error = thrown(() => ori.curve('auto', flight).bake({ tolerance: 0 }));
-  assert.deepEqual([error.code, error.message], ['bad_argument', 'the tolerance is 0 rad, wanted a number from 1e-06 on']);
+  assert.deepEqual([error.code, error.message], ['bad_argument', 'tolerance: the tolerance is 0 rad, wanted a number from 1e-06 on']);
 });
 
 test('a tolerance that is missed names one that is kept', () => {
   const near = { times: [0, 1, 1.0000001, 2, 3], orientations: [1, 0, 0, 0, 0.6, 0.8, 0, 0, 0.6, 0, 0.8, 0, 0, 0, 0, 1, 1, 0, 0, 0], order: 'wxyz' };
   const curve = ori.curve('rational', near), error = thrown(() => curve.bake({ tolerance: 1e-6 }));
-  const offered = Number(/^key 0: at \S+ s even the shortest piece reaches \S+ rad, wanted 1e-06: ask for (\S+) rad or more, which all of the curve keeps to$/.exec(error.message)?.[1]);
+  const offered = Number(/^key 0: tolerance: at \S+ s even the shortest piece reaches \S+ rad, wanted 1e-06: ask for (\S+) rad or more, which all of the curve keeps to$/.exec(error.message)?.[1]);
   assert.ok(2 * curve.bake({ tolerance: offered }).largest_difference <= offered, error.message);
 });
 

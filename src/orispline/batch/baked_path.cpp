@@ -15,8 +15,9 @@ namespace {
 
 using PathPiece = BakedPath::Piece;
 
-/// Where a piece is at a time on it.
-Eigen::Vector3d place_on(const PathPiece& piece, double t) noexcept {
+/// Where a piece is at a time on it. By itself: GCC 12 would take coefficients of which it sees how they were made as
+/// if they had not been rounded to `float`.
+[[gnu::noinline]] Eigen::Vector3d place_on(const PathPiece& piece, double t) noexcept {
   const double s = (t - piece.middle) * piece.per_step;
   Eigen::Vector3d place;
   for (Eigen::Index k = 0; k < 3; ++k) {

@@ -107,7 +107,10 @@ void StreamSamples::warn_of_first(const KeyPiece& piece) const {
   track.lines = piece.lines;
   track.settings = piece.settings;
   auto warnings = warnings_of(request_.method, track);
-  std::erase_if(warnings, [](const Warning& warning) { return warning.code == "near_half_turn"; });
+  // The first is of all keys, and so is which span the second names.
+  std::erase_if(warnings, [](const Warning& warning) {
+    return warning.code == "near_half_turn" || warning.code == "overshot_span";
+  });
   request_.warn(std::move(warnings));
 }
 

@@ -231,9 +231,9 @@ namespace {
 /// The nodes whose translations are no places but the weights of an avatar's expressions: so does VRM animate these.
 std::vector<std::size_t> expression_nodes(const Document& document) {
   std::vector<std::size_t> nodes;
-  const Json expressions =
-      document.json.value(Json::json_pointer("/extensions/VRMC_vrm_animation/expressions"), Json::object());
-  for (const Json& kind : expressions)
+  const Json::json_pointer place("/extensions/VRMC_vrm_animation/expressions");
+  if (!document.json.contains(place)) return nodes;
+  for (const Json& kind : document.json.at(place))
     for (const Json& expression : kind.is_object() ? kind : Json::object())
       if (const auto node = expression.is_object() ? expression.find("node") : expression.end();
           node != expression.end() && node->is_number_unsigned())
