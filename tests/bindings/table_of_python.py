@@ -6,6 +6,7 @@ import io
 import json
 import os
 import pathlib
+import re
 import sys
 import warnings
 
@@ -85,6 +86,13 @@ def made_of(result):
     return [{"times": keys.times.tolist(), "rates": keys.rates.ravel().tolist()}] if isinstance(keys, ori.Rates) else []
 
 
+def told_of(warning):
+    """As documents have it: Python's text begins with the place."""
+    placed = re.fullmatch(r"\S+:(\d+): key (\d+): (.*)", str(warning), re.S)
+    place = {"line": int(placed[1]), "key": int(placed[2])} if placed else {}
+    return {"code": warning.code, "message": placed[3] if placed else str(warning), **place, **warning.numbers}
+
+
 def found(files, request):
     task, options = request["task"], {name: value_of(name, text) for name, text in request["options"].items()}
     if not is_python(request, files):
@@ -99,7 +107,7 @@ def found(files, request):
         except (ori.Error, TypeError) as error:
             return {"error": str(error)}
     report = result[-1] if isinstance(result, tuple) else result
-    told = [{"code": one.message.code, "message": str(one.message), **one.message.numbers} for one in caught]
+    told = [told_of(one.message) for one in caught]
     if isinstance(report, list):
         documents = [one.as_dict() for one in report]
         return {"document": {"windows": documents} if task == "mean" else documents, "warnings": told}

@@ -40,6 +40,14 @@ def csv(count, seed=1):
     return "\n".join(rows) + "\n"
 
 
+def told(output):
+    """What is printed, without that of all keys which a stream does not say."""
+    if not output.startswith("{"):
+        return output
+    document = json.loads(output)
+    return document | {"warnings": [warning for warning in document["warnings"] if warning["code"] != "overshot_span"]}
+
+
 class Streamed(CommandTest):
     """More keys than a piece has, so that there are several."""
 
@@ -50,9 +58,11 @@ class Streamed(CommandTest):
         self.assertNotIn("--sort", arguments)
         held = self.run_command(f"sample {arguments} --sort -o held.{suffix}", **options)
         done = self.run_command(f"sample {arguments} -o streamed.{suffix}", **options)
-        of_all_keys = "".join(line for line in held.stderr.splitlines(True) if " away from the shortest way, " not in line)
-        self.assertEqual(done.stderr.replace("streamed", "held"), of_all_keys)
-        self.assertEqual((done.returncode, done.stdout.replace("streamed", "held")), (held.returncode, held.stdout))
+        # Where a curve swings away is said of keys that are all at hand.
+        said = ["".join(line for line in text.splitlines(True) if " away from the shortest way, " not in line)
+                for text in (done.stderr.replace("streamed", "held"), held.stderr)]
+        self.assertEqual(*said)
+        self.assertEqual((done.returncode, told(done.stdout.replace("streamed", "held"))), (held.returncode, told(held.stdout)))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue((self.folder / f"held.{suffix}").read_bytes() == (self.folder / f"streamed.{suffix}").read_bytes(),
                         f"{arguments}: the samples differ")
