@@ -107,9 +107,9 @@ void StreamSamples::warn_of_first(const KeyPiece& piece) const {
   track.lines = piece.lines;
   track.settings = piece.settings;
   auto warnings = warnings_of(request_.method, track);
-  // The first is of all keys, and so is which span the second names.
-  std::erase_if(warnings, [](const Warning& warning) {
-    return warning.code == "near_half_turn" || warning.code == "overshot_span";
+  // The first is of all keys, told at the end; which span the second names takes all of them too.
+  std::erase_if(warnings, [&](const Warning& warning) {
+    return warning.code == "near_half_turn" || (warning.code == "overshot_span" && !piece.is_last);
   });
   request_.warn(std::move(warnings));
 }
