@@ -21,18 +21,6 @@ namespace orispline::cli {
 
 namespace {
 
-/// What the task is told of a file, without its clips.
-jobs::MotionFile file_of_format(const std::string& name, const scenes::SceneFormat* format) {
-  jobs::MotionFile file{.name = name};
-  if (!format) return file;  // keys of a table
-  file.has_no_unit = format->has_no_unit;
-  file.format = format->file;
-  file.title = format->title;
-  file.is_single_precise = format->holds_floats;
-  file.is_sampled = format->is_sampled;
-  return file;
-}
-
 /// The words of a task on a skeleton, with its options checked by what the name of the file tells.
 Expected<TaskJob> understood(std::string_view task, const TaskArguments& arguments, Expected<Method> method) {
   FirstError checked;
@@ -185,13 +173,6 @@ Expected<jobs::TaskValue> motion_in(const TaskArguments& arguments, const std::s
 }
 
 }  // namespace
-
-std::shared_ptr<const jobs::MotionFile> motion_of(const std::string& name, const scenes::Scene& scene) {
-  jobs::MotionFile file = file_of_format(name, scene.format);
-  file.skeleton = scene.skeleton;
-  file.clips = scene.clips;
-  return std::make_shared<const jobs::MotionFile>(std::move(file));
-}
 
 const TaskSteps smooth_scene_steps{"smooth", smooth_scene_job, read_scene_of, write_smooth_scene};
 const TaskSteps reduce_scene_steps{"reduce", reduce_scene_job, read_scene_of, write_reduced_scene};

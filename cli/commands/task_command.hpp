@@ -102,9 +102,6 @@ struct TaskSteps {
 /// `keys written to keys.csv` and an end of line.
 [[nodiscard]] std::string written_text(const TaskArguments& arguments, std::string_view what);
 
-/// The clips of a file as a task takes them.
-[[nodiscard]] std::shared_ptr<const jobs::MotionFile> motion_of(const std::string& name, const scenes::Scene& scene);
-
 // The tasks on skeletons, whose output is one.
 extern const TaskSteps smooth_scene_steps, reduce_scene_steps;
 /// Whether the output is a file of skeletons.

@@ -95,4 +95,22 @@ Expected<scenes::SceneWriting> scene_writing(const OutputOptions& options) {
   return writing;
 }
 
+jobs::MotionFile file_of_format(const std::string& name, const scenes::SceneFormat* format) {
+  jobs::MotionFile file{.name = name};
+  if (!format) return file;
+  file.has_no_unit = format->has_no_unit;
+  file.format = format->file;
+  file.title = format->title;
+  file.is_single_precise = format->holds_floats;
+  file.is_sampled = format->is_sampled;
+  return file;
+}
+
+std::shared_ptr<const jobs::MotionFile> motion_of(const std::string& name, const scenes::Scene& scene) {
+  jobs::MotionFile file = file_of_format(name, scene.format);
+  file.skeleton = scene.skeleton;
+  file.clips = scene.clips;
+  return std::make_shared<const jobs::MotionFile>(std::move(file));
+}
+
 }  // namespace orispline::cli

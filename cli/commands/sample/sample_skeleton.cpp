@@ -47,9 +47,8 @@ Expected<void> sample_skeleton(const SampleArguments& options) {
   auto scene = std::move(checked).or_else(input).and_then(open_scene);
   if (!scene) return tl::unexpected(std::move(scene.error()));
   warn(scene->warnings);
-  jobs::TaskRequest request{.options = {{"rate", *options.rows.rate}}};
-  request.inputs = {{"scene", std::make_shared<const jobs::MotionFile>(jobs::MotionFile{
-                                  .name = options.input.path, .skeleton = scene->skeleton, .clips = scene->clips})}};
+  const jobs::TaskRequest request{.inputs = {{"scene", motion_of(options.input.path, *scene)}},
+                                  .options = {{"rate", *options.rows.rate}}};
   auto outcome = jobs::run_task("clip", request);
   if (!outcome) return tl::unexpected(std::move(outcome.error()));
   warn(outcome->warnings);
