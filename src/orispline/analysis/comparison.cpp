@@ -14,6 +14,7 @@
 #include <orispline/base/parallel.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/motion.hpp>
+#include <orispline/families/method_text.hpp>
 #include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
 
@@ -93,6 +94,23 @@ std::vector<std::size_t> first_of_equal(std::span<const Candidate> candidates) {
   return firsts;
 }
 
+/// Whether its curve has the least ∫|α|² through its keys, so that no other need be sought.
+bool is_least_curve(const Candidate& candidate) {
+  const Keyframes& keys = candidate.keys;
+  return candidate.stretches.empty() && text_of(candidate.method) == "least" &&
+         keys.angular_velocities().empty() && keys.angular_accelerations().empty();
+}
+
+/// For each candidate the one whose measures have the least ∫|α|² through its keys; none where it is to be sought.
+std::vector<std::optional<std::size_t>> least_curves(std::span<const Candidate> candidates,
+                                                     std::span<const std::size_t> firsts) {
+  std::vector<std::optional<std::size_t>> of_first(candidates.size()), found;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (is_least_curve(candidates[i])) of_first[firsts[i]] = i;
+  for (const std::size_t first : firsts) found.push_back(of_first[first]);
+  return found;
+}
+
 }  // namespace
 
 Expected<PoseCurve> curve_of(const Candidate& candidate) {
@@ -136,15 +154,21 @@ Comparison compare(std::span<const Candidate> candidates, const RecordedMotion& 
   Comparison comparison{.measures = std::vector<Expected<Measures>>(candidates.size()),
                         .warnings = warnings_of(options.inertia)};
   const std::vector<std::size_t> firsts = first_of_equal(candidates);
+  const auto least_curve = least_curves(candidates, firsts);
   std::vector<std::optional<double>> least(candidates.size());
   CountedWork work(progress, candidates.size());
   parallel_for(candidates.size(), threads, [&](std::size_t i) {
     comparison.measures[i] = progress.stopped() ? Expected<Measures>(cancellation())
                                                 : measure(candidates[i], recording, options, {.stop = progress.stop});
-    if (options.least_energy && candidates[i].stretches.empty() && firsts[i] == i && !progress.stopped())
+    if (options.least_energy && candidates[i].stretches.empty() && firsts[i] == i && !least_curve[i] &&
+        !progress.stopped())
       least[i] = least_energy(candidates[i].keys);
     work.add_part();
   });
+  if (options.least_energy)
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      if (least_curve[i] && comparison.measures[*least_curve[i]])
+        least[firsts[i]] = comparison.measures[*least_curve[i]]->energies.acceleration;
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (auto& measures = comparison.measures[i]) measures->least_energy = least[firsts[i]];
   return comparison;

@@ -25,6 +25,7 @@ constexpr double first_damping = 1e-4, least_damping = 1e-7, most_damping = 1e10
 constexpr double longest_step = 4.0;        // [rad]
 constexpr double longest_flat_step = 1e-3;  // [rad]; such a step that gains no more than rounding is the last one
 constexpr double flat_gain = 1e-9;  // of the energy, whose rounding is as large where many turns take short times
+constexpr int most_flat_steps = 10;  // that gain no more than that, one after the other, and have not converged
 constexpr double poor_gain = 0.25, good_gain = 0.75;  // of what a step should gain: more or less damping
 
 using Block = Eigen::Matrix<double, unknowns, unknowns>;
@@ -237,8 +238,8 @@ template <LeastOf F>
 LeastOutcome newton_steps_of(LeastProblem& problem, double now) {
   LeastOutcome outcome{.converged = false, .last_step = std::numeric_limits<double>::infinity(), .widest = 0};
   double damping = 0.0;
-  int trials = 0;
-  for (int i = 0; i < most_newton_steps && std::isfinite(now); ++i) {
+  int trials = 0, flat = 0;
+  for (int i = 0; i < most_newton_steps && flat < most_flat_steps && std::isfinite(now); ++i) {
     const auto equations = LeastNewton::at<F>(problem);
     const std::vector<LeastNode> before = problem.nodes;
     while (true) {
@@ -254,6 +255,7 @@ LeastOutcome newton_steps_of(LeastProblem& problem, double now) {
                                !(2.0 * trial->step.size < outcome.last_step);  // of long turns, by their rounding
           const bool settled = damping == 0.0 && (trial->step.size < least_tolerance || stalled);
           const bool exact = settled && (stalled || Ending::is_exact(trial->step.size, outcome));
+          flat = trial->gain < flat_gain * now ? flat + 1 : 0;
           now = there;
           outcome = {.converged = settled, .last_step = trial->step.size, .widest = trial->step.widest};
           if (exact) return outcome;
