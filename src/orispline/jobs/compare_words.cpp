@@ -89,6 +89,9 @@ std::string note_on_infinite(const MeasureInfo& measure) {
 std::vector<std::string> notes_of(const CompareOutcome& outcome, std::size_t key_set,
                                   const std::vector<MeasureInfo>& measures) {
   std::vector<std::string> notes;
+  for (const ComparedMethod& method : outcome.methods)
+    if (method.key_set == key_set && !method.measures)
+      notes.push_back(formatted("{} has no curve: {}", method.label, describe(method.measures.error())));
   if (outcome.alignment) notes.push_back(line_of(*outcome.alignment) + ".");
   if (const auto names = methods_with_rates(outcome, key_set); !names.empty())
     notes.push_back(formatted("{} took the logged rates at the keys too.", joined(names, ", ")));
@@ -114,12 +117,10 @@ report::Table table_of(const CompareOutcome& outcome, std::size_t key_set) {
     table.columns.push_back({.name = std::string(heading_of(outcome, measure)),
                              .digits = measure.digits,
                              .rank = measure.word == outcome.request.sort ? 0 : measure.rank});
-  table.columns.push_back({""});  // why a method failed
   for (const ComparedMethod& method : outcome.methods) {
     if (method.key_set != key_set) continue;
     auto& row = table.rows.emplace_back(std::vector<report::Cell>{method.label, continuity_of(method)});
     for (const MeasureInfo& measure : measures) row.push_back(cell_of(outcome, measure, method));
-    if (!method.measures) row.emplace_back(describe(method.measures.error()));
   }
   table.notes = notes_of(outcome, key_set, measures);
   return table;
