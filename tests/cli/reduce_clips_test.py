@@ -7,7 +7,7 @@ import math
 import struct
 
 from command import BAD_USAGE, SUCCESS, main
-from small_scenes import FRAMES, SceneTest, bvh_text, gltf_document, parts_of_glb, samplers_of
+from small_scenes import FRAMES, SceneTest, bvh_text, gltf_document, parts_of_glb, samplers_of, turn_about
 
 CUT = 70  # the frame where the second shot begins
 
@@ -168,6 +168,27 @@ def avatar_motion():
                                "channels": [{"sampler": 0, "target": {"node": 2, "path": "translation"}},
                                             {"sampler": 1, "target": {"node": 0, "path": "rotation"}}]}]
     return document, weights
+
+
+def step_motion():
+    """Three turns of one node, between which it rests."""
+    data = struct.pack("<3f", 0, 1, 2) + struct.pack("<12f", *(c for angle in (0, 40, 90) for w, x, y, z in [turn_about(2, angle)] for c in (x, y, z, w)))
+    return {"asset": {"version": "2.0"}, "nodes": [{"name": "sign"}], "scenes": [{"nodes": [0]}],
+            "animations": [{"name": "blink", "channels": [{"sampler": 0, "target": {"node": 0, "path": "rotation"}}],
+                            "samplers": [{"input": 0, "output": 1, "interpolation": "STEP"}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "SCALAR", "min": [0.0], "max": [2.0]},
+                          {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC4"}],
+            "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 12}, {"buffer": 0, "byteOffset": 12, "byteLength": 48}],
+            "buffers": [{"byteLength": 60, "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}]}
+
+
+class Steps(ReduceTest):
+    def test_a_clip_of_steps_alone_stays_as_it_is(self):
+        self.write("blink.gltf", json.dumps(step_motion()))
+        for options in ("--tolerance 1deg", "--tolerance 1deg --between smooth", "--world-tolerance 1mm --closed --cuts"):
+            self.assertIn("rotations       3 of 3 keys", self.told(f"reduce blink.gltf {options} -o small.glb"), options)
+            self.assertNotIn("from_stored_deg", self.json_of(f"reduce blink.gltf {options} -o small.glb"), options)
+            self.assertEqual(self.json_of("difference blink.gltf small.glb")["angle_max_deg"], 0, options)
 
 
 class Avatars(SceneTest):
