@@ -237,7 +237,7 @@ class Compare(CommandTest):
         lines = self.on_terminal(80, ["compare", "cubic.csv", "--methods", "auto,bezier", "--sort", "seconds"])
         self.assertIn("time", lines[1])
         self.assertLessEqual(max(map(len, lines)), 80, "\n".join(lines))
-        self.assertTrue(any(line.startswith("      cubic.csv: ") for line in lines), "\n".join(lines))
+        self.assertTrue(any(line.startswith("  bezier has no curve: cubic.csv: ") for line in lines), "\n".join(lines))
 
     def test_rounding_errors_are_0_in_the_table(self):
         text = self.output_of("compare keys.csv --reference keys.csv --methods slerp")

@@ -111,19 +111,6 @@ std::string wrapped(std::string_view text, std::size_t longest, std::string_view
   return lines.append(blanks).append(line).append("\n");
 }
 
-/// Takes the remarks on the rows out of the table.
-std::vector<std::string> taken_remarks(Table& table) {
-  std::vector<std::string> remarks(table.rows.size());
-  if (table.columns.empty() || !table.columns.back().name.empty()) return remarks;
-  table.columns.pop_back();
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    if (table.rows[i].size() <= table.columns.size()) continue;
-    if (is_word(table.rows[i].back())) remarks[i] = std::get<std::string>(table.rows[i].back());
-    table.rows[i].pop_back();
-  }
-  return remarks;
-}
-
 /// Leaves columns out until the rest fits, or may not be left out; says which.
 std::vector<std::string> narrowed(Table& table, std::size_t longest) {
   std::vector<std::string> left_out;
@@ -151,18 +138,14 @@ std::string text_of(const Table& table) {
 
 std::string text_of(Table table, std::size_t longest, std::string_view left_out) {
   const bool fits = width_of(strips_of(table, in_one_line)) <= longest;
-  const auto remarks = fits ? std::vector<std::string>(table.rows.size()) : taken_remarks(table);
-  const Heads heads = fits || width_of(strips_of(table, in_one_line)) <= longest ? in_one_line : in_two_lines;
+  const Heads heads = fits ? in_one_line : in_two_lines;
   if (const auto names = heads == in_two_lines ? narrowed(table, longest) : std::vector<std::string>(); !names.empty())
     table.notes.push_back(formatted("{} {}.", left_out, joined(names, ", ")));
   const auto strips = strips_of(table, heads);
   const std::size_t head_lines = heads == in_two_lines ? 2 : 1;
   std::string text = wrapped(table.title, longest, "");
   for (std::size_t line = 0; line < head_lines; ++line) text += line_of(strips, line);
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    text += lines_of(table, strips, row, head_lines);
-    if (!remarks[row].empty()) text += wrapped(remarks[row], longest, "      ");
-  }
+  for (std::size_t row = 0; row < table.rows.size(); ++row) text += lines_of(table, strips, row, head_lines);
   for (const std::string& note : table.notes) text += wrapped(note, longest, "  ");
   return text;
 }

@@ -18,7 +18,7 @@ using Cell = std::variant<std::string, double>;
 enum class Notation { shortest, fixed, scientific };
 
 struct Column {
-  std::string name;  ///< with the unit, if there is one; empty: remarks on the rows
+  std::string name;  ///< with the unit, if there is one
   Notation notation = Notation::shortest;
   int digits = 6;          ///< of shortest numbers all, else those after the point
   int rank = 0;            ///< where there is no room for all, those of the highest rank are left out first; 0: never
@@ -35,8 +35,8 @@ struct Table {
 /// The table for people: words to the left, numbers to the right, notes below.
 [[nodiscard]] ORISPLINE_EXPORT std::string text_of(const Table& table);
 
-/// The table for people in lines of so many characters at most: units below the names, remarks below their rows, and no
-/// column for which there is no room. A note begins with `left_out` and names those. What fits as it is stays so.
+/// The table for people in lines of so many characters at most: units below the names, and no column for which there
+/// is no room. A note begins with `left_out` and names those. What fits as it is stays so.
 [[nodiscard]] ORISPLINE_EXPORT std::string text_of(Table table, std::size_t longest, std::string_view left_out);
 
 }}}  // namespace orispline::report
