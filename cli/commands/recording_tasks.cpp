@@ -156,7 +156,8 @@ Expected<std::vector<Method>> reducing_methods_in(const TaskArguments& arguments
 
 /// What makes sense for clips only.
 Expected<void> check_no_clips(const TaskArguments& arguments) {
-  for (const std::string_view name : {"between", "cuts", "shell", "world_tolerance", "position_scale", "closed"})
+  for (const std::string_view name :
+       {"between", "cuts", "shell", "world_tolerance", "position_scale", "closed", "keep_constant"})
     if (is_given(arguments.fields, name))
       return usage_failure(
           formatted("{}: found keys of one track, wanted a glTF output, such as small.glb", flag_of(name)));

@@ -124,7 +124,7 @@ std::size_t bytes_of_all(const std::vector<Clip>& clips) {
 
 /// Why a file that was written may be larger than the one that was read, though it has fewer keys.
 std::string why_larger(const TaskJob& job, const std::vector<Clip>& clips) {
-  std::string why = "the keys of the input are integers, and floats are written";
+  std::string why = "keys of the input are integers, and cubics and new keys are floats";
   if (!job.scene.has_integer_keys) {
     if (bytes_of_all(clips) <= bytes_of_all(job.scene.clips))
       return "what describes nodes and tracks beside the keys takes more room";

@@ -368,6 +368,7 @@ void add_reduce_options(Command& app, TaskArguments& o) {
          "Give channels that end as they begin the same tangents at both ends, so that the speed of loops does not "
          "jump there")
       ->group("Clips");
+  add_field(app, o.fields, field_named(of_clips, "keep_constant"), "Clips");
   add_method_options(app, o.shape);
   add_word_flag(app, o.fields, field_named(fields, "values"), "refit", group);
   app.add_flag("--smooth", o.fields["smooth"],

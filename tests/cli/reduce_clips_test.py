@@ -88,7 +88,7 @@ def shaking(angle, kind, unit):
     document["buffers"] = [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}]
     document["bufferViews"] = [{"buffer": 0, "byteOffset": at, "byteLength": length} for at, length in ((0, 244), (244, len(data) - 244))]
     document["accessors"] = [{"bufferView": 0, "componentType": 5126, "count": 61, "type": "SCALAR", "min": [0.0], "max": [times[-1]]},
-                             {"bufferView": 1, "componentType": 5126 if unit == 1 else 5122, "count": 61, "type": "VEC4"} |
+                             {"bufferView": 1, "componentType": {"f": 5126, "h": 5122, "b": 5120}[kind], "count": 61, "type": "VEC4"} |
                              ({} if unit == 1 else {"normalized": True})]
     del document["meshes"], document["nodes"][0]["mesh"]
     document["animations"] = [{"name": "shake", "samplers": [{"input": 0, "output": 1}],
@@ -108,9 +108,23 @@ class Bytes(ReduceTest):
         self.assertLess(sizes["smallest"], min(sizes["cubicspline"], sizes["slerp"]))
         after, _ = parts_of_glb(self.folder / "smallest.glb")
         self.assertEqual([sampler.get("interpolation", "LINEAR") for sampler in after["animations"][0]["samplers"]],
-                         ["CUBICSPLINE", "LINEAR", "LINEAR"], "the elbow turns evenly, the shoulder stays where it is")
+                         ["CUBICSPLINE", "LINEAR"], "the elbow turns evenly; where the shoulder stays the rest pose says")
         self.assert_fails("reduce arm.glb --tolerance 0.2deg --method smallest --tension 0.5 -o no.glb", BAD_USAGE,
                           "--tension: found the method smallest, which has no such option, wanted another --method")
+
+    def test_tracks_at_rest_are_left_out_unless_they_are_to_stay(self):
+        self.output_of("convert arm.bvh -o arm.glb")
+        channels = {}
+        for options in ("", "--keep-constant"):
+            report = self.json_of(f"reduce arm.glb --tolerance 0.2deg {options} -o small.glb")
+            after, _ = parts_of_glb(self.folder / "small.glb")
+            channels[options] = len(after["animations"][0]["channels"])
+            self.assertEqual(report["tracks_before"] - report["tracks_left_out"], channels[options])
+            self.assertLessEqual(self.json_of("difference arm.glb small.glb")["angle_max_deg"], 0.2)
+        self.assertEqual(channels, {"": 2, "--keep-constant": 3})
+        self.assertIn("at rest         1 of 3 tracks left out, for which the rest pose stands", self.told("reduce arm.glb --tolerance 0.2deg -o small.glb"))
+        self.assert_fails("reduce arm.glb --joint Elbow --tolerance 0.2deg --keep-constant -o elbow.csv", BAD_USAGE,
+                          "--keep-constant: found keys of one track, wanted a glTF output, such as small.glb")
 
     def test_channels_with_the_same_times_share_them(self):
         self.output_of("convert arm.bvh -o arm.glb")
@@ -120,17 +134,34 @@ class Bytes(ReduceTest):
         self.assertEqual(len({k for k, count in zip(inputs, counts) if count == FRAMES}), 1)
         self.assertEqual(counts.count(FRAMES), 2)
 
+    def test_rotations_that_were_integers_are_written_as_such_again(self):
+        for kind, unit, component in (("h", 32767, 5122), ("b", 127, 5120)):
+            self.write("shake.gltf", shaking(0.3, kind, unit))
+            before = json.loads((self.folder / "shake.gltf").read_text())
+            for line in ("convert shake.gltf", "reduce shake.gltf --tolerance 0.001deg --method slerp", "reduce shake.gltf --tolerance 1deg --method slerp"):
+                report = self.json_of(f"{line} -o again.glb")
+                self.assertEqual(report["warnings"], [], line)
+                after, data = parts_of_glb(self.folder / "again.glb")
+                accessor = after["accessors"][after["animations"][0]["samplers"][0]["output"]]
+                self.assertEqual((accessor["componentType"], accessor["normalized"]), (component, True), line)
+                view = after["bufferViews"][accessor["bufferView"]]
+                found = data[view.get("byteOffset", 0) + accessor.get("byteOffset", 0):][:accessor["count"] * struct.calcsize(f"4{kind}")]
+                all_keys = base64.b64decode(before["buffers"][0]["uri"].partition(",")[2])[244:]
+                keys = [all_keys[k:k + struct.calcsize(f"4{kind}")] for k in range(0, len(all_keys), struct.calcsize(f"4{kind}"))]
+                self.assertLessEqual({found[k:k + len(keys[0])] for k in range(0, len(found), len(keys[0]))}, set(keys), line)
+
     def test_a_file_that_became_larger_says_so_and_why(self):
-        self.write("shake.gltf", shaking(0.3, "h", 32767))
-        cure = "; --method smallest writes each track with the fewest bytes that were found for it"
-        for method, end in (("cubicspline", cure), ("smallest", "")):
-            report = self.json_of(f"reduce shake.gltf --tolerance 0.001deg --method {method} -o larger.glb")
-            self.assertGreater(report["bytes"], report["bytes_before"])
-            warning, = report["warnings"]
-            self.assertEqual((warning["code"], warning["bytes"], warning["bytes_before"]),
-                             ("larger_file", report["bytes"], report["bytes_before"]))
-            self.assertTrue(warning["message"].endswith("of the input, for the keys of the input are integers, and floats are written" + end),
-                            warning["message"])
+        self.write("shake.gltf", shaking(0.02, "h", 32767))
+        self.output_of("convert shake.gltf -o shake.glb")
+        report = self.json_of("reduce shake.glb --tolerance 0.3deg -o larger.glb")
+        self.assertGreater(report["bytes"], report["bytes_before"])
+        warning, = report["warnings"]
+        self.assertEqual((warning["code"], warning["bytes"], warning["bytes_before"]),
+                         ("larger_file", report["bytes"], report["bytes_before"]))
+        self.assertTrue(warning["message"].endswith("of the input, for keys of the input are integers, and cubics and new keys are floats; --method "
+                                                    "smallest writes each track with the fewest bytes that were found for it"), warning["message"])
+        smallest = self.json_of("reduce shake.glb --tolerance 0.3deg --method smallest -o smallest.glb")
+        self.assertLessEqual(smallest["bytes"], smallest["bytes_before"])
 
     def test_cubics_that_are_larger_than_the_lines_they_replace_say_so(self):
         self.write("shake.gltf", shaking(0.02, "f", 1))

@@ -200,7 +200,9 @@ TEST(ReducedClipsPage, HasTheTolerancesAndTheClipThatIsFarthestOffFirst) {
   EXPECT_DOUBLE_EQ(page.clips[0].joints[0].angle.value, reductions[1].angle.largest.value * degrees);
   EXPECT_DOUBLE_EQ(page.clips[0].joints[reductions[1].distance.joint].distance.value,
                    reductions[1].distance.largest.value * 1000.0);
-  EXPECT_EQ(page.notes.front(), "Both motions are compared at every key of the input.");
+  EXPECT_EQ(page.notes.front(),
+            "Both motions are compared at every key of the input, in 8 places between two of them, and where they are "
+            "farthest apart. Between its keys the input is what its file says.");
 }
 
 }}  // namespace orispline

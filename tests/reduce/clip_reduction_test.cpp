@@ -191,7 +191,7 @@ TEST(ReduceClips, MakesOneKeyOfChannelsThatRest) {
   Clip clip{.name = "still",
             .rotations = {still(0, about_z(0.7), 1e-6), still(1, about_z(0.4), 1e-6), still(2, about_z(0.0), 1e-3)}};
   clip.scales.push_back({.joint = 1, .times = {0.0, 1.0}, .values = {{1, 1, 1}, {1, 1, 1}}});
-  const ClipReduction found = reduced_arm(clip, {.tolerance = 1e-4 * degree}, skeleton);
+  const ClipReduction found = reduced_arm(clip, {.tolerance = 1e-4 * degree, .keep_constant = true}, skeleton);
   const auto& [other, rest, moving] =
       std::tie(found.clip.rotations[0], found.clip.rotations[1], found.clip.rotations[2]);
   ASSERT_EQ(other.size(), 1u);

@@ -143,6 +143,58 @@ TEST(ClosedClip, EndsThatDifferByLessThanTheToleranceBecomeOne) {
   EXPECT_NEAR(open.open[0].apart, 0.4 * degree, 1e-9);
 }
 
+/// A loop that is somewhere else for its second third, after a jump of 1 ms there and another one back.
+template <CurvePoint P, class Elsewhere>
+Channel<P> with_shots(const Channel<P>& channel, const Elsewhere& elsewhere) {
+  Channel<P> shots{.joint = channel.joint};
+  for (std::size_t i = 0; i < channel.size(); ++i) {
+    const auto put = [&](double t, bool is_there) {
+      shots.times.push_back(t);
+      shots.values.push_back(is_there ? elsewhere(channel.values[i]) : channel.values[i]);
+    };
+    const bool is_there = i >= 20 && i < 40;
+    if (i == 20 || i == 40) put(channel.times[i] - 0.001, !is_there);
+    put(channel.times[i], is_there);
+  }
+  return shots;
+}
+
+TEST(ClosedClip, TracksWithCutsAreClosedToo) {
+  const Eigen::Quaterniond turn = exp<double>(Eigen::Vector3d(0.0, 2.0, 0.0));
+  const Clip clip{
+      .name = "shots",
+      .rotations = {with_shots(loop(0.0), [&](const auto& q) { return turn * q; })},
+      .translations = {with_shots(path(), [](const auto& p) { return Eigen::Vector3d(p.x() + 9.0, p.y(), p.z()); })}};
+  for (const char* method : {"cubicspline", "hermite-c1"}) {
+    SCOPED_TRACE(method);
+    const ClipReduceOptions options{
+        .tolerance = 0.5 * degree, .position_tolerance = 0.01, .method = {method}, .closed = true};
+    const ClipReduction found = reduced_joint(clip, options);
+    EXPECT_EQ(found.cuts, 2u);
+    EXPECT_LT(found.rotation_keys, 40u);
+    expect_seamless(found.clip.rotations[0]);
+    expect_seamless(found.clip.translations[0]);
+    EXPECT_LE(found.angle.largest.value, 0.5 * degree);
+    EXPECT_LE(found.translation.largest.value, 0.01);
+    EXPECT_EQ(found.open_tracks, 0u);
+  }
+}
+
+TEST(ClosedClip, ATrackWithACutAtAnEndIsNamed) {
+  RotationChannel jump = loop(0.0);
+  jump.times.back() += 0.5;
+  const Eigen::Quaterniond end = jump.values.back();
+  jump.values.back() = exp<double>(Eigen::Vector3d(0.0, 2.0, 0.0)) * jump.values[59];
+  jump.times.push_back(jump.times.back() + 0.001);
+  jump.values.push_back(end);
+  const ClipReduction found =
+      reduced_joint({.name = "jump", .rotations = {jump}}, {.tolerance = 0.5 * degree, .closed = true});
+  EXPECT_EQ(found.cuts, 1u);
+  EXPECT_EQ(found.open_tracks, 1u);
+  ASSERT_EQ(found.open.size(), 1u);
+  EXPECT_TRUE(found.open[0].is_cut_at_ends);
+}
+
 TEST(ClosedClip, HermiteKeysAreSmoothInsideToo) {
   const Clip clip{.name = "turn", .rotations = {loop(0.0)}};
   const RotationChannel found =

@@ -148,7 +148,7 @@ TEST(HermiteKeys, TheNeighbouringSampleIsAKeyWhereNothingHoldsTheTargetsBetween)
         SCOPED_TRACE(testing::Message() << "sample " << sample << ", tolerance " << tolerance << ", closed " << closed);
         const auto samples = wild_between(sample, sample % 2 == 0 ? 1.0 : 0.1, static_cast<unsigned>(sample));
         const auto seam = closed ? std::optional(Eigen::Vector3d(1.0, -0.5, 0.3)) : std::nullopt;
-        const HermiteKeys found = fewest_hermite_keys(samples, tolerance, seam);
+        const HermiteKeys found = fewest_hermite_keys(samples, tolerance, {.first = seam, .last = seam});
         EXPECT_LT(found.samples.size(), samples.size() * 2 / 3);
         if (closed) {
           EXPECT_EQ(found.rates.front(), *seam);
@@ -199,7 +199,7 @@ TEST(HermiteKeys, BothEndsHaveTheRateOfTheSeam) {
   }
   const auto samples = cubic_samples(swing, BetweenSamples::smooth);
   const Eigen::Vector3d seam = rate_at_seam(samples.targets);
-  const HermiteKeys found = fewest_hermite_keys(samples, 0.2 * degree, seam),
+  const HermiteKeys found = fewest_hermite_keys(samples, 0.2 * degree, {.first = seam, .last = seam}),
                     open = fewest_hermite_keys(samples, 0.2 * degree);
   EXPECT_EQ(found.rates.front(), seam);
   EXPECT_EQ(found.rates.back(), seam);
@@ -217,7 +217,7 @@ TEST(HermiteKeys, OfPositionsAreHeldAsWell) {
     path.times.push_back(t);
     path.values.emplace_back(std::sin(2 * t), t * t, std::cos(3 * t));
   }
-  const auto channel = hermite_channel(cubic_samples(path, BetweenSamples::smooth), 1e-3, "hermite-c1", false);
+  const auto channel = hermite_channel(cubic_samples(path, BetweenSamples::smooth), 1e-3, "hermite-c1");
   ASSERT_TRUE(channel);
   EXPECT_LT(channel->size(), 30u);
   for (std::size_t k = 1; k + 1 < channel->size(); ++k) EXPECT_EQ(channel->in_tangents[k], channel->out_tangents[k]);

@@ -22,8 +22,70 @@ TEST(ReduceClips, LeavesAClipThatRestsAsLongAsItWas) {
   ASSERT_TRUE(reductions);
   const Clip& clip = reductions->front().clip;
   EXPECT_EQ(clip.domain().end, 3.0);
-  EXPECT_EQ(clip.rotations[0].size(), 1u);
-  EXPECT_EQ(clip.rotations[1].size(), 2u);
+  ASSERT_EQ(clip.rotations.size(), 1u);
+  EXPECT_EQ(clip.rotations[0].joint, 1u);
+  EXPECT_EQ(clip.rotations[0].size(), 2u);
+  const auto kept = reduce_clips(*skeleton, clips, {.tolerance = 0.01, .keep_constant = true});
+  ASSERT_TRUE(kept);
+  ASSERT_EQ(kept->front().clip.rotations.size(), 2u);
+  EXPECT_EQ(kept->front().clip.rotations[0].size(), 1u);
+}
+
+/// A joint that turns, and two that rest: one as its rest pose says, one elsewhere.
+Clip with_two_at_rest() {
+  RotationChannel turn{.joint = 0}, rest{.joint = 1}, elsewhere{.joint = 2};
+  for (int i = 0; i <= 30; ++i) {
+    for (RotationChannel* const channel : {&turn, &rest, &elsewhere}) channel->times.push_back(i / 30.0);
+    turn.values.push_back(exp<double>(Eigen::Vector3d(std::sin(0.1 * i), 0.0, 0.0)));
+    rest.values.push_back(Eigen::Quaterniond::Identity());
+    elsewhere.values.push_back(exp<double>(Eigen::Vector3d(0.0, 0.5, 0.0)));
+  }
+  VectorChannel still{.joint = 0, .times = {0.0}, .values = {Eigen::Vector3d::Zero()}};
+  return {.name = "nod", .rotations = {turn, rest, elsewhere}, .translations = {still}};
+}
+
+TEST(ReduceClips, LeavesOutChannelsThatTheRestPoseStandsFor) {
+  const auto skeleton = Skeleton::make({{.name = "a"}, {.name = "b"}, {.name = "c"}});
+  ASSERT_TRUE(skeleton);
+  const std::array clips{with_two_at_rest()};
+  const ClipReduction without = reduce_clips(*skeleton, clips, {.tolerance = 1e-3}).value().front();
+  const ClipReduction with = reduce_clips(*skeleton, clips, {.tolerance = 1e-3, .keep_constant = true}).value().front();
+  EXPECT_EQ(without.tracks_before, 4u);
+  EXPECT_EQ(without.tracks_left_out, 2u);
+  EXPECT_EQ(with.tracks_left_out, 0u);
+  ASSERT_EQ(without.clip.rotations.size(), 2u);
+  EXPECT_EQ(without.clip.rotations[0].joint, 0u);
+  EXPECT_EQ(without.clip.rotations[1].joint, 2u);
+  EXPECT_EQ(without.clip.rotations[1].size(), 1u);
+  EXPECT_TRUE(without.clip.translations.empty());
+  EXPECT_EQ(without.rotation_keys + 1, with.rotation_keys);
+  EXPECT_EQ(without.translation_keys, 0u);
+  EXPECT_EQ(with.translation_keys, 1u);
+  const auto poses = world_poses(*skeleton, without.clip, std::array{0.0, 0.4}),
+             kept = world_poses(*skeleton, with.clip, std::array{0.0, 0.4});
+  for (std::size_t i = 0; i < poses.size(); ++i) EXPECT_EQ(poses[i].matrix(), kept[i].matrix());
+}
+
+TEST(ReduceClips, KeepsAChannelWhereAllRestAndThatWhichBeginsTheClip) {
+  const auto skeleton = Skeleton::make({{.name = "a"}, {.name = "b"}});
+  ASSERT_TRUE(skeleton);
+  const Eigen::Quaterniond still = Eigen::Quaterniond::Identity();
+  const RotationChannel first{.joint = 0, .times = {0.0}, .values = {still}},
+      second{.joint = 1, .times = {0.0}, .values = {still}};
+  const std::array resting{Clip{.name = "pose", .rotations = {first, second}}};
+  const ClipReduction pose = reduce_clips(*skeleton, resting, {.tolerance = 0.01}).value().front();
+  ASSERT_EQ(pose.clip.rotations.size(), 1u);
+  EXPECT_EQ(pose.clip.rotations[0].joint, 0u);
+  EXPECT_EQ(pose.tracks_left_out, 1u);
+  RotationChannel late{.joint = 1};
+  for (int i = 0; i <= 30; ++i) {
+    late.times.push_back(1.0 + i / 30.0);
+    late.values.push_back(exp<double>(Eigen::Vector3d(std::sin(0.1 * i), 0.0, 0.0)));
+  }
+  const std::array clips{Clip{.name = "late", .rotations = {first, late}}};
+  const ClipReduction found = reduce_clips(*skeleton, clips, {.tolerance = 0.01}).value().front();
+  EXPECT_EQ(found.clip.domain().start, 0.0);
+  EXPECT_EQ(found.clip.rotations.size(), 2u);
 }
 
 /// 40° to and fro in half a second, then a rest of a second without a key, and the same again.
@@ -81,7 +143,8 @@ Clip trembling(double part) {
   return {.name = "tremble", .rotations = {turn}, .translations = {shift}, .scales = {growth}};
 }
 
-ClipReduction reduced_tremble(const ClipReduceOptions& options, double scale = 1.0) {
+ClipReduction reduced_tremble(ClipReduceOptions options, double scale = 1.0) {
+  options.keep_constant = true;
   return reduce_clips(stretched(scale), std::array{trembling(0.5)}, options).value().front();
 }
 

@@ -137,6 +137,8 @@ export interface Tasks {
       between?: 'smooth' | 'stored' | undefined;
       /** Which jumps of joints are cuts, on either side of which nothing swings. */
       cuts?: 'usual' | 'steps' | 'none' | undefined;
+      /** Keep tracks of one key that says what the rest pose of the joint says, which are left out otherwise. */
+      keep_constant?: Flag | undefined;
     };
   };
   /** The least slowing that keeps a motion within limits. */

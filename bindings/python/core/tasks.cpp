@@ -279,6 +279,8 @@ nb::dict attributes(const jobs::ReduceSceneOutcome& outcome) {
   all["from_smooth"] = worst_of(outcome, totals.from_smooth, &ClipReduction::from_smooth);
   all["from_stored"] = worst_of(outcome, totals.from_stored, &ClipReduction::from_stored);
   all["cuts"] = totals.cuts;
+  all["tracks_before"] = totals.tracks_before;
+  all["tracks_left_out"] = totals.tracks_left_out;
   return all;
 }
 

@@ -273,6 +273,8 @@ class SceneReduction(_DoneToScene):
         The largest angles from the curve `auto` through the keys before, and from what the file says [rad].
     cuts
         Jumps that were taken as no motion.
+    tracks_before, tracks_left_out
+        Tracks of rotations, translations and scales before, and those of them that the rest pose stands for.
     """
 
     rotation_keys: int
@@ -287,6 +289,8 @@ class SceneReduction(_DoneToScene):
     from_smooth: Worst
     from_stored: Worst
     cuts: int
+    tracks_before: int
+    tracks_left_out: int
     _members: dict[str, Any] = dataclasses.field(repr=False, compare=False)
     _summary: str = dataclasses.field(repr=False, compare=False)
     _core: Any = dataclasses.field(repr=False, compare=False)

@@ -10,14 +10,6 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-double shell_distance(const Eigen::Affine3d& a, const Eigen::Affine3d& b, double shell) {
-  const Eigen::Vector3d shift = a.translation() - b.translation();
-  const Eigen::Matrix3d turn = shell * (a.linear() - b.linear());
-  double square = shift.squaredNorm();
-  for (Eigen::Index axis = 0; axis < 3; ++axis) square = std::max(square, (shift + turn.col(axis)).squaredNorm());
-  return std::sqrt(square);
-}
-
 double angle_between(const JointPose& a, const JointPose& b) { return angular_distance(a.rotation, b.rotation); }
 
 double translation_between(const JointPose& a, const JointPose& b) { return (a.translation - b.translation).norm(); }
@@ -41,15 +33,16 @@ struct JointsBeside {
   /// Passes the differences of every joint that has a counterpart to take(joint, time, angle, translation, distance).
   template <class Take>
   void pass(std::span<const double> times, const Take& take) const {
-    std::vector<Eigen::Affine3d> poses(counterparts.size()), others(second.skeleton().size());
+    std::vector<JointPose> poses(counterparts.size()), others(second.skeleton().size());
+    std::vector<Eigen::Affine3d> places(poses.size()), other_places(others.size());
     for (const double t : times) {
-      first.world_poses(t, poses);
-      second.world_poses(t, others);
+      first.poses(t, poses, places);
+      second.poses(t, others, other_places);
       for (std::size_t i = 0; i < counterparts.size(); ++i) {
         const std::size_t other = counterparts[i];
         if (other == no_parent) continue;
-        const JointPose a = first.local_pose(i, t), b = second.local_pose(other, t);
-        take(i, t, angle_between(a, b), translation_between(a, b), shell_distance(poses[i], others[other], shell));
+        take(i, t, angle_between(poses[i], others[other]), translation_between(poses[i], others[other]),
+             shell_distance(places[i], other_places[other], shell));
       }
     }
   }
@@ -110,6 +103,14 @@ void append_times(std::vector<double>& times, std::set<const double*>& taken, co
 }
 
 }  // namespace
+
+double shell_distance(const Eigen::Affine3d& a, const Eigen::Affine3d& b, double shell) {
+  const Eigen::Vector3d shift = a.translation() - b.translation();
+  const Eigen::Matrix3d turn = shell * (a.linear() - b.linear());
+  double square = shift.squaredNorm();
+  for (Eigen::Index axis = 0; axis < 3; ++axis) square = std::max(square, (shift + turn.col(axis)).squaredNorm());
+  return std::sqrt(square);
+}
 
 std::vector<JointDifference> differences(const ClipMotion& first, const ClipMotion& second,
                                          std::span<const std::size_t> counterparts, std::span<const double> times,

@@ -34,12 +34,15 @@ struct JointDifference {
 /// the one where each difference is largest: what the others have is the largest at the times.
 enum class Between { nothing, looked_at, looked_at_for_largest };
 
+/// The largest distance in the world between the same points of a joint at two places: the joint itself, and those that
+/// are `shell` off it along each of its axes.
+[[nodiscard]] double shell_distance(const Eigen::Affine3d& a, const Eigen::Affine3d& b, double shell);
+
 /// Of every joint of the first skeleton, over the times [s], rising, at least one. `counterparts` are the joints of the
 /// second skeleton that are the same ones (`Counterparts::joints`), `no_parent` for those that are not there, which do
 /// not count.
 ///
-/// The shell distance is the largest distance in the world between the same points in both motions: the joint itself,
-/// and those that are `shell` off it along each of its axes. It tells how far a skin that hangs on the joint is off.
+/// The shell distance tells how far a skin that hangs on the joint is off.
 /// Source: N. Frechette, the Animation Compression Library (ACL).
 [[nodiscard]] ORISPLINE_EXPORT std::vector<JointDifference> differences(
     const ClipMotion& first, const ClipMotion& second, std::span<const std::size_t> counterparts,

@@ -323,13 +323,21 @@ ClipMotion::ClipMotion(const Skeleton& skeleton, std::vector<ChannelCurve<Eigen:
       translations_(std::move(translations)),
       scales_(std::move(scales)),
       places_(skeleton.size()) {
-  for (std::size_t i = 0; i < rotations_.size(); ++i) places_[rotations_[i].joint()].rotation = i + 1;
-  for (std::size_t i = 0; i < translations_.size(); ++i) places_[translations_[i].joint()].translation = i + 1;
-  for (std::size_t i = 0; i < scales_.size(); ++i) places_[scales_[i].joint()].scale = i + 1;
+  for (const Joint& joint : skeleton.joints()) still_.push_back(joint.rest);
+  const auto place = [&](const auto& curves, auto part, std::size_t Places::*place_of_part) {
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      const std::size_t joint = curves[i].joint();
+      if (curves[i].knots().segments() > 0) places_[joint].*place_of_part = i + 1;
+      else still_[joint].*part = curves[i].at(curves[i].knots().front());
+    }
+  };
+  place(rotations_, &JointPose::rotation, &Places::rotation);
+  place(translations_, &JointPose::translation, &Places::translation);
+  place(scales_, &JointPose::scale, &Places::scale);
 }
 
 JointPose ClipMotion::local_pose(std::size_t joint, double t) const noexcept {
-  JointPose pose = (*skeleton_)[joint].rest;
+  JointPose pose = still_[joint];
   const Places& places = places_[joint];
   if (places.rotation) pose.rotation = rotations_[places.rotation - 1].at(t);
   if (places.translation) pose.translation = translations_[places.translation - 1].at(t);
@@ -337,10 +345,20 @@ JointPose ClipMotion::local_pose(std::size_t joint, double t) const noexcept {
   return pose;
 }
 
+Eigen::Affine3d ClipMotion::placed(std::size_t joint, const JointPose& pose,
+                                   std::span<const Eigen::Affine3d> world) const noexcept {
+  const std::size_t parent = (*skeleton_)[joint].parent;
+  return parent == no_parent ? transform(pose) : world[parent] * transform(pose);
+}
+
 void ClipMotion::world_poses(double t, std::span<Eigen::Affine3d> poses) const noexcept {
+  for (std::size_t i = 0; i < skeleton_->size(); ++i) poses[i] = placed(i, local_pose(i, t), poses);
+}
+
+void ClipMotion::poses(double t, std::span<JointPose> local, std::span<Eigen::Affine3d> world) const noexcept {
   for (std::size_t i = 0; i < skeleton_->size(); ++i) {
-    poses[i] = transform(local_pose(i, t));
-    if (const std::size_t parent = (*skeleton_)[i].parent; parent != no_parent) poses[i] = poses[parent] * poses[i];
+    local[i] = local_pose(i, t);
+    world[i] = placed(i, local[i], world);
   }
 }
 

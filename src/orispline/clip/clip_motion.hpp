@@ -62,19 +62,28 @@ class ORISPLINE_EXPORT ClipMotion {
   [[nodiscard]] const Skeleton& skeleton() const noexcept { return *skeleton_; }
   /// In the frame of its parent at time t [s].
   [[nodiscard]] JointPose local_pose(std::size_t joint, double t) const noexcept;
+  /// What of that does not depend on the time; the rest pose of what does.
+  [[nodiscard]] const JointPose& still_pose(std::size_t joint) const noexcept { return still_[joint]; }
   /// From every joint's frame to that of the world at time t [s], into as many places as there are joints. With scales,
   /// negative and uneven ones too, this need not be a rigid motion.
   void world_poses(double t, std::span<Eigen::Affine3d> poses) const noexcept;
+  /// The same, and every joint in the frame of its parent.
+  void poses(double t, std::span<JointPose> local, std::span<Eigen::Affine3d> world) const noexcept;
+  /// A joint's frame in that of the world, where its pose in the frame of its parent and the parent's in the world are
+  /// known.
+  [[nodiscard]] Eigen::Affine3d placed(std::size_t joint, const JointPose& pose,
+                                       std::span<const Eigen::Affine3d> world) const noexcept;
   /// That of one joint, to rounding.
   [[nodiscard]] Eigen::Affine3d world_pose(std::size_t joint, double t) const noexcept;
 
  private:
-  /// Places of the joint's curves, one more than their index; 0 where it has none.
+  /// Places of the joint's curves that move, one more than their index; 0 where it has none.
   struct Places {
     std::size_t rotation = 0, translation = 0, scale = 0;
   };
 
   const Skeleton* skeleton_;
+  std::vector<JointPose> still_;  ///< of every joint what does not move
   std::vector<ChannelCurve<Eigen::Quaterniond>> rotations_;
   std::vector<ChannelCurve<Eigen::Vector3d>> translations_, scales_;
   std::vector<Places> places_;

@@ -22,13 +22,15 @@ std::string worst_place(const ReduceSceneOutcome& outcome, const ClipReduction& 
                    worst.largest.time);
 }
 
-/// `rotation of joint 'hips' of clip 'run' (7.8°)`
+/// `rotation of joint 'hips' of clip 'run' (7.8°)`, or `(a cut at an end)`
 std::string open_text(const ReduceSceneOutcome& outcome, const ClipReduction& reduction,
                       const ClipReduction::OpenTrack& track) {
-  return formatted("{} of {} ({:.4g}{})", track.is_rotation ? "rotation" : "translation",
+  return formatted("{} of {} ({})", track.is_rotation ? "rotation" : "translation",
                    orispline::place_of(outcome.request.skeleton, reduction.clip, track.joint),
-                   track.apart * (track.is_rotation ? degrees : outcome.metres()),
-                   track.is_rotation ? "°" : length_unit(outcome));
+                   track.is_cut_at_ends
+                       ? "a cut at an end"
+                       : formatted("{:.4g}{}", track.apart * (track.is_rotation ? degrees : outcome.metres()),
+                                   track.is_rotation ? "°" : length_unit(outcome)));
 }
 
 /// With the tracks that stay open, of many the first few.
@@ -56,6 +58,9 @@ std::string counts_lines(const ReduceSceneOutcome& outcome, const ClipTotals& to
   if (totals.translation_keys < totals.translation_keys_before)
     text += formatted("translations    {} of {}\n", totals.translation_keys,
                       counted(totals.translation_keys_before, "key"));
+  if (totals.tracks_left_out > 0)
+    text += formatted("at rest         {} of {} left out, for which the rest pose stands\n", totals.tracks_left_out,
+                      counted(totals.tracks_before, "track"));
   if (outcome.options.closed) text += closed_line(outcome, totals);
   return text;
 }
@@ -109,6 +114,7 @@ Json open_json(const ReduceSceneOutcome& outcome) {
       Json open{{"clip", reduction.clip.name}, {"joint", outcome.request.skeleton[track.joint].name}};
       if (track.is_rotation) open["angle_deg"] = track.apart * degrees;
       else open["translation_m"] = track.apart * outcome.metres();
+      if (track.is_cut_at_ends) open["is_cut"] = true;
       list.push_back(std::move(open));
     }
   return list;
@@ -148,6 +154,8 @@ Json document_of(const ReduceSceneOutcome& outcome) {
   json["rotation_keys"] = totals.rotation_keys;
   json["translation_keys_before"] = totals.translation_keys_before;
   json["translation_keys"] = totals.translation_keys;
+  json["tracks_before"] = totals.tracks_before;
+  json["tracks_left_out"] = totals.tracks_left_out;
   json["between"] = word_of(options.between);
   json["cuts"] = totals.cuts;
   if (options.closed) {

@@ -146,6 +146,10 @@ std::vector<Channel<P>> held(const std::vector<Channel<P>>& channels) {
   return still;
 }
 
+ClipMotion motion_of(const ClipOf& shown) {
+  return shown.motion ? *shown.motion : ClipMotion(shown.skeleton, shown.clip);
+}
+
 /// Where the clip begins, all the time.
 Clip held_at_start(const Clip& clip) {
   return {.name = clip.name,
@@ -158,7 +162,7 @@ Clip held_at_start(const Clip& clip) {
 
 report::PageClip clip_in_page(const ClipOf& before, const ClipOf& after, const ClipComparison& comparison) {
   report::PageClip page{.name = before.clip.name, .start = comparison.times.front(), .end = comparison.times.back()};
-  const ClipMotion first(before.skeleton, before.clip), second(after.skeleton, after.clip);
+  const ClipMotion first = motion_of(before), second = motion_of(after);
   ErrorLines lines(page, comparison);
   for (const Neighbours& neighbours : neighbours_in(comparison.times.size(), comparison.most))
     lines.add(neighbours, first, second);

@@ -15,6 +15,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 struct ClipOf {
   const Skeleton& skeleton;
   const Clip& clip;
+  const ClipMotion* motion = nullptr;  ///< in the place of what the clip says
 };
 
 /// How two motions of a clip are compared.

@@ -18,8 +18,10 @@
 #include <orispline/math/degrees.hpp>
 #include <orispline/pages/clip_in_page.hpp>
 #include <orispline/pages/curve_page.hpp>
+#include <orispline/reduce/channel_reduction.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
 #include <orispline/reduce/reduce.hpp>
+#include <orispline/reduce/taken_clip.hpp>
 #include <orispline/report/page.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
@@ -36,6 +38,13 @@ std::vector<report::PageJoint> joints_of(const Skeleton& skeleton, std::span<con
     if (skeleton[i].parent != no_parent) joint.parent = skeleton[i].parent;
     joints.push_back(std::move(joint));
   }
+  return joints;
+}
+
+/// Those of a skeleton, each its own counterpart.
+std::vector<std::size_t> own_joints(const Skeleton& skeleton) {
+  std::vector<std::size_t> joints(skeleton.size());
+  std::iota(joints.begin(), joints.end(), std::size_t{0});
   return joints;
 }
 
@@ -159,6 +168,24 @@ std::vector<ClipPair> pairs_at_keys(std::span<const Clip> clips) {
 
 constexpr std::string_view compared_at_keys = "Both motions are compared at every key of the input.";
 
+/// The times at which a reduction was looked at, and those at which it is farthest off.
+std::vector<double> times_of(const TakenClip& taken, const ClipReduction& reduction) {
+  std::vector<double> times = taken.times;
+  if (times.empty()) times.push_back(0.0);
+  for (const ClipReduction::Worst* worst : {&reduction.angle, &reduction.translation, &reduction.distance})
+    if (worst->is_known()) times.push_back(worst->largest.time);
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+std::string compared_between_keys(BetweenSamples between) {
+  return formatted(
+      "Both motions are compared at every key of the input, in {} places between two of them, and where they are "
+      "farthest apart. Between its keys the input is {}.",
+      looks_between, between == BetweenSamples::smooth ? "the curve auto through them" : "what its file says");
+}
+
 /// `8377 of 55868 keys of rotations`
 std::string keys_text(std::span<const ClipReduction> reductions) {
   const ClipTotals totals = totals_of(reductions);
@@ -239,11 +266,10 @@ report::SkeletonPage scene_page(const NamedClips& scene, const PageLengths& leng
   report::SkeletonPage page = begun_skeleton_page(title, scene.name, "", lengths, head);
   if (scene.skeleton.size() == 0) page.notes.emplace_back("There is no joint to show.");
   else if (scene.clips.empty()) page.notes.emplace_back("No clip moves the skeleton: it is shown in its rest pose.");
-  std::vector<std::size_t> joints(scene.skeleton.size());
-  std::iota(joints.begin(), joints.end(), std::size_t{0});
-  add_clips(page, scene.skeleton, joints, pairs, threads, [&](const ClipPair& pair, const ClipComparison& comparison) {
-    return clip_alone_in_page({scene.skeleton, clips[pair.before]}, comparison);
-  });
+  add_clips(page, scene.skeleton, own_joints(scene.skeleton), pairs, threads,
+            [&](const ClipPair& pair, const ClipComparison& comparison) {
+              return clip_alone_in_page({scene.skeleton, clips[pair.before]}, comparison);
+            });
   add_notes(page, pairs);
   scale(page, lengths);
   return page;
@@ -266,16 +292,25 @@ report::SkeletonPage smoothed_clips_page(const NamedClips& before, std::string a
 report::SkeletonPage reduced_clips_page(const NamedClips& before, std::string after,
                                         std::span<const ClipReduction> reductions, const ClipReduceOptions& options,
                                         const PageLengths& lengths, const PageHead& head, unsigned threads) {
-  std::vector<Clip> clips;
-  for (const ClipReduction& reduction : reductions) clips.push_back(as_stored(reduction.clip, options));
-  const std::vector<ClipPair> pairs = pairs_at_keys(before.clips);
-  report::SkeletonPage page =
-      unfinished_page(before, {std::move(after), before.skeleton, clips}, pairs, lengths, head, threads);
+  std::vector<TakenClip> taken;
+  std::vector<ClipPair> pairs;
+  for (std::size_t i = 0; i < reductions.size(); ++i) {
+    taken.emplace_back(before.skeleton, before.clips[i], options);
+    pairs.push_back({i, i, times_of(taken.back(), reductions[i])});
+  }
+  report::SkeletonPage page = begun_skeleton_page("", before.name, after, lengths, head);
+  add_clips(page, before.skeleton, own_joints(before.skeleton), pairs, threads,
+            [&](const ClipPair& pair, const ClipComparison& comparison) {
+              const Clip fewer = as_stored(reductions[pair.after].clip, options);
+              const ClipMotion motion = taken[pair.before].beside(before.skeleton, fewer);
+              return clip_in_page({before.skeleton, before.clips[pair.before], &motion}, {before.skeleton, fewer},
+                                  comparison);
+            });
   if (head.title.empty())
     page.title =
         formatted("{} within {}: {}", page.before,
                   tolerance_text(options, lengths.metres, lengths.are_known ? " m" : ""), keys_text(reductions));
-  page.notes.emplace(page.notes.begin(), compared_at_keys);
+  page.notes.insert(page.notes.begin(), compared_between_keys(options.between));
   if (std::isfinite(options.tolerance)) page.angle_limit = options.tolerance * degrees;
   if (std::isfinite(options.world_tolerance)) page.distance_limit = options.world_tolerance;
   return finished(std::move(page), pairs, lengths);

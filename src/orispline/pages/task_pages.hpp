@@ -139,7 +139,8 @@ struct PageLengths {
                                                                         const PageLengths& lengths,
                                                                         const PageHead& head, unsigned threads = 0);
 
-/// The page of clips that were reduced by reduce_clips(), as many as there were before, compared at their keys.
+/// The page of clips that were reduced by reduce_clips(), as many as there were before, compared at all times at which
+/// reduce_clips() looked, and where it found them farthest apart.
 [[nodiscard]] ORISPLINE_EXPORT report::SkeletonPage reduced_clips_page(const NamedClips& before, std::string after,
                                                                        std::span<const ClipReduction> reductions,
                                                                        const ClipReduceOptions& options,

@@ -29,7 +29,8 @@ extern template ChannelCurve<Eigen::Vector3d> motion_between(const VectorChannel
 template <CurvePoint P, class Take>
 void pass_stretches(const Channel<P>& channel, std::span<const Cut> cuts, const Take& take) {
   const auto key_at = [&](double t) {
-    return static_cast<std::size_t>(std::ranges::lower_bound(channel.times, t) - channel.times.begin());
+    const auto found = std::ranges::lower_bound(channel.times, t);
+    return std::min(static_cast<std::size_t>(found - channel.times.begin()), channel.size() - 1);
   };
   std::size_t first = 0;
   const auto pass = [&](std::size_t last) {

@@ -10,16 +10,16 @@
 
 #include <orispline/clip/clip_motion.hpp>
 #include <orispline/clip/cubic_channel.hpp>
-#include <orispline/clip/finite_keys.hpp>
-#include <orispline/clip/single_precision.hpp>
 #include <orispline/curve/key_check.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/highest.hpp>
 #include <orispline/math/number.hpp>
+#include <orispline/reduce/apart.hpp>
 #include <orispline/reduce/clip_bytes.hpp>
 #include <orispline/reduce/cubic_keys.hpp>
 #include <orispline/reduce/hermite_keys.hpp>
 #include <orispline/reduce/reduce.hpp>
+#include <orispline/reduce/stored_channel.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -32,21 +32,8 @@ constexpr double share_of_keys = 0.8;
 constexpr double share_before_rounding = 0.9999;
 constexpr double no_bound = 1e3;  // wider than any angle [rad]: of rotations that are the same throughout
 
-double distance(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return angular_distance(a, b); }
-double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm(); }
-
 Eigen::Quaterniond halfway(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return a.slerp(0.5, b); }
 Eigen::Vector3d halfway(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return 0.5 * (a + b); }
-
-double distance_from_zero(const Eigen::Quaterniond& tangent) { return tangent.coeffs().norm(); }
-double distance_from_zero(const Eigen::Vector3d& tangent) { return tangent.norm(); }
-
-/// The channel as a reader finds it in a file of that precision; nothing where no such file can hold it.
-template <CurvePoint P>
-std::optional<Channel<P>> stored(Channel<P> channel, KeyPrecision precision) {
-  if (precision == KeyPrecision::float32) return held_in_single_precision(std::move(channel));
-  return is_finite(channel) ? std::optional(std::move(channel)) : std::nullopt;
-}
 
 Expected<Keyframes> keyframes(const RotationChannel& channel) {
   return Keyframes::make({.times = channel.times, .orientations = channel.values});
@@ -129,12 +116,24 @@ struct Missed {
   std::vector<std::size_t> between{};  ///< after which of the samples the tolerance is broken before the next
 };
 
+/// Whether what has these values at even places may be above a bound between them: by no more than the lines through
+/// neighbours that go on, where it bends downwards.
+bool may_rise_above(double bound, std::span<const double> values) {
+  double largest = values.front(), widest_step = 0.0;
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    largest = std::max(largest, values[k]);
+    widest_step = std::max(widest_step, std::abs(values[k] - values[k - 1]));
+  }
+  return largest + widest_step > bound;
+}
+
 /// Samples of a motion that few keys are to follow, and what it is where it is looked at between two of them.
 template <CurvePoint P>
 class Samples {
  public:
-  explicit Samples(const TakenChannel<P>& taken) : motion_(taken.motion), samples_(taken.channel) {
-    for (std::size_t i = 0; i < samples_.size(); ++i) add_looks(samples_.times, i, looks_);
+  explicit Samples(const TakenChannel<P>& taken)
+      : motion_(taken.motion), samples_(taken.channel), looks_(taken.looks.begin(), taken.looks.end()) {
+    for (std::size_t i = 0; taken.looks.empty() && i < samples_.size(); ++i) add_looks(samples_.times, i, looks_);
   }
 
   [[nodiscard]] const Channel<P>& keys() const { return samples_; }
@@ -150,6 +149,7 @@ class Samples {
     const auto off = [&](double t) { return chord(motion_.at(t), curve.at(t)); };
     const double bound = chord_of_distance<P>(tolerance);
     Missed missed;
+    double at_samples = 0.0;
     std::array<double, each + 1> places{}, chords{};
     chords.back() = chord(looks_[0], curve.at(samples_.times[0]));
     for (std::size_t i = 0; i + 1 < samples_.size(); ++i) {
@@ -157,10 +157,12 @@ class Samples {
       chords.front() = chords.back();
       for (std::size_t k = 1; k < places.size(); ++k) chords[k] = chord(looks_[i * each + k], curve.at(places[k]));
       const double at_ends = std::max(chords.front(), chords.back());
-      missed.at_samples = std::max(missed.at_samples, distance_of_chord<P>(at_ends));
+      at_samples = std::max(at_samples, at_ends);
+      if (!may_rise_above(bound, chords)) continue;
       const Height top = highest(places, chords, off, bound);
       if (top.value > std::max(bound, at_ends)) missed.between.push_back(i);
     }
+    missed.at_samples = distance_of_chord<P>(at_samples);
     return missed;
   }
 
@@ -168,7 +170,6 @@ class Samples {
   void add_middles(const std::vector<std::size_t>& after) {
     if (after.empty()) return;
     Channel<P> more{.joint = samples_.joint, .interpolation = samples_.interpolation};
-    std::vector<P> looks;
     auto next = after.begin();
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       more.times.push_back(samples_.times[i]);
@@ -178,8 +179,13 @@ class Samples {
       more.values.push_back(motion_.at(more.times.back()));
       ++next;
     }
+    std::vector<P> looks;
+    for (std::size_t i = 0, k = 0; i < samples_.size(); ++i, ++k) {
+      const bool is_halved = std::ranges::binary_search(after, i);
+      if (is_halved) add_looks(more.times, k, looks), add_looks(more.times, ++k, looks);
+      else copy_looks(i, looks);
+    }
     samples_ = std::move(more);
-    for (std::size_t i = 0; i < samples_.size(); ++i) add_looks(samples_.times, i, looks);
     looks_ = std::move(looks);
   }
 
@@ -188,6 +194,10 @@ class Samples {
     if (k == 0 || i + 1 == times.size()) return times[i];
     if (k > looks_between) return times[i + 1];
     return times[i] + static_cast<double>(k) / (looks_between + 1) * (times[i + 1] - times[i]);
+  }
+  void copy_looks(std::size_t i, std::vector<P>& looks) const {
+    const auto first = looks_.begin() + static_cast<std::ptrdiff_t>(i * (looks_between + 1));
+    looks.insert(looks.end(), first, i + 1 < samples_.size() ? first + looks_between + 1 : first + 1);
   }
   /// The motion at a sample and up to the next one.
   void add_looks(const std::vector<double>& times, std::size_t i, std::vector<P>& looks) const {
@@ -222,24 +232,28 @@ void append(RotationChannel& channel, RotationChannel more) {
 }
 void append(VectorChannel& channel, VectorChannel more) { append_keys(channel, more); }
 
+/// By a method that does not go over cuts by itself; `given`: rates at the ends, of `hermite-c1`.
 template <CurvePoint P>
-Expected<Channel<P>> with_fewer_keys(const Channel<P>& samples, const ChannelCurve<P>& motion, double tolerance,
-                                     const Method& method, bool closes) {
-  const bool is_cubic = method.name == cubicspline_method;
-  if (!is_cubic && !seeks_rates(method)) return by_method(samples, tolerance, method);
-  const CubicSamples<P> targets = cubic_samples(samples, motion);
-  return is_cubic ? fewest_cubics(targets, tolerance, closes) : hermite_channel(targets, tolerance, method, closes);
+Expected<Channel<P>> of_stretch(const Channel<P>& samples, const ChannelCurve<P>& motion, double tolerance,
+                                const Method& method, const RatesAtEnds& given) {
+  if (!seeks_rates(method)) return by_method(samples, tolerance, method);
+  return hermite_channel(cubic_samples(samples, motion), tolerance, method, given);
 }
 
 /// Keys within the tolerance at the samples, of every stretch between cuts by itself.
 template <CurvePoint P>
 Expected<Channel<P>> with_fewer_keys(const Channel<P>& samples, const TakenChannel<P>& before, double tolerance,
                                      const Method& method, bool closes) {
-  if (before.cuts.empty()) return with_fewer_keys(samples, before.motion, tolerance, method, closes);
+  if (method.name == cubicspline_method)
+    return fewest_cubics(cubic_samples(samples, before.motion, before.cuts), tolerance, closes);
+  std::optional<Eigen::Vector3d> seam;
+  if (closes) seam = rate_at_seam(cubic_samples(samples, before.motion).targets);
   Expected<Channel<P>> whole = Channel<P>();
   pass_stretches<P>(samples, before.cuts, [&](std::size_t first, std::size_t last) {
     if (!whole) return;
-    auto part = with_fewer_keys(stretch_of(samples, first, last), before.motion, tolerance, method, false);
+    const RatesAtEnds given{.first = first == 0 ? seam : std::nullopt,
+                            .last = last + 1 == samples.size() ? seam : std::nullopt};
+    auto part = of_stretch(stretch_of(samples, first, last), before.motion, tolerance, method, given);
     if (!part || whole->times.empty()) whole = std::move(part);
     else append(*whole, *std::move(part));
   });
@@ -248,7 +262,7 @@ Expected<Channel<P>> with_fewer_keys(const Channel<P>& samples, const TakenChann
 
 /// Cubics, of which those that break the tolerance at one of these times, each with the one behind it, are found anew.
 template <CurvePoint P>
-Channel<P> with_spans_anew(const Channel<P>& found, const Channel<P>& samples, const ChannelCurve<P>& motion,
+Channel<P> with_spans_anew(const Channel<P>& found, const Channel<P>& samples, const TakenChannel<P>& before,
                            const std::vector<double>& broken, double tolerance) {
   const auto sample_at = [&](double t) {
     return static_cast<std::size_t>(std::ranges::lower_bound(samples.times, t) - samples.times.begin());
@@ -261,9 +275,9 @@ Channel<P> with_spans_anew(const Channel<P>& found, const Channel<P>& samples, c
     if (is_broken) end = std::min(end + 1, found.size() - 1);
     Channel<P> part = stretch_of(found, k, end);
     if (is_broken)
-      part = fewest_cubics(
-          cubic_samples(stretch_of(samples, sample_at(found.times[k]), sample_at(found.times[end])), motion),
-          tolerance);
+      part = fewest_cubics(cubic_samples(stretch_of(samples, sample_at(found.times[k]), sample_at(found.times[end])),
+                                         before.motion, before.cuts),
+                           tolerance);
     if (whole.times.empty()) whole = std::move(part);
     else append(whole, std::move(part));
   }
@@ -274,37 +288,7 @@ Channel<P> with_spans_anew(const Channel<P>& found, const Channel<P>& samples, c
 template <CurvePoint P>
 constexpr double rounding = std::same_as<P, Eigen::Quaterniond> ? rest_angle : rest_length;
 
-/// Whether a spline may swing farther than that between keys that are the same.
-template <CurvePoint P>
-bool swings(const Channel<P>& channel, double farthest) {
-  if (channel.interpolation != ChannelInterpolation::cubicspline) return false;
-  for (std::size_t i = 0; i + 1 < channel.size(); ++i) {
-    const double interval = channel.times[i + 1] - channel.times[i];
-    for (const P& tangent : {channel.out_tangents[i], channel.in_tangents[i + 1]})
-      if (distance_from_zero(tangent) * interval > farthest) return true;
-  }
-  return false;
-}
-
 }  // namespace
-
-template <CurvePoint P>
-Channel<P> resting_channel(const Channel<P>& channel, const P& rest, double farthest, KeyPrecision precision) {
-  if (swings(channel, farthest)) return channel;
-  const bool is_step = channel.interpolation == ChannelInterpolation::step;
-  for (const P& held : {rest, channel.values.front()}) {
-    Channel<P> resting{.joint = channel.joint,
-                       .interpolation = is_step ? ChannelInterpolation::step : ChannelInterpolation::linear,
-                       .times = {channel.times.front()},
-                       .values = {held}};
-    const auto in_file = stored(resting, precision);
-    if (!in_file) continue;
-    const P& read = in_file->values.front();
-    if (std::ranges::all_of(channel.values, [&](const P& value) { return distance(read, value) <= farthest; }))
-      return resting;
-  }
-  return channel;
-}
 
 std::vector<double> with_looks_between(std::span<const double> times) {
   constexpr double pieces = looks_between + 1;
@@ -318,19 +302,23 @@ std::vector<double> with_looks_between(std::span<const double> times) {
 }
 
 template <CurvePoint P>
-LargestInTime farthest_from(const ChannelCurve<P>& motion, const Channel<P>& after, std::span<const double> times) {
+LargestInTime farthest_from(const ChannelCurve<P>& motion, const Channel<P>& after, std::span<const double> times,
+                            std::span<const P> looks, double known) {
   const ChannelCurve<P> curve(after);
-  const auto off = [&](double t) { return distance(motion.at(t), curve.at(t)); };
   const std::vector<double> places = with_looks_between(times);
-  std::vector<double> distances;
-  for (const double t : places) distances.push_back(off(t));
-  const Height farthest = highest(places, distances, off);
-  return {.value = farthest.value, .time = farthest.place};
+  SummitsInPassing summits;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    summits.pass({places[k], chord(looks.empty() ? motion.at(places[k]) : looks[k], curve.at(places[k]))});
+  const double t =
+      summits
+          .highest([&](double place) { return chord(motion.at(place), curve.at(place)); }, chord_of_distance<P>(known))
+          .place;
+  return {.value = apart(motion.at(t), curve.at(t)), .time = t};
 }
 
 template <CurvePoint P>
 double apart_at_ends(const Channel<P>& channel) {
-  return distance(channel.values.front(), channel.values.back());
+  return apart(channel.values.front(), channel.values.back());
 }
 
 template <CurvePoint P>
@@ -351,8 +339,8 @@ template <CurvePoint P>
 Expected<Channel<P>> reduced_by(const Method& method, const TakenChannel<P>& before, double tolerance,
                                 const ClipReduceOptions& options) {
   const Channel<P>& channel = before.channel;
-  const bool closes =
-      options.closed && before.cuts.empty() && apart_at_ends(channel) <= std::max(tolerance, rounding<P>);
+  const bool closes = options.closed && !is_cut_at_ends(channel, before.cuts) &&
+                      apart_at_ends(channel) <= std::max(tolerance, rounding<P>);
   Samples<P> samples(before);
   if (closes && !ends_as_it_begins(channel)) samples.join_ends();
   const bool is_mended_in_parts = method.name == cubicspline_method && !closes;
@@ -365,7 +353,7 @@ Expected<Channel<P>> reduced_by(const Method& method, const TakenChannel<P>& bef
       if (!fewer) return fewer;
       found = *std::move(fewer);
     } else {
-      found = with_spans_anew(found, samples.keys(), before.motion, broken, asked);
+      found = with_spans_anew(found, samples.keys(), before, broken, asked);
     }
     std::optional<Channel<P>> reduced = stored(found, options.precision);
     if (!reduced || !is_less(*reduced, channel, options)) break;
@@ -395,12 +383,10 @@ Expected<Channel<P>> reduced_channel(const TakenChannel<P>& before, double toler
   return is_less(*linear, *cubic, options) ? linear : cubic;
 }
 
-template RotationChannel resting_channel(const RotationChannel&, const Eigen::Quaterniond&, double, KeyPrecision);
-template VectorChannel resting_channel(const VectorChannel&, const Eigen::Vector3d&, double, KeyPrecision);
 template LargestInTime farthest_from(const ChannelCurve<Eigen::Quaterniond>&, const RotationChannel&,
-                                     std::span<const double>);
+                                     std::span<const double>, std::span<const Eigen::Quaterniond>, double);
 template LargestInTime farthest_from(const ChannelCurve<Eigen::Vector3d>&, const VectorChannel&,
-                                     std::span<const double>);
+                                     std::span<const double>, std::span<const Eigen::Vector3d>, double);
 template double apart_at_ends(const RotationChannel&);
 template double apart_at_ends(const VectorChannel&);
 template bool ends_as_it_begins(const RotationChannel&);

@@ -13,6 +13,7 @@ struct TakenChannel {
   const Channel<P>& channel;
   const ChannelCurve<P>& motion;
   const std::vector<Cut>& cuts;  ///< of the channel: stretches between them are reduced by themselves
+  std::span<const P> looks{};    ///< the motion at with_looks_between() of the channel's times, if it is known there
 };
 
 /// A channel with fewer keys, within the tolerance [rad, or a length] of the motion at and between the keys that it
@@ -26,22 +27,23 @@ template <CurvePoint P>
 [[nodiscard]] Expected<Channel<P>> reduced_channel(const TakenChannel<P>& before, double tolerance,
                                                    const ClipReduceOptions& options);
 
-/// One key in the place of those of a channel that moves no farther than that [rad, or a length]: the joint's rest pose
-/// where all keys are as near to it, else the first of them. The channel itself where it moves farther, or would with
-/// the key in that precision.
-template <CurvePoint P>
-[[nodiscard]] Channel<P> resting_channel(const Channel<P>& channel, const P& rest, double farthest,
-                                         KeyPrecision precision);
-
 /// The farthest that a channel with fewer keys is from a motion [rad, or a length]: at those times and between them,
-/// where it is looked at in `looks_between` places, and beside the farthest of these until nothing rises.
+/// where it is looked at in `looks_between` places, and beside the farthest of these until nothing rises. `looks` as in
+/// TakenChannel; what is not above `known` need not be found.
 template <CurvePoint P>
 [[nodiscard]] LargestInTime farthest_from(const ChannelCurve<P>& motion, const Channel<P>& after,
-                                          std::span<const double> times);
+                                          std::span<const double> times, std::span<const P> looks = {},
+                                          double known = 0.0);
 inline constexpr std::size_t looks_between = 8;
 
 /// The times with so many between two of them.
 [[nodiscard]] std::vector<double> with_looks_between(std::span<const double> times);
+
+/// Whether one of the cuts begins at the first key or ends at the last: such a channel cannot be closed.
+template <CurvePoint P>
+[[nodiscard]] bool is_cut_at_ends(const Channel<P>& channel, const std::vector<Cut>& cuts) {
+  return !cuts.empty() && (cuts.front().before <= channel.times.front() || cuts.back().after >= channel.times.back());
+}
 
 /// How far its last key is from its first one [rad, or a length].
 template <CurvePoint P>
@@ -50,13 +52,10 @@ template <CurvePoint P>
 template <CurvePoint P>
 [[nodiscard]] bool ends_as_it_begins(const Channel<P>& channel);
 
-extern template RotationChannel resting_channel(const RotationChannel&, const Eigen::Quaterniond&, double,
-                                                KeyPrecision);
-extern template VectorChannel resting_channel(const VectorChannel&, const Eigen::Vector3d&, double, KeyPrecision);
 extern template LargestInTime farthest_from(const ChannelCurve<Eigen::Quaterniond>&, const RotationChannel&,
-                                            std::span<const double>);
+                                            std::span<const double>, std::span<const Eigen::Quaterniond>, double);
 extern template LargestInTime farthest_from(const ChannelCurve<Eigen::Vector3d>&, const VectorChannel&,
-                                            std::span<const double>);
+                                            std::span<const double>, std::span<const Eigen::Vector3d>, double);
 extern template double apart_at_ends(const RotationChannel&);
 extern template double apart_at_ends(const VectorChannel&);
 extern template bool ends_as_it_begins(const RotationChannel&);

@@ -55,9 +55,11 @@ struct ClipReduceOptions {
   KeyPrecision precision = KeyPrecision::float64;
   KeyPrecision precision_before = KeyPrecision::float64;  ///< that the keys have: those that stay are then the same
   /// Of `cubicspline` and `hermite-c1`: channels that end as they begin, or nearer to it than the tolerance, have the
-  /// same key and tangent at both ends, so that the clip goes on without a jump where it begins again. Those with cuts
-  /// stay open.
+  /// same key and tangent at both ends, so that the clip goes on without a jump where it begins again. Those with a cut
+  /// at an end stay open.
   bool closed = false;
+  /// Channels of one key that is the rest pose of their joint are left out otherwise.
+  bool keep_constant = false;
 };
 
 /// Error (bad_argument): options that do not fit together, a tolerance that is not greater than 0, an angle beyond
@@ -77,23 +79,26 @@ struct ClipReduction {
     }
   };
 
-  /// A channel that does not end as it begins.
+  /// A channel that does not end as it begins, or is to be closed and has a cut at an end.
   struct OpenTrack {
     std::size_t joint = 0;
-    bool is_rotation = true;  ///< else a translation
-    double apart = 0.0;       ///< [rad], or in the skeleton's unit of length
+    bool is_rotation = true;      ///< else a translation
+    double apart = 0.0;           ///< [rad], or in the skeleton's unit of length
+    bool is_cut_at_ends = false;  ///< at one of them
   };
 
   Clip clip{};
   std::size_t rotation_keys = 0, rotation_keys_before = 0;  ///< of tracks that had three keys or more
   std::size_t rotation_tracks = 0;                          ///< such ones
   std::size_t translation_keys = 0, translation_keys_before = 0;
-  std::size_t open_tracks = 0;    ///< rotation tracks of `rotation_tracks` that do not end as they begin
-  std::vector<OpenTrack> open{};  ///< those, and such translations
-  std::size_t cuts = 0;           ///< in the clip before: those of several joints at one time are one
-  Worst angle{};                  ///< of rotations in the frames of the parents, at all times [rad]
-  Worst translation{};            ///< of translations, in the same frames [the skeleton's unit]
-  Worst distance{};               ///< the shell distance in the world
+  std::size_t open_tracks = 0;      ///< rotation tracks of `rotation_tracks` that do not end as they begin
+  std::vector<OpenTrack> open{};    ///< those, and such translations
+  std::size_t cuts = 0;             ///< in the clip before: those of several joints at one time are one
+  std::size_t tracks_before = 0;    ///< channels of the clip before
+  std::size_t tracks_left_out = 0;  ///< those of them that the rest pose stands for
+  Worst angle{};                    ///< of rotations in the frames of the parents, at all times [rad]
+  Worst translation{};              ///< of translations, in the same frames [the skeleton's unit]
+  Worst distance{};                 ///< the shell distance in the world
   /// Of rotations: from the curve `auto` through the keys before, and from what the clip says [rad].
   Worst from_smooth{}, from_stored{};
 };
@@ -114,8 +119,9 @@ struct ClipReduction {
 /// Rotations are reduced where `tolerance` or `world_tolerance` is finite,
 /// translations where `position_tolerance` or `world_tolerance` is; scales, steps and channels of two keys stay as they
 /// are. But channels of any kind that stand still but for rounding become one key, that of the rest pose where it is
-/// the same. Rounding is `rest_angle`, `rest_length` in the world and in the frame of the parent, and that part of the
-/// largest scale, and no more than the tolerances say.
+/// the same, and are then left out unless `keep_constant` is set; one that alone has the first or the last key of the
+/// clip stays. Rounding is `rest_angle`, `rest_length` in the world and in the frame of the parent, and that part of
+/// the largest scale, and no more than the tolerances say.
 ///
 /// For `world_tolerance` a joint's rotation may be off by that length over its reach: the longest chain of bones below
 /// it, and the shell. All joints' tolerances are then scaled by one factor until the shell distance of the whole clip
@@ -156,7 +162,7 @@ ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexc
 /// Of all clips together; its members are those of the clips.
 struct ClipTotals {
   std::size_t rotation_keys = 0, rotation_keys_before = 0, rotation_tracks = 0, open_tracks = 0;
-  std::size_t translation_keys = 0, translation_keys_before = 0, cuts = 0;
+  std::size_t translation_keys = 0, translation_keys_before = 0, cuts = 0, tracks_before = 0, tracks_left_out = 0;
   /// The clips where these are largest, of equals the first; null where no clip has one.
   const ClipReduction *angle = nullptr, *translation = nullptr, *distance = nullptr;
   const ClipReduction *from_smooth = nullptr, *from_stored = nullptr;

@@ -23,6 +23,8 @@ ClipTotals totals_of(std::span<const ClipReduction> reductions) {
     totals.translation_keys += reduction.translation_keys;
     totals.translation_keys_before += reduction.translation_keys_before;
     totals.cuts += reduction.cuts;
+    totals.tracks_before += reduction.tracks_before;
+    totals.tracks_left_out += reduction.tracks_left_out;
     take_larger<&ClipReduction::angle>(totals.angle, reduction);
     take_larger<&ClipReduction::translation>(totals.translation, reduction);
     take_larger<&ClipReduction::distance>(totals.distance, reduction);

@@ -21,6 +21,12 @@ class CubicChains {
         last_(samples.size() - 1),
         before_(samples.size(), none) {}
 
+  /// The last sample that a span from that one may reach.
+  [[nodiscard]] std::size_t end_of(std::size_t sample) const {
+    const auto next = std::ranges::upper_bound(samples_.parted_at, sample);
+    return next == samples_.parted_at.end() ? last_ : *next;
+  }
+
   /// The keys of a chain to the last sample.
   [[nodiscard]] std::vector<std::size_t> to_end() {
     std::size_t reached = 0, earlier = 0;
@@ -86,7 +92,7 @@ class CubicChains {
 
   [[nodiscard]] std::size_t at(std::size_t sample) const { return sample * samples_.stride; }
   [[nodiscard]] bool holds(std::size_t i, std::size_t j, const GivenTangents<P>& given = {}) const {
-    return j == i + 1 || spans_.within(at(i), at(j), given).has_value();
+    return j == i + 1 || (j <= end_of(i) && spans_.within(at(i), at(j), given).has_value());
   }
   /// Those that hold, else those that miss least.
   [[nodiscard]] CubicTangents<P> nearest(std::size_t i, std::size_t j, const GivenTangents<P>& given) const {
@@ -127,9 +133,10 @@ class CubicChains {
 
   /// The last sample that a span from sample i was found to reach, from j on, which it reaches.
   [[nodiscard]] std::size_t farthest(std::size_t i, std::size_t j) const {
-    std::size_t step = 1, beyond = last_ + 1;
-    while (j < last_) {
-      const std::size_t next = std::min(j + step, last_);
+    const std::size_t last = end_of(i);
+    std::size_t step = 1, beyond = last + 1;
+    while (j < last) {
+      const std::size_t next = std::min(j + step, last);
       if (!holds(i, next)) {
         beyond = next;
         break;
@@ -149,7 +156,7 @@ class CubicChains {
     std::size_t best = farthest(reached, reached + 1);
     before_[best] = reached;
     const std::size_t first = std::max({earlier, reached - std::min(reached, most_tried), std::size_t{1}});
-    for (std::size_t i = reached; i-- > first && best < last_;) {
+    for (std::size_t i = reached; i-- > first && best < end_of(i);) {
       if (!holds(i, best + 1) || !is_reached(i, before_[reached])) continue;
       best = farthest(i, best + 1);
       before_[best] = i;
@@ -197,8 +204,11 @@ template Channel<Eigen::Quaterniond> fewest_cubics(const CubicSamples<Eigen::Qua
 template Channel<Eigen::Vector3d> fewest_cubics(const CubicSamples<Eigen::Vector3d>&, double, bool);
 
 template <CurvePoint P>
-CubicSamples<P> cubic_samples(const Channel<P>& keys, const ChannelCurve<P>& motion) {
+CubicSamples<P> cubic_samples(const Channel<P>& keys, const ChannelCurve<P>& motion, std::span<const Cut> cuts) {
   CubicSamples<P> samples{.targets = {}, .stride = points_a_sample};
+  pass_stretches<P>(keys, cuts, [&](std::size_t, std::size_t last) {
+    if (last + 1 < keys.size()) samples.parted_at.push_back(last);
+  });
   auto& [times, points] = samples.targets;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     times.push_back(keys.times[i]);
@@ -218,9 +228,10 @@ CubicSamples<P> cubic_samples(const Channel<P>& channel, BetweenSamples between)
   return cubic_samples(channel, motion_between(channel, between));
 }
 
-template CubicSamples<Eigen::Quaterniond> cubic_samples(const RotationChannel&,
-                                                        const ChannelCurve<Eigen::Quaterniond>&);
-template CubicSamples<Eigen::Vector3d> cubic_samples(const VectorChannel&, const ChannelCurve<Eigen::Vector3d>&);
+template CubicSamples<Eigen::Quaterniond> cubic_samples(const RotationChannel&, const ChannelCurve<Eigen::Quaterniond>&,
+                                                        std::span<const Cut>);
+template CubicSamples<Eigen::Vector3d> cubic_samples(const VectorChannel&, const ChannelCurve<Eigen::Vector3d>&,
+                                                     std::span<const Cut>);
 template CubicSamples<Eigen::Quaterniond> cubic_samples(const RotationChannel&, BetweenSamples);
 template CubicSamples<Eigen::Vector3d> cubic_samples(const VectorChannel&, BetweenSamples);
 

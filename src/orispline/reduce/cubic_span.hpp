@@ -56,7 +56,8 @@ struct GivenTangents {
 /// the targets to the lengths that the polynomial had there. These rounds go slowly where it should be far from 1; then
 /// the misses across the targets alone are made least, for all components at once, with lengths from a half to 2. Where
 /// the worst target is missed by little, further rounds weigh each target by its miss (Lawson), which leads towards the
-/// tangents that miss the worst one least.
+/// tangents that miss the worst one least; they end where the weighted mean of the squares, which no tangents make
+/// smaller, is above the bound.
 /// A span turns by 180° at most. Source: our own derivation, docs/skeletons.md.
 template <CurvePoint P>
 class CubicSpans {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include <orispline/math/so3.hpp>
+#include <orispline/reduce/apart.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -20,9 +20,6 @@ constexpr double near_share = 0.25;     // of its neighbours' intervals, for clo
 constexpr double beyond_neighbours = 5.0;
 constexpr double least_turn = 10.0 * std::numbers::pi / 180.0, least_shift_share = 0.05;
 constexpr double rounding_of_rest = 1e-4;  // of close keys that stand still [rad], or in the unit of length
-
-double step_length(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return angular_distance(a, b); }
-double step_length(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (b - a).norm(); }
 
 /// The longest chain of bones in the rest pose, from a root down.
 double longest_chain(const Skeleton& skeleton) {
@@ -55,7 +52,7 @@ void find(const Channel<P>& channel, CutSearch search, double chain, std::vector
   const std::size_t steps = channel.size() - 1;
   std::vector<double> lengths, intervals;
   for (std::size_t i = 0; i < steps; ++i) {
-    lengths.push_back(step_length(channel.values[i], channel.values[i + 1]));
+    lengths.push_back(apart(channel.values[i], channel.values[i + 1]));
     intervals.push_back(times[i + 1] - times[i]);
   }
   const double least = has_single_steps ? least_jump(channel, chain) : 0.0;

@@ -27,15 +27,17 @@ constexpr std::size_t most_ends = 16;
 template <CurvePoint P>
 class HermiteChain {
  public:
-  HermiteChain(const CubicSamples<P>& samples, double tolerance, const std::optional<Eigen::Vector3d>& seam)
+  HermiteChain(const CubicSamples<P>& samples, double tolerance, const RatesAtEnds& given)
       : samples_(samples),
         last_(samples.size() - 1),
-        is_closed_(seam.has_value()),
+        is_given_{.first = given.first.has_value(), .last = given.last.has_value()},
         next_(samples.size(), none),
         previous_(samples.size(), none),
-        rates_(samples.size(), seam.value_or(Eigen::Vector3d::Zero())),
+        rates_(samples.size(), Eigen::Vector3d::Zero()),
         spans_(samples.size()),
         may_be_spared_(samples.size(), true) {
+    if (given.first) rates_.front() = *given.first;
+    if (given.last) rates_.back() = *given.last;
     const double bound =
         std::same_as<P, Eigen::Quaterniond> ? elementary::sine_cosine(0.5 * std::min(tolerance, 3.0)).sine : tolerance;
     square_bound_ = bound * bound;
@@ -151,7 +153,8 @@ class HermiteChain {
     }
     for (const std::size_t key : row.keys) row.rates.push_back(rates_[key]);
     const bool ends_chain = next_[row.keys.back()] == none;
-    row.free = {.first = first == 0 && !is_closed_, .last = ends_chain && !(is_closed_ && row.keys.back() == last_)};
+    row.free = {.first = first == 0 && !is_given_.first,
+                .last = ends_chain && !(is_given_.last && row.keys.back() == last_)};
     return row;
   }
 
@@ -190,8 +193,8 @@ class HermiteChain {
     Row row{.keys = {key, key + 1}, .rates = {rates_[key], rates_[key + 1]}, .spans = {}, .made = {}, .free = {}};
     row.made.push_back(made(key, key + 1));
     row.spans.push_back(row.made.back().get());
-    row.free.last = !(is_closed_ && key + 1 == last_);
-    row.free.first = key == 0 && !is_closed_;
+    row.free.last = !(is_given_.last && key + 1 == last_);
+    row.free.first = key == 0 && !is_given_.first;
     fit_rates<P>(row.spans, row.rates, row.free);
     commit({.first = key, .inner = {}, .last = key + 1}, row);
   }
@@ -256,7 +259,7 @@ class HermiteChain {
   const CubicSamples<P>& samples_;
   std::size_t last_;
   double square_bound_;
-  bool is_closed_;
+  FreeEnds is_given_;                         ///< which rates at the ends of the chain are
   std::vector<std::size_t> next_, previous_;  ///< of every sample that is a key
   std::vector<Eigen::Vector3d> rates_;
   std::vector<std::unique_ptr<Span>> spans_;  ///< from a key to the next
@@ -301,18 +304,18 @@ Expected<VectorChannel> channel_of(const CubicSamples<Eigen::Vector3d>& samples,
 }  // namespace
 
 template <CurvePoint P>
-HermiteKeys fewest_hermite_keys(const CubicSamples<P>& samples, double tolerance,
-                                const std::optional<Eigen::Vector3d>& seam, const std::function<bool()>& stopped) {
-  HermiteChain<P> chain(samples, tolerance, seam);
+HermiteKeys fewest_hermite_keys(const CubicSamples<P>& samples, double tolerance, const RatesAtEnds& given,
+                                const std::function<bool()>& stopped) {
+  HermiteChain<P> chain(samples, tolerance, given);
   chain.build(stopped);
   chain.thin(stopped);
   return chain.keys();
 }
 
-template HermiteKeys fewest_hermite_keys(const CubicSamples<Eigen::Quaterniond>&, double,
-                                         const std::optional<Eigen::Vector3d>&, const std::function<bool()>&);
-template HermiteKeys fewest_hermite_keys(const CubicSamples<Eigen::Vector3d>&, double,
-                                         const std::optional<Eigen::Vector3d>&, const std::function<bool()>&);
+template HermiteKeys fewest_hermite_keys(const CubicSamples<Eigen::Quaterniond>&, double, const RatesAtEnds&,
+                                         const std::function<bool()>&);
+template HermiteKeys fewest_hermite_keys(const CubicSamples<Eigen::Vector3d>&, double, const RatesAtEnds&,
+                                         const std::function<bool()>&);
 
 bool seeks_rates(const Method& method) {
   if (method.name != families::HermiteC1::info.name) return false;
@@ -327,17 +330,16 @@ Eigen::Vector3d rate_at_seam(const CubicTargets<P>& targets) {
 
 template <CurvePoint P>
 Expected<Channel<P>> hermite_channel(const CubicSamples<P>& samples, double tolerance, const Method& method,
-                                     bool closed) {
+                                     const RatesAtEnds& given) {
   const double of_keys = std::same_as<P, Eigen::Quaterniond> ? share_of_rates * tolerance : tolerance;
-  const auto seam = closed ? std::optional(rate_at_seam(samples.targets)) : std::nullopt;
-  return channel_of(samples, fewest_hermite_keys(samples, of_keys, seam), tolerance, method);
+  return channel_of(samples, fewest_hermite_keys(samples, of_keys, given), tolerance, method);
 }
 
 template Eigen::Vector3d rate_at_seam(const CubicTargets<Eigen::Quaterniond>&);
 template Eigen::Vector3d rate_at_seam(const CubicTargets<Eigen::Vector3d>&);
 template Expected<Channel<Eigen::Quaterniond>> hermite_channel(const CubicSamples<Eigen::Quaterniond>&, double,
-                                                               const Method&, bool);
+                                                               const Method&, const RatesAtEnds&);
 template Expected<Channel<Eigen::Vector3d>> hermite_channel(const CubicSamples<Eigen::Vector3d>&, double, const Method&,
-                                                            bool);
+                                                            const RatesAtEnds&);
 
 }}  // namespace orispline

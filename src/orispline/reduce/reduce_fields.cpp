@@ -104,6 +104,10 @@ std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexcept {
                        "smooth unless you say otherwise"}),
       field<&ClipReduceOptions::cuts>(
           {.name = "cuts", .sentence = "Which jumps of joints are cuts, on either side of which nothing swings"}),
+      field<&ClipReduceOptions::keep_constant>(
+          {.name = "keep_constant",
+           .sentence = "Keep tracks of one key that says what the rest pose of the joint says, which are left out "
+                       "otherwise"}),
   };
   return fields;
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstring>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -21,6 +22,7 @@
 #include <orispline/clip/clip.hpp>
 #include <orispline/io/file_system.hpp>
 #include <orispline/scenes/gltf/document.hpp>
+#include <orispline/scenes/gltf/integers.hpp>
 #include <orispline/scenes/gltf/packing.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
@@ -33,8 +35,9 @@ struct WrittenChannel {
   Property property = Property::rotation;
   ChannelInterpolation interpolation = ChannelInterpolation::linear;
   SharedList<float> times{};
-  float end = 0.0F;             ///< of the last key, also where that was left out
-  SharedList<float> outputs{};  ///< of splines with a tangent before and after each value
+  float end = 0.0F;                              ///< of the last key, also where that was left out
+  SharedList<float> outputs{};                   ///< of splines with a tangent before and after each value
+  ComponentType component = ComponentType::f32;  ///< of the outputs, which are such numbers
 };
 
 /// A channel of rotations as a file of the scene held it, to write the same bits again where they were not changed:
@@ -48,6 +51,14 @@ std::array<double, 4> numbers_of(const Eigen::Quaterniond& value) {
 }
 std::array<double, 3> numbers_of(const Eigen::Vector3d& value) { return {value.x(), value.y(), value.z()}; }
 
+/// 1 where two quaternions are the same to the rounding of single precision, -1 where the other one's opposite is.
+double same_sign(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+  const double sign = a.dot(b) < 0.0 ? -1.0 : 1.0;
+  const double off = (a.coeffs() - sign * b.coeffs()).cwiseAbs().maxCoeff();
+  constexpr double rounding = 0x1p-23;
+  return off <= rounding ? sign : 0.0;
+}
+
 /// Each key that is as it was read, as the file had it.
 RotationChannel with_bits_of_file(RotationChannel channel, const RotationOfFile& file) {
   const bool is_spline = channel.interpolation == ChannelInterpolation::cubicspline;
@@ -56,13 +67,18 @@ RotationChannel with_bits_of_file(RotationChannel channel, const RotationOfFile&
     const auto found = std::ranges::lower_bound(times, channel.times[i]);
     if (found == times.end() || *found != channel.times[i]) continue;
     const auto k = static_cast<std::size_t>(found - times.begin());
-    if (channel.values[i].coeffs() != file.read.values[k].coeffs()) continue;
-    channel.values[i] = file.raw.values[k];
-    if (!is_spline || file.read.in_tangents.empty()) continue;
-    if (channel.in_tangents[i].coeffs() == file.read.in_tangents[k].coeffs())
-      channel.in_tangents[i] = file.raw.in_tangents[k];
-    if (channel.out_tangents[i].coeffs() == file.read.out_tangents[k].coeffs())
-      channel.out_tangents[i] = file.raw.out_tangents[k];
+    const double sign = same_sign(channel.values[i], file.read.values[k]);
+    if (sign == 0.0) continue;
+    channel.values[i].coeffs() = sign * file.raw.values[k].coeffs();
+    if (!is_spline) continue;
+    // Readers divide tangents by what they divide the value by.
+    const auto restore = [&](Eigen::Quaterniond& tangent, const SharedList<Eigen::Quaterniond>& read,
+                             const SharedList<Eigen::Quaterniond>& raw) {
+      if (!read.empty() && sign > 0.0 && tangent.coeffs() == read[k].coeffs()) tangent = raw[k];
+      else tangent.coeffs() *= file.raw.values[k].norm();
+    };
+    restore(channel.in_tangents[i], file.read.in_tangents, file.raw.in_tangents);
+    restore(channel.out_tangents[i], file.read.out_tangents, file.raw.out_tangents);
   }
   return channel;
 }
@@ -310,7 +326,12 @@ class Writer {
     auto read = channel_of<Eigen::Quaterniond>(*keys, channel.joint);
     if (!raw || !read) return tl::unexpected(raw ? read.error() : raw.error());
     const RotationOfFile of_file{std::move(*raw), std::move(*read)};
-    return written(channel, &of_file);
+    const auto places = sampler_places(source_.document(), sampler, quaternion_type);
+    return written(channel, &of_file).map([&](WrittenChannel done) {
+      const ComponentType before = places->output.type;
+      if (bytes_in(before, done.outputs)) done.component = before;
+      return done;
+    });
   }
 
   [[nodiscard]] std::size_t node_of(std::size_t joint) const { return source_.nodes().node_of_joint[joint]; }
@@ -321,8 +342,9 @@ class Writer {
     (channel.property == Property::rotation      ? result_.keys.rotations
      : channel.property == Property::translation ? result_.keys.translations
                                                  : result_.keys.scales) += channel.times.size();
-    return samplers.made(input, result_.store.outputs(channel.outputs, type.word, type.components),
-                         channel.interpolation);
+    const std::size_t output = result_.store.outputs(channel.outputs, type.word, type.components);
+    if (channel.component != ComponentType::f32) result_.store.write_in(channel.component, output);
+    return samplers.made(input, output, channel.interpolation);
   }
 
   /// Channels that were there stay at their place in the list, with what else they say.

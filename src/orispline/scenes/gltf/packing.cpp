@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <orispline/scenes/gltf/document.hpp>
+#include <orispline/scenes/gltf/integers.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
@@ -252,11 +253,12 @@ class Packing {
   /// The new keys in their own view.
   void add_new(const KeyStore& store, std::size_t place) {
     lists_.bytes.resize((lists_.bytes.size() + 3) / 4 * 4);
-    put(lists_.views, place,
-        {{"buffer", 0}, {"byteOffset", lists_.bytes.size()}, {"byteLength", store.bytes().size()}});
-    lists_.bytes += store.bytes();
-    for (std::size_t entry = 0; entry < store.size(); ++entry)
-      put(lists_.accessors, store.slot(entry), store.accessor(entry, place));
+    const std::size_t start = lists_.bytes.size();
+    for (std::size_t entry = 0; entry < store.size(); ++entry) {
+      put(lists_.accessors, store.slot(entry), store.accessor(entry, place, lists_.bytes.size() - start));
+      lists_.bytes += store.bytes_of(entry);
+    }
+    put(lists_.views, place, {{"buffer", 0}, {"byteOffset", start}, {"byteLength", lists_.bytes.size() - start}});
   }
 
   static void put(Json& list, std::size_t place, Json value) {
@@ -300,13 +302,32 @@ std::size_t KeyStore::add(std::string_view type, std::size_t components, const s
   return slot(found->second);
 }
 
-Json KeyStore::accessor(std::size_t entry, std::size_t view) const {
+void KeyStore::write_in(ComponentType component, std::size_t slot) {
+  const auto free = std::ranges::lower_bound(free_slots_, slot);
+  const bool was_free = free != free_slots_.end() && *free == slot;
+  const auto entry =
+      was_free ? static_cast<std::size_t>(free - free_slots_.begin()) : slot - next_slot_ + free_slots_.size();
+  entries_[entry].component = component;
+}
+
+std::string KeyStore::bytes_of(std::size_t entry) const {
+  const Entry& data = entries_[entry];
+  const std::size_t end = entry + 1 < entries_.size() ? entries_[entry + 1].offset : bytes_.size();
+  std::string bytes = bytes_.substr(data.offset, end - data.offset);
+  if (data.component == ComponentType::f32) return bytes;
+  std::vector<float> numbers(bytes.size() / sizeof(float));
+  std::memcpy(numbers.data(), bytes.data(), bytes.size());
+  return bytes_in(data.component, numbers).value();
+}
+
+Json KeyStore::accessor(std::size_t entry, std::size_t view, std::size_t offset) const {
   const Entry& data = entries_[entry];
   Json json{{"bufferView", view},
-            {"componentType", static_cast<int>(ComponentType::f32)},
+            {"componentType", static_cast<int>(data.component)},
             {"count", data.count},
             {"type", data.type}};
-  if (data.offset > 0) json["byteOffset"] = data.offset;
+  if (offset > 0) json["byteOffset"] = offset;
+  if (data.component != ComponentType::f32) json["normalized"] = true;
   if (data.type != "SCALAR") return json;
   json["min"] = Json::array({static_cast<double>(data.first)});
   json["max"] = Json::array({static_cast<double>(data.last)});

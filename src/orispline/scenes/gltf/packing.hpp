@@ -19,8 +19,9 @@ class KeyStore {
  public:
   struct Entry {
     std::string_view type;
-    std::size_t offset, count;  ///< in bytes(), and in elements
+    std::size_t offset, count;  ///< in bytes(), as floats, and in elements
     float first, last;
+    ComponentType component = ComponentType::f32;  ///< in the file; all numbers are such, to single precision
   };
 
   /// `free_slots`: numbers of accessors that are to be taken first, rising; then come those from `next_slot` on.
@@ -33,10 +34,15 @@ class KeyStore {
     return add(type, components, numbers);
   }
 
+  /// Lets the accessor of that number hold normalised integers, which bytes_in() finds its numbers to be.
+  void write_in(ComponentType component, std::size_t slot);
+
   [[nodiscard]] const std::string& bytes() const noexcept { return bytes_; }
+  /// Of an entry, as the file holds it.
+  [[nodiscard]] std::string bytes_of(std::size_t entry) const;
   [[nodiscard]] std::size_t size() const noexcept { return entries_.size(); }
-  /// The accessor of an entry, in a bufferView of all bytes.
-  [[nodiscard]] Json accessor(std::size_t entry, std::size_t view) const;
+  /// The accessor of an entry, whose bytes begin there in a bufferView.
+  [[nodiscard]] Json accessor(std::size_t entry, std::size_t view, std::size_t offset) const;
   [[nodiscard]] std::size_t slot(std::size_t entry) const noexcept {
     return entry < free_slots_.size() ? free_slots_[entry] : next_slot_ + entry - free_slots_.size();
   }
