@@ -15,7 +15,7 @@ LAYERS = {  # folder of src/orispline -> what it may include besides itself
     "batch/kernel": {"base"}, "batch": GROUND | {"families", "batch/kernel"}, "online": GROUND | {"families", "batch"},
     "analysis": GROUND | {"families", "batch"}, "smooth": GROUND | {"families", "analysis", "clip"}, "tune": GROUND | {"families", "analysis"}, "mean": GROUND,
     "align": GROUND | {"families", "analysis", "smooth", "mean"},
-    "reduce": GROUND | {"families", "batch", "analysis", "clip"}, "edit": GROUND | {"families", "clip"}, "retime": GROUND | {"families", "batch", "analysis"},
+    "reduce": GROUND | {"families", "batch", "analysis", "clip"}, "edit": GROUND | {"families", "clip"}, "retime": GROUND | {"families", "batch", "analysis", "clip"},
     "pages": GROUND | TASKS | {"families", "batch", "analysis", "report", "clip"},
     "jobs": GROUND | TASKS | {"families", "batch", "online", "analysis", "report", "clip", "pages"}}
 CLI_LAYERS = {"options": set(), "output": {"options"}, "papers": {"options", "output"},

@@ -408,7 +408,7 @@ ORISPLINE_C_API orispline_code orispline_value_of_rates(const double *times, con
 /// `name`: that it would have, for messages, and whose extension names the format. `options`: `clip=NAME` for some of
 /// the clips, once for each; `drop_duplicates` keeps the first of keys at equal times; `signs=shortest` lets cubic
 /// rotations whose signs flip go the short way, `signs=as-given` the way that they say; `salvage` takes the whole
-/// frames of a BVH file that was cut off. Errors: ORISPLINE_BAD_DATA; ORISPLINE_BAD_ARGUMENT for a name of no such
+/// frames of a BVH file that was cut off; `rest_frame=N` the pose of that frame of one, from 0, as the rest pose. Errors: ORISPLINE_BAD_DATA; ORISPLINE_BAD_ARGUMENT for a name of no such
 /// format, and with the option.
 ORISPLINE_C_API orispline_code orispline_value_of_skeleton(const void *bytes, size_t size, const char *name,
                                                            const char *const *options, size_t option_count,

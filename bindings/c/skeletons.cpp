@@ -30,28 +30,23 @@ Expected<void> check_names(const Stated& stated, const std::array<std::string_vi
 }
 
 Value skeleton_of(scenes::Scene scene) {
-  const scenes::SceneFormat& format = *scene.format;
-  jobs::MotionFile motion{.name = scene.name,
-                          .skeleton = std::exchange(scene.skeleton, {}),
-                          .clips = std::exchange(scene.clips, {}),
-                          .has_no_unit = format.has_no_unit,
-                          .format = format.file,
-                          .title = format.title,
-                          .is_single_precise = format.holds_floats,
-                          .is_sampled = format.is_sampled};
-  return {std::make_shared<const jobs::MotionFile>(std::move(motion)),
-          std::make_shared<const scenes::Scene>(std::move(scene))};
+  auto motion = std::make_shared<const MotionFile>(scenes::motion_file_of(scene));
+  scene.skeleton = {};
+  scene.clips = {};
+  return {std::move(motion), std::make_shared<const scenes::Scene>(std::move(scene))};
 }
 
 Expected<Value> read_skeleton(std::string name, std::string bytes, const Stated& stated) {
   io::Reading reading;
-  return check_names(stated, std::array<std::string_view, 4>{"clip", "drop_duplicates", "signs", "salvage"})
+  return check_names(stated,
+                     std::array<std::string_view, 5>{"clip", "drop_duplicates", "signs", "salvage", "rest_frame"})
       .and_then([&] { return io::take_options(reading, stated); })
       .and_then([&] {
         return scenes::read_scene(io::Input::in_memory(std::move(name), std::move(bytes)),
                                   {.drop_duplicates = reading.options.drop_duplicates,
                                    .signs = reading.options.scene.signs,
-                                   .salvage = reading.options.scene.salvage});
+                                   .salvage = reading.options.scene.salvage,
+                                   .rest_frame = reading.options.scene.rest_frame});
       })
       .and_then([&](scenes::Scene scene) { return scenes::with_clips(std::move(scene), reading.options.scene.clips); })
       .map(skeleton_of);
@@ -77,14 +72,11 @@ Expected<scenes::SceneWriting> writing_in(const Stated& stated) {
 }
 
 Expected<Written> written(const Value& value, const std::string& name, const Stated& stated) {
-  const auto* const motion = std::get_if<std::shared_ptr<const jobs::MotionFile>>(&value.value);
+  const auto* const motion = std::get_if<std::shared_ptr<const MotionFile>>(&value.value);
   if (!motion) return bad_option("value", "found no skeleton, wanted one");
   return writing_in(stated)
       .and_then([&](const scenes::SceneWriting& writing) {
-        scenes::Scene scene = *value.file;
-        scene.skeleton = (*motion)->skeleton;
-        scene.clips = (*motion)->clips;
-        return scenes::written_scene(scene, name, writing);
+        return scenes::written_scene(scenes::with_motion(*value.file, **motion), name, writing);
       })
       .map([](scenes::SceneWritten file) {
         return Written{std::move(file.bytes), std::move(file.warnings)};

@@ -28,8 +28,8 @@ struct Outcome {
         warnings(json_text(warnings_json(outcome.warnings))) {
     for (Track& track : outcome.tracks) tracks.push_back(std::make_shared<const Track>(std::move(track)));
     for (GyroTrack& gyro : outcome.gyros) others.push_back({std::make_shared<const GyroTrack>(std::move(gyro))});
-    for (jobs::MotionFile& scene : outcome.scenes)
-      others.push_back({std::make_shared<const jobs::MotionFile>(std::move(scene)), file});
+    for (MotionFile& scene : outcome.scenes)
+      others.push_back({std::make_shared<const MotionFile>(std::move(scene)), file});
   }
 
   [[nodiscard]] std::size_t size() const noexcept { return tracks.size() + others.size(); }

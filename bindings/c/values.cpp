@@ -17,7 +17,7 @@ namespace orispline::c { namespace {
 
 using SharedTrack = std::shared_ptr<const Track>;
 using SharedGyro = std::shared_ptr<const GyroTrack>;
-using SharedMotion = std::shared_ptr<const jobs::MotionFile>;
+using SharedMotion = std::shared_ptr<const MotionFile>;
 
 /// More rates than that have no room in memory.
 constexpr std::size_t most_rates = std::numeric_limits<std::size_t>::max() / (4 * sizeof(double));
@@ -51,7 +51,7 @@ Json json_of(const Value& value) {
             {"epoch", (*track)->epoch.to_string()}};
   if (const auto* const gyro = std::get_if<SharedGyro>(&value.value))
     return {{"kind", "rates"}, {"count", (*gyro)->rates.times.size()}, {"epoch", (*gyro)->epoch.to_string()}};
-  const jobs::MotionFile& motion = *std::get<SharedMotion>(value.value);
+  const MotionFile& motion = *std::get<SharedMotion>(value.value);
   return {{"kind", "skeleton"},
           {"count", motion.clips.size()},
           {"name", motion.name},

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // clip: from a file of skeletons to another one.
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
-#include <orispline/clip/clip_difference.hpp>
 #include <orispline/scenes/scene_file.hpp>
 #include <orispline/scenes/scene_tracks.hpp>
 
@@ -20,8 +17,6 @@
 namespace orispline::cli {
 
 namespace {
-
-bool is_bvh(const std::string& path) { return scenes::scene_format_of(path) == &scenes::bvh_format; }
 
 Expected<TaskJob> clip_job(const TaskArguments& arguments) {
   const std::string& output = arguments.output.path;
@@ -61,29 +56,8 @@ Expected<void> read_clips(const TaskArguments& arguments, TaskJob& job) {
   });
 }
 
-constexpr double same_step = 0.01;  // share by which the steps between frames may differ
-
-/// What BVH is written at after a cut between two frames of BVH: their usual step, from the cut on [s]; absent where
-/// all steps are even.
-std::optional<double> frame_step_of(const Clip& clip) {
-  const std::vector<double> times = key_times(clip);
-  std::vector<double> steps;
-  for (std::size_t i = 0; i + 1 < times.size(); ++i) steps.push_back(times[i + 1] - times[i]);
-  if (steps.empty()) return std::nullopt;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::ranges::nth_element(steps, middle);
-  const double usual = *middle;
-  const bool are_even =
-      std::ranges::all_of(steps, [&](double step) { return std::abs(step - usual) <= same_step * usual; });
-  return are_even ? std::nullopt : std::optional(usual);
-}
-
 Expected<WrittenResult> write_clip(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
-  const std::string& path = arguments.output.path;
-  job.scene.clips = std::move(outcome.scenes.front().clips);
-  if (is_bvh(path) && (job.scene.format == &scenes::bvh_format || is_given(arguments.fields, "rate")))
-    if (const auto step = frame_step_of(job.scene.clips.front())) job.writing.rate = 1.0 / *step;
-  return write_scene(path, job.scene, job.writing).map([&] {
+  return write_edited_scene(arguments.output.path, std::move(job.scene), job.writing, outcome).map([&] {
     return WrittenResult{.text = written_text(arguments, "")};
   });
 }

@@ -180,6 +180,10 @@ constexpr TaskSteps tune_steps{"tune", tune_job, read_tuned, write_tuned};
 constexpr TaskSteps retime_steps{"retime", retime_job, read_retimed, write_retimed};
 constexpr TaskSteps bake_steps{"bake", bake_job, read_baked, write_baked};
 
+const TaskSteps& retiming_steps(const TaskArguments& arguments) {
+  return makes_scene(arguments) ? retime_scene_steps : retime_steps;
+}
+
 }  // namespace
 
 Expected<void> run_tune(const TaskArguments& arguments) { return run_on_one(tune_steps, arguments); }
@@ -187,9 +191,12 @@ Expected<void> run_tune(const TaskArguments& arguments) { return run_on_one(tune
 Expected<void> run_bake(const TaskArguments& arguments) { return run_on_one(bake_steps, arguments); }
 
 Expected<void> run_retime(const TaskArguments& arguments) {
-  const auto check = [](const TaskArguments& one) { return retime_job(one).map([](const TaskJob&) {}); };
-  const auto work = [](const TaskArguments& one) { return run_on_one(retime_steps, one); };
-  return on_inputs(arguments, CommandOnInput<TaskArguments>{.written = "keys", .check = check, .work = work});
+  const auto check = [](const TaskArguments& one) {
+    return retiming_steps(one).understand(one).map([](const TaskJob&) {});
+  };
+  const auto work = [](const TaskArguments& one) { return run_on_one(retiming_steps(one), one); };
+  return on_inputs(arguments, CommandOnInput<TaskArguments>{
+                                  .written = "keys", .check = check, .work = work, .scenes = SceneOutputs::same});
 }
 
 }  // namespace orispline::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// smooth and reduce where the output is a file of skeletons, and difference, which compares two of them.
+// smooth, retime and reduce where the output is a file of skeletons, and difference, which compares two of them.
 #include <filesystem>
 #include <utility>
 
@@ -21,18 +21,26 @@ namespace orispline::cli {
 
 namespace {
 
+/// What was typed for a task on a skeleton, with how many threads work on its clips.
+Expected<jobs::TaskRequest> request_with_threads(const TaskArguments& arguments) {
+  return threads_in(arguments.inputs.threads).map([&](std::size_t threads) {
+    jobs::TaskRequest request = request_of(arguments);
+    request.options.emplace_back("threads", std::uint64_t{threads});
+    return request;
+  });
+}
+
 /// The words of a task on a skeleton, with its options checked by what the name of the file tells.
-Expected<TaskJob> understood(std::string_view task, const TaskArguments& arguments, Expected<Method> method) {
+Expected<TaskJob> understood(std::string_view task, std::string_view input, const TaskArguments& arguments,
+                             Expected<jobs::TaskRequest> request) {
   FirstError checked;
-  TaskJob job{.input = checked(input_request(arguments.input)), .request = request_of(arguments)};
+  TaskJob job{.input = checked(input_request(arguments.input)), .request = checked(std::move(request))};
   job.writing = checked(scene_writing(arguments.output));
-  job.request.methods = {{"", checked(std::move(method))}};
-  job.request.options.emplace_back("threads", std::uint64_t{checked(threads_in(arguments.inputs.threads))});
   job.names = Json({{"input", arguments.input.path}});
   auto read = std::move(checked).or_else(std::move(job));
   if (!read) return read;
-  const auto file = file_of_format(arguments.input.path, scene_format_of(read->input));
-  read->request.inputs = {{"recording", std::make_shared<const jobs::MotionFile>(file)}};
+  const scenes::Scene unread{.name = arguments.input.path, .format = scene_format_of(read->input)};
+  read->request.inputs = {{std::string(input), motion_of(unread.name, unread)}};
   return jobs::check_task(task, read->request).and_then([&] { return check_files(arguments); }).map([&] {
     return std::move(*read);
   });
@@ -42,15 +50,14 @@ Expected<void> read_scene_of(const TaskArguments& arguments, TaskJob& job) {
   auto scene = open_scene(job.input);
   if (!scene) return tl::unexpected(std::move(scene.error()));
   warn(scene->warnings);
-  job.request.inputs = {{"recording", motion_of(arguments.input.path, *scene)}};
+  job.request.inputs.front().second = motion_of(arguments.input.path, *scene);
   job.scene = *std::move(scene);
   return {};
 }
 
 /// The clips that the task made, in the place of those that were read.
-Expected<void> write_clips(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
-  job.scene.clips = std::move(outcome.scenes.front().clips);
-  return write_scene(arguments.output.path, job.scene, job.writing);
+Expected<void> write_clips(const TaskArguments& arguments, const TaskJob& job, const jobs::TaskOutcome& outcome) {
+  return write_scene(arguments.output.path, scenes::with_motion(job.scene, outcome.scenes.front()), job.writing);
 }
 
 // smooth
@@ -61,14 +68,23 @@ Expected<TaskJob> smooth_scene_job(const TaskArguments& arguments) {
         formatted("{}: found a file of skeletons, whose keys are smoothed, wanted samples of one track", given));
   if (file_of(arguments, "gyro"))
     return usage_failure("--gyro-file: found a file of skeletons, wanted a recording of one track");
-  return understood("smooth", arguments, Method{}).map([](TaskJob job) {
-    job.request.methods.clear();
-    return job;
-  });
+  return understood("smooth", "recording", arguments, request_with_threads(arguments));
 }
 
-Expected<WrittenResult> write_smooth_scene(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
+/// Of smooth and retime.
+Expected<WrittenResult> write_changed_scene(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
   return write_clips(arguments, job, outcome).map([&] { return WrittenResult{.text = written_text(arguments, "")}; });
+}
+
+// retime
+
+Expected<TaskJob> retime_scene_job(const TaskArguments& arguments) {
+  auto request = named_method(arguments.method, arguments.shape).map([&](std::optional<Method> method) {
+    jobs::TaskRequest made = request_of(arguments);
+    if (method) made.method = jobs::ChosenMethod{.method = *std::move(method)};
+    return made;
+  });
+  return understood("retime", "keys", arguments, std::move(request));
 }
 
 // reduce
@@ -101,7 +117,15 @@ Expected<void> check_clips(const TaskArguments& arguments) {
 }
 
 Expected<TaskJob> reduce_scene_job(const TaskArguments& arguments) {
-  return check_clips(arguments).and_then([&] { return understood("reduce", arguments, scene_method_in(arguments)); });
+  return check_clips(arguments).and_then([&] {
+    auto request = scene_method_in(arguments).and_then([&](const Method& method) {
+      return request_with_threads(arguments).map([&](jobs::TaskRequest made) {
+        made.methods = {{"", method}};
+        return made;
+      });
+    });
+    return understood("reduce", "recording", arguments, std::move(request));
+  });
 }
 
 /// 0 where it is not known.
@@ -174,7 +198,8 @@ Expected<jobs::TaskValue> motion_in(const TaskArguments& arguments, const std::s
 
 }  // namespace
 
-const TaskSteps smooth_scene_steps{"smooth", smooth_scene_job, read_scene_of, write_smooth_scene};
+const TaskSteps smooth_scene_steps{"smooth", smooth_scene_job, read_scene_of, write_changed_scene};
+const TaskSteps retime_scene_steps{"retime", retime_scene_job, read_scene_of, write_changed_scene};
 const TaskSteps reduce_scene_steps{"reduce", reduce_scene_job, read_scene_of, write_reduced_scene};
 
 Expected<void> run_difference(const TaskArguments& arguments) {

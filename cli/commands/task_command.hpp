@@ -103,7 +103,7 @@ struct TaskSteps {
 [[nodiscard]] std::string written_text(const TaskArguments& arguments, std::string_view what);
 
 // The tasks on skeletons, whose output is one.
-extern const TaskSteps smooth_scene_steps, reduce_scene_steps;
+extern const TaskSteps smooth_scene_steps, retime_scene_steps, reduce_scene_steps;
 /// Whether the output is a file of skeletons.
 [[nodiscard]] bool makes_scene(const TaskArguments& arguments);
 

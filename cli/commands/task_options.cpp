@@ -360,7 +360,8 @@ void add_reduce_options(Command& app, TaskArguments& o) {
            .stands_for = "none",
            .section = "Clips"});
   app.add_option("--position-scale", o.fields["position_scale"],
-                 "Metres in one unit of length of the file, such as 0.01 [1 for glTF; a BVH file has no unit]")
+                 "Metres in one unit of length of a BVH file, such as 0.01, for tolerances of lengths and for glTF, "
+                 "whose lengths are in metres [lengths are kept as they are]")
       ->type_name("X")
       ->group("Clips");
   app.add_flag(
@@ -398,10 +399,12 @@ constexpr auto retime_footer = R"(Examples:
   orispline retime poses --max-rate 90deg/s --output-folder slow
   orispline retime tuned.csv --method timed-c2 --ends rest --max-rate 90deg/s -o slow.csv
   orispline retime keys.csv --max-torque 0.5Nm --inertia=1,2,2.5 --method timed-c2 -o slow.csv --json
+  orispline retime walk.bvh --max-rate 400deg/s -o slow.bvh
 
 The limits hold everywhere on the curve of --method, with its settings, through the keys that are written. They are
 certified by bounds, not by samples. A motion that is within them stays as it is. Equal keys are rests and keep their
-duration; where no method is named, the body stands still in them. docs/retime.md says more.)";
+duration; where no method is named, the body stands still in them. Into a file of skeletons whole clips are retimed,
+each on one new clock for all its joints. docs/retime.md says more.)";
 
 void add_retime_options(Command& app, TaskArguments& o) {
   add_several_inputs(app, o.inputs, "keys");
@@ -418,7 +421,9 @@ void add_retime_options(Command& app, TaskArguments& o) {
       for (const std::string_view word : {"per-interval", "fastest-keys"})
         add_word_flag(app, o.fields, field, word, group);
     else add_field(app, o.fields, field, group);
+  o.output.scenes = scenes_written();
   add_output_options(app, o.output);
+  add_position_scale(app, o.output);
   add_report_option(app, o.report);
   add_summary_options(app, o.summary);
   app.usual = {"--max-rate", "--max-acceleration", "--max-jerk",     "--max-speed",

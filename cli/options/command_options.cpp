@@ -11,7 +11,7 @@ namespace orispline::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> of_scenes{"signs", "drop_duplicates", "salvage"};
+constexpr std::array<std::string_view, 4> of_scenes{"signs", "drop_duplicates", "salvage", "rest_frame"};
 
 void add_reading_option(Command& app, InputOptions& o, const io::FileOption<io::Reading>& option,
                         std::string_view standing) {

@@ -43,9 +43,9 @@ Expected<void> check_reading(const InputOptions& options, const io::Reading& rea
   const io::FormatInfo* const format =
       reading.options.format ? reading.options.format : io::format_of_extension(options.path);
   if (!format || !format->reading.tracks) return {};
-  constexpr std::array<std::string_view, 11> fitting{
-      "input_format", "clip",       "joint",     "space",          "signs",        "drop_duplicates",
-      "salvage",      "world_axes", "body_axes", "world_rotation", "body_rotation"};
+  constexpr std::array<std::string_view, 12> fitting{
+      "input_format", "clip",       "joint",      "space",     "signs",          "drop_duplicates",
+      "salvage",      "rest_frame", "world_axes", "body_axes", "world_rotation", "body_rotation"};
   for (const auto& [name, typed] : options.reading)
     if (typed.are_given() && std::ranges::find(fitting, name) == fitting.end())
       return usage_failure(

@@ -39,7 +39,8 @@ scenes::SceneReading scene_reading(const InputRequest& input) {
   return {.drop_duplicates = input.read.drop_duplicates,
           .signs = input.read.scene.signs,
           .format = input.read.format ? scene_format_of(input) : nullptr,
-          .salvage = input.read.scene.salvage};
+          .salvage = input.read.scene.salvage,
+          .rest_frame = input.read.scene.rest_frame};
 }
 
 Expected<scenes::Scene> read_scene_as_typed(InputOptions options, const std::string& path) {
@@ -95,22 +96,10 @@ Expected<scenes::SceneWriting> scene_writing(const OutputOptions& options) {
   return writing;
 }
 
-jobs::MotionFile file_of_format(const std::string& name, const scenes::SceneFormat* format) {
-  jobs::MotionFile file{.name = name};
-  if (!format) return file;
-  file.has_no_unit = format->has_no_unit;
-  file.format = format->file;
-  file.title = format->title;
-  file.is_single_precise = format->holds_floats;
-  file.is_sampled = format->is_sampled;
-  return file;
-}
-
-std::shared_ptr<const jobs::MotionFile> motion_of(const std::string& name, const scenes::Scene& scene) {
-  jobs::MotionFile file = file_of_format(name, scene.format);
-  file.skeleton = scene.skeleton;
-  file.clips = scene.clips;
-  return std::make_shared<const jobs::MotionFile>(std::move(file));
+std::shared_ptr<const MotionFile> motion_of(const std::string& name, const scenes::Scene& scene) {
+  MotionFile file = scenes::motion_file_of(scene);
+  file.name = name;
+  return std::make_shared<const MotionFile>(std::move(file));
 }
 
 }  // namespace orispline::cli

@@ -34,10 +34,8 @@ namespace orispline::cli {
 /// name the file; bad_argument where one joint of many is chosen.
 [[nodiscard]] Expected<scenes::Scene> open_scene(const InputRequest& input);
 
-/// What a task is told of a file in that format, without its clips; null: of keys of a table.
-[[nodiscard]] jobs::MotionFile file_of_format(const std::string& name, const scenes::SceneFormat* format);
 /// The clips of a file as a task takes them.
-[[nodiscard]] std::shared_ptr<const jobs::MotionFile> motion_of(const std::string& name, const scenes::Scene& scene);
+[[nodiscard]] std::shared_ptr<const MotionFile> motion_of(const std::string& name, const scenes::Scene& scene);
 
 /// An error that asks for one clip or one joint, with the output that takes all of them, such as `-o all.glb`; any
 /// other as it is.

@@ -29,4 +29,11 @@ Expected<void> write_scene(const std::string& path, const scenes::Scene& scene, 
   return write_counted_scene(path, scene, writing).map([](const scenes::WrittenKeys&) {});
 }
 
+Expected<void> write_edited_scene(const std::string& path, scenes::Scene scene, scenes::SceneWriting writing,
+                                  const jobs::TaskOutcome& outcome) {
+  if (scenes::scene_format_of(path) == &scenes::bvh_format)
+    writing.rate = jobs::found<jobs::ClipOutcome>(outcome).request.edits.rate;
+  return write_scene(path, scenes::with_motion(std::move(scene), outcome.scenes.front()), writing);
+}
+
 }  // namespace orispline::cli

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <orispline/jobs/task_list.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
 namespace orispline::cli {
@@ -13,5 +14,8 @@ namespace orispline::cli {
                                                                 const scenes::SceneWriting& writing);
 [[nodiscard]] Expected<void> write_scene(const std::string& path, const scenes::Scene& scene,
                                          const scenes::SceneWriting& writing);
+/// A scene with what the task `clip` made of it; a rate that was asked for is that of the frames of BVH too.
+[[nodiscard]] Expected<void> write_edited_scene(const std::string& path, scenes::Scene scene,
+                                                scenes::SceneWriting writing, const jobs::TaskOutcome& outcome);
 
 }  // namespace orispline::cli

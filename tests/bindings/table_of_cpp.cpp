@@ -50,15 +50,7 @@ struct Made {
 Expected<jobs::TaskValue> skeleton_of(const Input& input, std::optional<scenes::Scene>& first) {
   return scenes::read_scene(io::Input::in_memory(input.file, input.bytes)).map([&](const scenes::Scene& scene) {
     if (!first) first = scene;
-    return jobs::TaskValue(
-        std::make_shared<const jobs::MotionFile>(jobs::MotionFile{.name = scene.name,
-                                                                  .skeleton = scene.skeleton,
-                                                                  .clips = scene.clips,
-                                                                  .has_no_unit = scene.format->has_no_unit,
-                                                                  .format = scene.format->file,
-                                                                  .title = scene.format->title,
-                                                                  .is_single_precise = scene.format->holds_floats,
-                                                                  .is_sampled = scene.format->is_sampled}));
+    return jobs::TaskValue(std::make_shared<const MotionFile>(scenes::motion_file_of(scene)));
   });
 }
 
@@ -89,10 +81,8 @@ Json json_of(const GyroTrack& gyro) {
   return {{"times", gyro.rates.times}, {"rates", rates}};
 }
 
-Json json_of(const jobs::MotionFile& motion, scenes::Scene file) {
-  file.skeleton = motion.skeleton;
-  file.clips = motion.clips;
-  const auto written = scenes::written_scene(file, "made.glb");
+Json json_of(const MotionFile& motion, const scenes::Scene& file) {
+  const auto written = scenes::written_scene(scenes::with_motion(file, motion), "made.glb");
   return {{"skeleton", base64_of(written ? written->bytes : "")}};
 }
 
@@ -100,7 +90,7 @@ Json json_of(const jobs::TaskOutcome& outcome, const std::optional<scenes::Scene
   Json made = Json::array();
   for (const Track& track : outcome.tracks) made.push_back(json_of(track));
   for (const GyroTrack& gyro : outcome.gyros) made.push_back(json_of(gyro));
-  for (const jobs::MotionFile& motion : outcome.scenes) made.push_back(json_of(motion, *file));
+  for (const MotionFile& motion : outcome.scenes) made.push_back(json_of(motion, *file));
   return {{"document", Json::parse(c::json_text(outcome.document))},
           {"summary", outcome.summary},
           {"line", outcome.line},

@@ -108,6 +108,28 @@ class ClipCommand(CommandTest):
         self.assertEqual({(float(row[0]), float(row[1]), float(row[2])) for row in rows}, {(0.0, 0.9, 0.0)})
         self.assertAlmostEqual(float(rows[5][6]), 30, delta=1e-4)
 
+    def test_a_root_is_made_where_none_lies_above_the_joint(self):
+        self.output_of("convert walk.bvh --quiet -o walk.glb")
+        for source, made in (("walk.bvh", "rooted.bvh"), ("walk.bvh", "rooted.glb"), ("walk.glb", "again.glb")):
+            found = self.clipped(f"{source} --extract-root hips -o {made}")
+            self.assertEqual(found["made_root"], "root")
+            self.output_of(f"sample {source} --joint leg --space world --rate 20 --quiet -o before.csv")
+            self.output_of(f"sample {made} --joint leg --space world --rate 20 --quiet -o after.csv")
+            before, after = ([[float(cell) for cell in line.split(",")] for line in self.read(name).splitlines()[1:]]
+                             for name in ("before.csv", "after.csv"))
+            self.assertEqual(len(before), len(after))
+            for one, other in zip(before, after):
+                for a, b in zip(one[:8], other[:8]):
+                    self.assertAlmostEqual(a, b, delta=1e-5)
+            self.output_of(f"sample {made} --joint root --rate 20 --quiet -o root.csv")
+            last = [float(cell) for cell in self.read("root.csv").splitlines()[-1].split(",")]
+            header = self.read("root.csv").splitlines()[0].split(",")
+            self.assertAlmostEqual(last[header.index("px")], 4.0, delta=1e-5)
+
+    def test_a_cut_beside_a_frame_is_written_at_the_rate_of_the_file(self):
+        self.output_of("clip walk.bvh --from 0.4001 --to 1.6 --shift 0 --quiet -o part.bvh")
+        self.assertIn("Frame Time: 0.05\n", self.read("part.bvh"))
+
     def test_a_cut_between_frames_keeps_the_rate_of_a_bvh_file(self):
         done = self.run_command("clip walk.bvh --from 0.42 --to 1.61 --shift 0 --quiet -o part.bvh")
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -141,8 +163,7 @@ class ClipCommand(CommandTest):
                 ("walk.bvh --loop --root hip", BAD_USAGE, "walk.bvh: --root: found 'hip', wanted the name of a joint"),
                 ("walk.bvh --append other.bvh", BAD_DATA, "walk.bvh: joint 'leg': found no such joint in the second file, wanted the same skeleton in both files"),
                 ("walk.bvh --append longer.bvh", BAD_DATA, "walk.bvh: joint 'leg': found rest poses that differ by 0° and 0.1 of length, wanted the same skeleton in both files"),
-                ("walk.bvh --append walk.bvh --blend 3s", BAD_USAGE, "walk.bvh: --blend: found 3 s, wanted less than the shorter of both clips, which takes 2 s"),
-                ("walk.bvh --extract-root hips", BAD_USAGE, "walk.bvh: --extract-root: found 'hips', above which there is no node, wanted a joint below one, or --in-place")):
+                ("walk.bvh --append walk.bvh --blend 3s", BAD_USAGE, "walk.bvh: --blend: found 3 s, wanted less than the shorter of both clips, which takes 2 s")):
             self.assert_fails(f"clip {arguments} -o out.glb", code, message)
             self.assertFalse((self.folder / "out.glb").exists(), arguments)
         self.assert_fails("clip walk.bvh -o out.csv", BAD_USAGE,

@@ -38,7 +38,8 @@ class SmallScenes(SceneTest):
         self.assertIn("\nFrame Time: 0.0083333\n", self.read("back.bvh"))
 
     def test_gltf_is_in_metres_where_the_unit_of_a_recording_is_stated(self):
-        for command in ("convert arm.bvh", "smooth arm.bvh", "sample arm.bvh --rate 30", "clip arm.bvh --reverse"):
+        for command in ("convert arm.bvh", "smooth arm.bvh", "sample arm.bvh --rate 30", "clip arm.bvh --reverse", "retime arm.bvh --duration 3s",
+                        "reduce arm.bvh --tolerance 0.001deg"):
             self.output_of(f"{command} -o as_it_is.glb")
             self.output_of(f"{command} --position-scale 0.01 -o metres.glb")
             ways = []
@@ -50,6 +51,28 @@ class SmallScenes(SceneTest):
             self.assertEqual(len(ways[0]), len(ways[1]))
             for place, scaled in zip(*ways):
                 self.assertLess(math.dist([0.01 * x for x in place], scaled), 1e-7)
+
+    def test_a_height_that_no_person_has_is_warned_of_with_the_scale_that_gives_one(self):
+        self.write("tall.bvh", self.read("arm.bvh").replace("OFFSET 0.3 0 0", "OFFSET 60 0 0"))
+        for command in ("convert", "smooth", "clip", "reduce --tolerance 0.1deg"):
+            self.assertIn("x.glb: the skeleton is 60", self.run_command(f"{command} tall.bvh -o x.glb").stderr)
+        done = self.run_command("convert tall.bvh -o x.glb")
+        self.assertRegex(done.stderr, r"m large at rest; the --position-scale 0\.0254 makes it 1\.5\d m, as it is if the file is in inches\n")
+        self.assertNotIn("large at rest", self.run_command("convert tall.bvh --position-scale 0.0254 -o x.glb").stderr)
+        self.assertNotIn("large at rest", self.run_command("convert tall.bvh --output-euler XYZ -o x.bvh").stderr)
+
+    def test_a_frame_is_taken_as_the_rest_pose(self):
+        self.output_of("convert arm.bvh -o arm.glb")
+        self.output_of("convert arm.bvh --rest-frame 40 -o posed.glb")
+        self.assertLess(self.json_of("difference arm.glb posed.glb")["angle_max_deg"], 1e-4)
+        self.output_of("convert arm.bvh --joint Elbow -o elbow.csv")
+        w, *vector = rows_of(self.read("elbow.csv"))[40][1:5]
+        elbow, = (node for node in parts_of_glb(self.folder / "posed.glb")[0]["nodes"] if node["name"] == "Elbow")
+        self.assertAlmostEqual(abs(sum(a * b for a, b in zip(elbow["rotation"], (*vector, w)))), 1, delta=1e-7)
+        for arguments, found in (("arm.bvh --rest-frame 121", "arm.bvh: --rest-frame: found 121, wanted a frame of the file, from 0 to 120"),
+                                 ("arm.bvh --rest-frame first", "--rest-frame: found 'first', wanted the number of a frame, from 0"),
+                                 ("arm.glb --rest-frame 0", "--rest-frame: found a glTF file, which states its rest pose, wanted BVH")):
+            self.assertIn(found, self.run_command(f"convert {arguments} -o x.glb").stderr)
 
     def test_a_unit_of_what_has_or_keeps_one_is_refused(self):
         self.output_of("convert arm.bvh -o arm.glb")

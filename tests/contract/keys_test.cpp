@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contract: a curve is of unit quaternions, runs where it says and touches the keys it says, from one key upwards.
+#include <array>
+
 #include <contract/family_contract.hpp>
 #include <support/properties.hpp>
 
@@ -104,6 +106,27 @@ TEST_P(KeyContract, FewestKeysWorkWithEveryEndRule) {
     const AnyCurve c = curve(keys, {.start = {.rule = rule}, .end = {.rule = rule}});
     for (std::size_t i = 0; i < keys.size(); ++i)
       EXPECT_TRUE(near(c(keys.times()[i]), keys.orientations()[i], tolerance::algebra)) << name_of(rule);
+  }
+}
+
+TEST_P(KeyContract, PassesThroughItsKeysOnStepsFromMicrosecondsToDaysWithEveryEndRule) {
+  if (GetParam().ends.empty()) return;
+  const std::array<std::array<double, 5>, 2> spacings{{{1e-6, 1e6, 1e-6, 1e6, 1.0}, {1e6, 1e-6, 1.0, 1e-6, 1e6}}};
+  for (const auto& steps : spacings) {
+    KeyframeData data = random_walk(16, steps.size() + 1, Spacing::even, 1.0);
+    for (std::size_t i = 0; i < steps.size(); ++i) data.times[i + 1] = data.times[i] + steps[i];
+    const Keyframes keys = keyframes(data);
+    for (const EndRule start : GetParam().ends)
+      for (const EndRule end : GetParam().ends) {
+        const auto made = make_curve({GetParam().name, {.start = {.rule = start}, .end = {.rule = end}}}, keys);
+        if (!made) continue;  // a method that refuses such steps says so
+        for (std::size_t i = 0; i < keys.size(); ++i)
+          if (GetParam().passes_through(i))
+            for (const Side side : {Side::left, Side::right})
+              EXPECT_LE(angular_distance(made->motion(keys.times()[i], side).orientation, keys.orientations()[i]),
+                        tolerance::algebra)
+                  << name_of(start) << ", " << name_of(end) << ", key " << i;
+      }
   }
 }
 

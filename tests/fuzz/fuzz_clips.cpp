@@ -97,7 +97,7 @@ void claim_within(const jobs::ReduceSceneOutcome& outcome, const Clip& before, c
 }
 
 void try_reduce(FuzzInput& input, const Scene& scene) {
-  jobs::ReduceSceneRequest request{.file = {.name = "a.glb", .format = "a glTF file", .is_single_precise = true},
+  jobs::ReduceSceneRequest request{.file = {.name = "a.glb", .format = {.file = "a glTF file", .holds_floats = true}},
                                    .skeleton = scene.skeleton,
                                    .clips = scene.clips,
                                    .options = fuzzed_reduction(input),
@@ -129,7 +129,7 @@ void try_smooth(FuzzInput& input, const Scene& scene) {
 
 /// A file beside itself.
 void try_difference(FuzzInput& input, const Scene& scene) {
-  const jobs::MotionFile file{.name = "a.glb", .skeleton = scene.skeleton, .clips = scene.clips};
+  const MotionFile file{.name = "a.glb", .skeleton = scene.skeleton, .clips = scene.clips};
   jobs::DifferenceRequest request{.first = file, .second = file, .threads = 1};
   if (input.below(2) == 1) request.rate = 30.0;
   const double longest = 100.0;  // [s]

@@ -42,8 +42,8 @@ ReduceSceneRequest request_of(ClipFile file) {
           .options = {.tolerance = clip_tolerance}};
 }
 
-const ClipFile glb{.name = "arm.glb", .format = "a glTF file", .is_single_precise = true};
-const ClipFile bvh{.name = "arm.bvh", .format = "a BVH file", .has_no_unit = true};
+const ClipFile glb{.name = "arm.glb", .format = {.file = "a glTF file", .holds_floats = true}};
+const ClipFile bvh{.name = "arm.bvh", .format = {.file = "a BVH file", .has_no_unit = true}};
 
 ReduceSceneOutcome reduced(ReduceSceneRequest request) { return reduce_scene(std::move(request)).value(); }
 
@@ -142,13 +142,29 @@ TEST(ReduceSceneJob, TakesAndShowsLengthsInMetres) {
   request.options = {.world_tolerance = 0.001, .shell = 0.02};
   request.position_scale = 0.1;
   const ReduceSceneOutcome outcome = reduced(std::move(request));
-  EXPECT_DOUBLE_EQ(outcome.options.world_tolerance, 0.01);
-  EXPECT_LE(outcome.totals().distance->distance.largest.value, 0.01);
+  EXPECT_DOUBLE_EQ(outcome.options.world_tolerance, 0.001);
+  EXPECT_LE(outcome.totals().distance->distance.largest.value, 0.001);
   const Json document = document_of(outcome);
   EXPECT_DOUBLE_EQ(number(document, "world_tolerance_m"), 0.001);
   EXPECT_DOUBLE_EQ(number(document, "shell_m"), 0.02);
   EXPECT_LE(number(member(document, "shell_distance_m"), "largest"), 0.001);
   EXPECT_NE(summary_of(outcome).find("; shell 0.02 m\n"), std::string::npos) << summary_of(outcome);
+}
+
+TEST(ReduceSceneJob, TakesAFileWithoutAUnitToMetres) {
+  ReduceSceneRequest request = request_of(bvh);
+  request.clips[0].translations.push_back(
+      {.joint = 0, .times = {0.0, 1.0}, .values = {Eigen::Vector3d::Zero(), Eigen::Vector3d(10.0, 0.0, 0.0)}});
+  request.position_scale = 0.1;
+  const ReduceSceneOutcome outcome = reduced(std::move(request));
+  EXPECT_FALSE(outcome.request.file.format.has_no_unit);
+  EXPECT_EQ(outcome.clips()[0].translations[0].values.back().x(), 1.0);
+  EXPECT_DOUBLE_EQ(outcome.request.skeleton[1].rest.translation.norm(), 0.1 * arm()[1].rest.translation.norm());
+  ReduceSceneRequest in_metres = request_of(glb);
+  in_metres.position_scale = 0.1;
+  EXPECT_EQ(
+      describe(check(in_metres).error()),
+      "position_scale: found a glTF file, whose lengths are in metres, wanted a file without a unit, such as BVH");
 }
 
 TEST(ReduceSceneJob, ShowsNoUnitThatIsNotKnown) {

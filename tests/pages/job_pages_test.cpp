@@ -38,7 +38,7 @@ TEST(SmoothClipsPage, HasTheWarningsAboveItsNotes) {
 
 TEST(InspectScenePage, IsThatOfTheFileAlone) {
   const InspectSceneOutcome outcome = inspect_scene(
-      {{.name = "data/arm.glb", .skeleton = arm(), .clips = {{.name = "wave", .rotations = {swinging(0)}}}}, "glTF"});
+      {{.name = "data/arm.glb", .skeleton = arm(), .clips = {{.name = "wave", .rotations = {swinging(0)}}}}});
   const report::SkeletonPage page = page_of(outcome, head);
   EXPECT_EQ(page.title, "arm.glb: 2 joints, 1 clip");
   EXPECT_EQ(page.after, "");

@@ -47,7 +47,7 @@ class Calls:
             "read_rates": (ori.read_rates, {"path": "gyro.csv"}),
             "Blending": (ori.Blending, {}), "read": (ori.read, {"path": "keys.csv"}), "write": (ori.write, {"what": keys, "path": "out.csv"}),
             "read_scene": (ori.read_scene, {"path": "nod.bvh"}), "reduce_scene": (ori.reduce_scene, {"scene": scene, "tolerance": "1deg"}),
-            "smooth_scene": (ori.smooth_scene, {"scene": scene}), "clip_scene": (ori.clip_scene, {"scene": scene}), "shell_distance": (ori.shell_distance, {"a": scene, "b": scene}), "smooth": (ori.smooth, {"keys": recording}),
+            "smooth_scene": (ori.smooth_scene, {"scene": scene}), "clip_scene": (ori.clip_scene, {"scene": scene}), "retime_scene": (ori.retime_scene, {"scene": scene}), "shell_distance": (ori.shell_distance, {"a": scene, "b": scene}), "smooth": (ori.smooth, {"keys": recording}),
             "reduce": (ori.reduce, {"keys": recording, "tolerance": "1deg"}),
             "reduce_tracks": (ori.reduce_tracks, {"tracks": [recording], "tolerance": "1deg"}),
             "retime": (ori.retime, {"keys": keys, "max_rate": 1}), "tune": (ori.tune, {"keys": keys, "method": "quintic"}),
@@ -131,7 +131,7 @@ def test_all_public_calls_are_walked(calls):
     values = {name for name in ori.__all__ if inspect.isclass(getattr(ori, name))} - {name.split(".")[0] for name in walked}
     assert values <= {"AccessError", "ArgumentError", "BlendingFinding", "BridgedRun", "Certificate", "Channel", "Clip", "ConvergenceError", "DataError", "DistanceStatistics",
                       "EditedClip", "Energies", "Error", "HandleTurn", "KeyStatistics", "Motion", "OpenDirection", "OpenRateDirection", "Peak", "Peaks", "RateAlignment", "Sample",
-                      "SceneEdit", "SceneReduction", "SceneSmoothing", "ShapeWarning", "Skeleton", "SmoothedJoint", "Spread", "View", "Worst"}  # which hold values that were found
+                      "RetimedClip", "SceneEdit", "SceneReduction", "SceneRetiming", "SceneSmoothing", "ShapeWarning", "Skeleton", "SmoothedJoint", "Spread", "View", "Worst"}  # which hold values that were found
     assert {name for name in ori.__all__ if not inspect.isclass(getattr(ori, name))} <= walked
 
 

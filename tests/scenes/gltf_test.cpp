@@ -180,6 +180,31 @@ TEST(Gltf, KnowsHowLongWhatIsPassedOnLasts) {
   EXPECT_FALSE(broken->clips[2].passed_on);
 }
 
+TEST(Gltf, WeightsOfMorphTargetsAreReadThreeToAChannelAndWrittenWhereTheyChange) {
+  GltfFile file = test::turning();
+  const std::size_t times = file.floats("SCALAR", {0.0, 1.0});
+  file.animate(times, file.floats("SCALAR", {0, 0.25, 0.5, 0.75, 1, 0.5, 0.25, 0}), "LINEAR", "weights");
+  auto scene = read(file.text());
+  ASSERT_TRUE(scene) << describe(scene.error());
+  ASSERT_EQ(scene->clips.at(1).weights.size(), 1U);
+  WeightChannels& weights = scene->clips[1].weights[0];
+  EXPECT_EQ(weights.count, 4U);
+  ASSERT_EQ(weights.triples.size(), 2U);
+  EXPECT_EQ(weights.triples[0].values[0], Eigen::Vector3d(0, 0.25, 0.5));
+  EXPECT_EQ(weights.triples[1].values[0], Eigen::Vector3d(0.75, 0, 0));
+  for (VectorChannel& triple : weights.triples) triple.times[1] = 3.0;
+  weights.triples[1].times.insert(weights.triples[1].times.begin() + 1, 1.5);  // a key that the others have not
+  weights.triples[1].values.insert(weights.triples[1].values.begin() + 1, Eigen::Vector3d(0.5, 0, 0));
+  const auto written = written_scene(*scene, "face.glb");
+  ASSERT_TRUE(written) << describe(written.error());
+  const auto again = read_scene(io::Input::in_memory("face.glb", written->bytes));
+  ASSERT_TRUE(again) << describe(again.error());
+  const WeightChannels& back = again->clips.at(1).weights.at(0);
+  EXPECT_EQ(back.triples[0].times, (std::vector<double>{0.0, 1.5, 3.0}));
+  EXPECT_EQ(back.triples[0].values[1], Eigen::Vector3d(0.5, 0.375, 0.375));
+  EXPECT_EQ(back.triples[1].values[1], Eigen::Vector3d(0.5, 0, 0));
+}
+
 TEST(Gltf, PassesOverWhatIsNoChannelOfOurs) {
   GltfFile file = test::turning();
   file.animations.clear();

@@ -43,9 +43,9 @@ const kindOfSkeletons = 3;
 
 const contentOf = (bytes: ArrayBuffer | ArrayBufferView | string): Uint8Array => (typeof bytes === 'string' ? new TextEncoder().encode(bytes) : bytesOf('bytes', bytes));
 
-const textsOf = ({ clips = [], dropDuplicates = false, salvage = false, signs }: SceneFile): string[] => {
+const textsOf = ({ clips = [], dropDuplicates = false, salvage = false, restFrame, signs }: SceneFile): string[] => {
   if (!Array.isArray(clips)) throw badArgument('clips', `found ${shown(clips)}, wanted names`);
-  return [...clips.map((clip) => `clip=${textOf('clips', clip)}`), ...(dropDuplicates ? ['drop_duplicates'] : []), ...(salvage ? ['salvage'] : []), ...(signs === undefined ? [] : [`signs=${textOf('signs', signs)}`])];
+  return [...clips.map((clip) => `clip=${textOf('clips', clip)}`), ...(dropDuplicates ? ['drop_duplicates'] : []), ...(salvage ? ['salvage'] : []), ...(restFrame === undefined ? [] : [`rest_frame=${restFrame}`]), ...(signs === undefined ? [] : [`signs=${textOf('signs', signs)}`])];
 };
 
 /** The library with files and tasks. */

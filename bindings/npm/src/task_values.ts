@@ -27,6 +27,8 @@ export interface SceneFile {
   dropDuplicates?: boolean | undefined;
   /** Takes the whole frames of a BVH file that was cut off. */
   salvage?: boolean | undefined;
+  /** The frame of a BVH file, from 0, whose pose is the rest pose; nothing: that of its offsets, with no turns. */
+  restFrame?: number | undefined;
   /** Whether cubic rotations whose signs flip go the short way, or as their signs say; nothing: that, with a warning. */
   signs?: 'shortest' | 'as-given' | undefined;
 }

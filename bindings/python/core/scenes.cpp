@@ -25,9 +25,9 @@ namespace orispline::python {
 namespace {
 
 nb::tuple read_scene(const std::string& path, bool drop_duplicates, const std::optional<std::string>& signs,
-                     bool salvage, const std::optional<nb::bytes>& bytes) {
+                     bool salvage, std::optional<std::size_t> rest_frame, const std::optional<nb::bytes>& bytes) {
   const io::Input input = input_of(path, bytes);
-  scenes::SceneReading reading{.drop_duplicates = drop_duplicates, .salvage = salvage};
+  scenes::SceneReading reading{.drop_duplicates = drop_duplicates, .salvage = salvage, .rest_frame = rest_frame};
   if (signs) reading.signs = *signs == "as-given" ? Signs::as_given : Signs::shortest;
   auto read = [&] {
     const nb::gil_scoped_release release;
@@ -131,18 +131,6 @@ SharedScene with_clip(const SharedScene& shared, std::size_t clip) {
 
 }  // namespace
 
-jobs::MotionFile motion_of(const SharedScene& shared) {
-  const scenes::Scene& scene = *shared.scene;
-  jobs::MotionFile file{.name = scene.name, .skeleton = scene.skeleton, .clips = scene.clips};
-  if (!scene.format) return file;
-  file.has_no_unit = scene.format->has_no_unit;
-  file.format = scene.format->file;
-  file.title = scene.format->title;
-  file.is_single_precise = scene.format->holds_floats;
-  file.is_sampled = scene.format->is_sampled;
-  return file;
-}
-
 void add_scenes(nb::module_& module) {
   scenes::join_formats();
   nb::class_<SharedScene>(module, "Scene")
@@ -153,7 +141,8 @@ void add_scenes(nb::module_& module) {
       .def("with_clip", &with_clip, "clip"_a)
       .def("written", &written_scene, "path"_a, "euler"_a.none(), "rate"_a.none(), "position_scale"_a.none(),
            "bones"_a);
-  module.def("read_scene", &read_scene, "path"_a, "drop_duplicates"_a, "signs"_a.none(), "salvage"_a, "bytes"_a.none());
+  module.def("read_scene", &read_scene, "path"_a, "drop_duplicates"_a, "signs"_a.none(), "salvage"_a,
+             "rest_frame"_a.none(), "bytes"_a.none());
 }
 
 }  // namespace orispline::python

@@ -4,7 +4,6 @@
 #include <memory>
 #include <utility>
 
-#include <orispline/jobs/difference.hpp>
 #include <orispline/scenes.hpp>
 
 namespace orispline::python {
@@ -15,8 +14,5 @@ struct SharedScene {
 
   explicit SharedScene(scenes::Scene made) : scene(std::make_shared<const scenes::Scene>(std::move(made))) {}
 };
-
-/// The clips of a scene, as tasks take them.
-[[nodiscard]] jobs::MotionFile motion_of(const SharedScene& shared);
 
 }  // namespace orispline::python

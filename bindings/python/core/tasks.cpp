@@ -78,7 +78,7 @@ struct ValueOfInput {
   jobs::TaskValue operator()(const Keys& keys) const { return keys.track; }
   jobs::TaskValue operator()(const Gyro& gyro) const { return gyro.track; }
   jobs::TaskValue operator()(const SharedScene& scene) const {
-    return std::make_shared<const jobs::MotionFile>(motion_of(scene));
+    return std::make_shared<const MotionFile>(scenes::motion_file_of(*scene.scene));
   }
 };
 
@@ -274,8 +274,8 @@ nb::dict attributes(const jobs::ReduceSceneOutcome& outcome) {
   all["translation_keys"] = totals.translation_keys;
   all["translation_keys_before"] = totals.translation_keys_before;
   all["angle"] = worst_of(outcome, totals.angle, &ClipReduction::angle);
-  all["translation"] = worst_of(outcome, totals.translation, &ClipReduction::translation, outcome.metres());
-  all["distance"] = worst_of(outcome, totals.distance, &ClipReduction::distance, outcome.metres());
+  all["translation"] = worst_of(outcome, totals.translation, &ClipReduction::translation);
+  all["distance"] = worst_of(outcome, totals.distance, &ClipReduction::distance);
   all["from_smooth"] = worst_of(outcome, totals.from_smooth, &ClipReduction::from_smooth);
   all["from_stored"] = worst_of(outcome, totals.from_stored, &ClipReduction::from_stored);
   all["cuts"] = totals.cuts;
@@ -349,6 +349,20 @@ nb::dict attributes(const jobs::ClipOutcome& outcome) {
   return all;
 }
 
+/// `clips`: of each its name, how it was slowed, and how long it takes.
+nb::dict attributes(const jobs::RetimeClipsOutcome& outcome) {
+  nb::list clips;
+  for (std::size_t i = 0; i < outcome.clips.size(); ++i) {
+    const ClipRetiming& retiming = outcome.clips[i];
+    const Domain before = outcome.request.file.clips[i].domain(), after = retiming.clip.domain();
+    clips.append(nb::make_tuple(text(retiming.clip.name), text(word_of(retiming.slowing)), before.end - before.start,
+                                after.end - after.start, retiming.time_scale, retiming.rests, retiming.slack));
+  }
+  nb::dict all;
+  all["clips"] = clips;
+  return all;
+}
+
 /// Of what has none that Python shows.
 nb::dict attributes(const auto&) { return {}; }
 
@@ -374,9 +388,7 @@ Keys compared_keys(const TaskOutcome& outcome, std::size_t row) {
 
 /// The scene with the clips that the task made of its own.
 SharedScene scene_of(const TaskOutcome& outcome, const SharedScene& before) {
-  scenes::Scene scene = *before.scene;
-  scene.clips = outcome.scenes.front().clips;
-  return SharedScene(std::move(scene));
+  return SharedScene(scenes::with_motion(*before.scene, outcome.scenes.front()));
 }
 
 /// Bytes, since names in it need not be UTF-8.

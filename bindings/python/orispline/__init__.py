@@ -38,15 +38,15 @@ if TYPE_CHECKING:
     from ._rate_alignment import OpenRateDirection, RateAlignment
     from ._rates import Rates, read_rates
     from ._results import Alignment, Certificate, OpenDirection, Reduction, Retiming, Smoothing, Tuning
-    from ._scene import BridgedRun, Channel, Clip, EditedClip, Scene, SceneEdit, SceneReduction, SceneSmoothing, Skeleton, SmoothedJoint, Worst
-    from ._scenes import clip_scene, read_scene, reduce_scene, shell_distance, smooth_scene
+    from ._scene import BridgedRun, Channel, Clip, EditedClip, RetimedClip, Scene, SceneEdit, SceneReduction, SceneRetiming, SceneSmoothing, Skeleton, SmoothedJoint, Worst
+    from ._scenes import clip_scene, read_scene, reduce_scene, retime_scene, shell_distance, smooth_scene
     from ._tasks import align, reduce, reduce_tracks, retime, smooth, tune
 
 __all__ = ["AccessError", "Alignment", "ArgumentError", "BakedCurve", "Blending", "BlendingFinding", "BridgedRun", "Certificate", "Channel", "Clip", "Comparison", "ComposedCurve", "ConvergenceError", "Curve",
            "CurveStack", "DataError", "DistanceStatistics", "EditedClip", "Energies", "Error", "HandleTurn", "KeyStatistics", "Keys", "Mean", "Motion", "OnlineCurve", "OpenDirection", "OpenRateDirection",
-           "Peak", "Peaks", "RateAlignment", "Rates", "Reduction", "Retiming", "RotationSpline", "Sample", "Samples", "Scene", "SceneEdit", "SceneReduction", "SceneSmoothing",
+           "Peak", "Peaks", "RateAlignment", "Rates", "Reduction", "RetimedClip", "Retiming", "RotationSpline", "Sample", "Samples", "Scene", "SceneEdit", "SceneReduction", "SceneRetiming", "SceneSmoothing",
            "ShapeWarning", "Skeleton", "Slerp", "SmoothedJoint", "Smoothing", "Spread", "Tuning", "View", "Worst", "align", "angle_between", "blending", "clip_scene", "compare", "mean", "methods", "plot_comparison", "plot_sphere",
-           "read", "read_blending", "read_rates", "read_scene", "reduce", "reduce_scene", "reduce_tracks", "retime", "shell_distance", "smooth", "smooth_scene",
+           "read", "read_blending", "read_rates", "read_scene", "reduce", "reduce_scene", "reduce_tracks", "retime", "retime_scene", "shell_distance", "smooth", "smooth_scene",
            "tune", "write"]
 __version__: str = _core.version
 
@@ -59,8 +59,8 @@ _LATER = {"_comparison": ("Comparison", "compare"),
           "_rate_alignment": ("OpenRateDirection", "RateAlignment"),
           "_rates": ("Rates", "read_rates"),
           "_results": ("Alignment", "Certificate", "OpenDirection", "Reduction", "Retiming", "Smoothing", "Tuning"),
-          "_scene": ("BridgedRun", "Channel", "Clip", "EditedClip", "Scene", "SceneEdit", "SceneReduction", "SceneSmoothing", "Skeleton", "SmoothedJoint", "Worst"),
-          "_scenes": ("clip_scene", "read_scene", "reduce_scene", "shell_distance", "smooth_scene"),
+          "_scene": ("BridgedRun", "Channel", "Clip", "EditedClip", "RetimedClip", "Scene", "SceneEdit", "SceneReduction", "SceneRetiming", "SceneSmoothing", "Skeleton", "SmoothedJoint", "Worst"),
+          "_scenes": ("clip_scene", "read_scene", "reduce_scene", "retime_scene", "shell_distance", "smooth_scene"),
           "_tasks": ("align", "reduce", "reduce_tracks", "retime", "smooth", "tune")}
 _PACKAGES = {"notebook": ("anywidget",), "spark": ("pyspark", "pyarrow"), "tables": ("pyarrow",)}  # with what they need
 

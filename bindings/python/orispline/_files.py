@@ -36,7 +36,7 @@ class Writable:
 
 def write(what: Keys | Curve | Samples, path: Target, *, output_format: str | None = None,
           output_orientation: str | None = None, output_euler: str | None = None, output_angle_unit: str | None = None,
-          continuous: bool = False, output_conjugate: bool = False) -> None:
+          continuous: bool = False, no_continuous: bool = False, output_conjugate: bool = False) -> None:
     """Writes keys, the keys of a curve with the method that they are for, or samples.
 
     The file appears complete or not at all; one that was there stays as it is if writing fails. The format is that of
@@ -76,7 +76,7 @@ def write(what: Keys | Curve | Samples, path: Target, *, output_format: str | No
     """
     options = stated({"output_format": output_format, "output_orientation": output_orientation,
                       "output_euler": output_euler, "output_angle_unit": output_angle_unit})
-    options += flags({"continuous": continuous, "output_conjugate": output_conjugate})
+    options += flags({"continuous": continuous, "no_continuous": no_continuous, "output_conjugate": output_conjugate})
     keys = getattr(what, "keys", None)  # of a curve, and of what a task made
     name, file = target_of(path)
     if isinstance(what, Writable):

@@ -36,7 +36,7 @@ def read(path: Source, *, input_format: str | None = None,  # type: ignore[misc]
          space: str | None = None, conjugate: bool = False, inverse_poses: bool = False, world_axes: str | None = None,
          body_axes: str | None = None, world_rotation: Any = None, body_rotation: Any = None, signs: str | None = None,
          ignore_recipe: bool = False, normalise: bool = False, normalize: bool = False, drop_duplicates: bool = False, drop_invalid: bool = False,
-         salvage: bool = False, sort: bool = False, session: int | str | None = None, gap: Number | None = None, jumps: bool = False, no_positions: bool = False,
+         salvage: bool = False, rest_frame: int | None = None, sort: bool = False, session: int | str | None = None, gap: Number | None = None, jumps: bool = False, no_positions: bool = False,
          scalar_first: bool = False) -> Keys | list[Keys]:
     """The keyframes of a file: CSV, TUM or EuRoC, told by its name and its content; of a glTF or BVH file one joint.
 
@@ -90,7 +90,7 @@ def read(path: Source, *, input_format: str | None = None,  # type: ignore[misc]
     named = {"input_format": input_format, "order": order, "input_orientation": input_orientation, "euler": euler,
              "angle_unit": angle_unit, "time_scale": time_scale, "fps": fps, "epoch": epoch, "unwrap": unwrap, "clip": clip, "joint": joint, "space": space,
              "world_axes": world_axes, "body_axes": body_axes, "world_rotation": rotation_text("world_rotation", world_rotation),
-             "body_rotation": rotation_text("body_rotation", body_rotation), "signs": signs, "session": session, "gap": gap}
+             "body_rotation": rotation_text("body_rotation", body_rotation), "signs": signs, "rest_frame": rest_frame, "session": session, "gap": gap}
     mending = {"normalise": normalise, "drop_duplicates": drop_duplicates, "drop_invalid": drop_invalid, "sort": sort}
     set_or_not = {"conjugate": conjugate, "inverse_poses": inverse_poses, "ignore_recipe": ignore_recipe, "jumps": jumps, "no_positions": no_positions,
                   "salvage": salvage}

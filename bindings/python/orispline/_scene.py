@@ -449,6 +449,57 @@ class SceneEdit(_DoneToScene):
         return cls(tuple(clips), core.members(), core.summary(), core)
 
 
+@dataclasses.dataclass(frozen=True)
+class RetimedClip:
+    """How `retime_scene` slowed a clip.
+
+    Attributes
+    ----------
+    clip
+        Its name.
+    slowing
+        "uniform", "per-interval" or "fastest-keys"; the first also where intervals by themselves save no time.
+    duration_before, duration
+        From its first key to its last [s], as it was and as it is.
+    time_scale
+        The new duration divided by the one before.
+    rests
+        Intervals in which all joints rest.
+    slack
+        Share by which less slowing might be enough.
+    """
+
+    clip: str
+    slowing: str
+    duration_before: float
+    duration: float
+    time_scale: float
+    rests: int
+    slack: float
+
+
+@dataclasses.dataclass(frozen=True)
+class SceneRetiming(_DoneToScene):
+    """What `retime_scene` did to the clips of a scene.
+
+    Attributes
+    ----------
+    clips
+        Of each how it was slowed.
+    """
+
+    clips: tuple[RetimedClip, ...]
+    _members: dict[str, Any] = dataclasses.field(repr=False, compare=False)
+    _summary: str = dataclasses.field(repr=False, compare=False)
+    _core: Any = dataclasses.field(repr=False, compare=False)
+    _task: ClassVar[tuple[str, str, str]] = "retiming", "retime_scene", "retimed"
+
+    @classmethod
+    def _of(cls, core: Any) -> SceneRetiming:
+        clips = tuple(RetimedClip(*clip) for clip in core.attributes()["clips"])
+        return cls(clips, core.members(), core.summary(), core)
+
+
 def page_of_scene(core: Any) -> bytes:
     """The skeleton as the clips of a scene of the library move it."""
     outcome, = Request("inspect", {"keys": core}, {}).run()

@@ -5,14 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._checks import flag, index_of
+from ._checks import flag, index_of, whole
 from ._errors import ArgumentError, DataError, tell
 from ._files import Source, source_of
 from ._keys import SIGNS
 from ._methods import method_words
 from ._options import checked_cutoff, checked_threads, plain, takes
 from ._request import Request
-from ._scene import Scene, SceneEdit, SceneReduction, SceneSmoothing, positive
+from ._scene import Scene, SceneEdit, SceneReduction, SceneRetiming, SceneSmoothing, positive
 
 if TYPE_CHECKING:
     from ._types import Signs
@@ -21,7 +21,7 @@ TOLERANCES = ("tolerance", "position_tolerance", "world_tolerance")
 
 
 def read_scene(path: Source, *, drop_duplicates: bool = False, signs: Signs | None = None, salvage: bool = False,
-               scalar_first: bool = False) -> Scene:
+               rest_frame: int | None = None, scalar_first: bool = False) -> Scene:
     """The skeleton and the clips of a glTF or BVH file, in the format of its extension.
 
     Parameters
@@ -35,6 +35,8 @@ def read_scene(path: Source, *, drop_duplicates: bool = False, signs: Signs | No
         warning.
     salvage : bool
         Read the whole frames of a BVH file that was cut off.
+    rest_frame : int, optional
+        Frame of a BVH file, from 0, whose pose is the rest pose [that of its offsets, with no turns].
     scalar_first : bool
         The order of quaternions in all that the scene gives back: w, x, y, z.
 
@@ -66,7 +68,8 @@ def read_scene(path: Source, *, drop_duplicates: bool = False, signs: Signs | No
     if signs is not None:
         index_of("signs", signs, SIGNS)
     name, content = source_of(path)
-    core, warnings = _core.read_scene(name, flag("drop_duplicates", drop_duplicates), signs, flag("salvage", salvage), content)
+    core, warnings = _core.read_scene(name, flag("drop_duplicates", drop_duplicates), signs, flag("salvage", salvage),
+                                      None if rest_frame is None else whole("rest_frame", rest_frame, 0, 10**9), content)
     tell(warnings)
     return Scene._of(core, flag("scalar_first", scalar_first))
 
@@ -238,6 +241,49 @@ def clip_scene(scene: Scene, *, from_: float | None = None, append: Scene | None
     inputs = {"scene": _checked(scene)} | ({} if append is None else {"append": _checked(append, "append")})
     found, = Request("clip", inputs, stated, settings).told()
     return Scene._of(found.scene(scene._core), scene._scalar_first), SceneEdit._of(found)
+
+
+@takes("RetimeOptions", without=("max_torque", "inertia", "insert_keys", "constant_rate", "constant_speed", "path_times", "ease"))
+def retime_scene(scene: Scene, *, method: Any = None, **options: Any) -> tuple[Scene, SceneRetiming]:
+    """A scene whose clips are slowed until every joint is within limits, each clip by one clock for all its joints.
+
+    Rates are those of a joint as seen from its parent, speeds those of its translation. The motion of linear channels is the method's curve
+    through their keys, that of cubics the cubic.
+
+    Parameters
+    ----------
+    scene : Scene
+    method : str, Blending or Curve, optional
+        The method of the curve through linear keys [auto].
+    {options}
+
+    Returns
+    -------
+    (Scene, SceneRetiming)
+
+    Raises
+    ------
+    ArgumentError
+        Limits that are absent, not greater than 0 or cannot be met, a limit of lengths for a file without a unit.
+    DataError
+        A clip in which nothing moves.
+
+    Warns
+    -----
+    ShapeWarning
+        Bounds that are loose, cubics whose peaks are measured and the like.
+
+    Examples
+    --------
+    >>> import orispline as ori
+    >>> scene = ori.read_scene("walk.bvh")  # doctest: +SKIP
+    >>> slow, found = ori.retime_scene(scene, max_rate="400deg/s")  # doctest: +SKIP
+    >>> found.clips[0].time_scale  # doctest: +SKIP
+    1.24
+    """
+    settings = {} if method is None else {"method": method_words(method)}
+    found, = Request("retime", {"keys": _checked(scene)}, plain(options), settings).told()
+    return Scene._of(found.scene(scene._core), scene._scalar_first), SceneRetiming._of(found)
 
 
 def shell_distance(a: Scene, b: Scene, shell: float = 0.03) -> dict[str, dict[str, float]]:

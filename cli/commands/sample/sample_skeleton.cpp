@@ -43,7 +43,7 @@ Expected<void> sample_skeleton(const SampleArguments& options) {
   if (auto sound = check_options(options); !sound) return sound;
   FirstError checked;
   const InputRequest input = checked(input_request(options.input));
-  scenes::SceneWriting writing = checked(scene_writing(options.output));
+  const scenes::SceneWriting writing = checked(scene_writing(options.output));
   auto scene = std::move(checked).or_else(input).and_then(open_scene);
   if (!scene) return tl::unexpected(std::move(scene.error()));
   warn(scene->warnings);
@@ -52,15 +52,13 @@ Expected<void> sample_skeleton(const SampleArguments& options) {
   auto outcome = jobs::run_task("clip", request);
   if (!outcome) return tl::unexpected(std::move(outcome.error()));
   warn(outcome->warnings);
-  scene->clips = std::move(outcome->scenes.front().clips);
-  if (scenes::scene_format_of(options.output.path) == &scenes::bvh_format)
-    if (auto rate = positive_in({"--rate", *options.rows.rate})) writing.rate = *rate;
-  return write_scene(options.output.path, *scene, writing).and_then([&]() -> Expected<void> {
-    if (options.summary.json) return print_document(document(outcome->document));
-    if (!options.summary.quiet)
-      tell(formatted("{}written to {}\n", outcome->summary, destination(options.output.path)));
-    return {};
-  });
+  return write_edited_scene(options.output.path, *std::move(scene), writing, *outcome)
+      .and_then([&]() -> Expected<void> {
+        if (options.summary.json) return print_document(document(outcome->document));
+        if (!options.summary.quiet)
+          tell(formatted("{}written to {}\n", outcome->summary, destination(options.output.path)));
+        return {};
+      });
 }
 
 }  // namespace orispline::cli

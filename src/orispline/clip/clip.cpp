@@ -58,6 +58,22 @@ class ChannelCheck {
     return {};
   }
 
+  [[nodiscard]] Expected<void> all(const std::vector<WeightChannels>& list) const {
+    std::vector<bool> is_there(skeleton_.size());
+    for (const WeightChannels& weights : list) {
+      if (weights.joint >= skeleton_.size() || is_there[weights.joint] ||
+          weights.triples.size() != (weights.count + 2) / 3 || weights.count == 0)
+        return failure(ErrorCode::bad_data,
+                       formatted("clip {}: found {} channels for {} weights of joint {}, wanted one for three, and a "
+                                 "joint once",
+                                 in_quotes(clip_.name), weights.triples.size(), weights.count, weights.joint));
+      is_there[weights.joint] = true;
+      for (const VectorChannel& channel : weights.triples)
+        if (auto sound = keys_of(channel); !sound) return sound;
+    }
+    return {};
+  }
+
  private:
   template <CurvePoint P>
   Expected<void> keys_of(const Channel<P>& channel) const {
@@ -146,11 +162,12 @@ Domain Clip::domain() const noexcept {
   extend(domain, rotations);
   extend(domain, translations);
   extend(domain, scales);
+  for (const WeightChannels& one : weights) extend(domain, one.triples);
   return domain.start <= domain.end ? domain : Domain{0.0, 0.0};
 }
 
 Domain Clip::whole_domain() const noexcept {
-  const bool has_channel = !rotations.empty() || !translations.empty() || !scales.empty();
+  const bool has_channel = !rotations.empty() || !translations.empty() || !scales.empty() || !weights.empty();
   if (!passed_on) return domain();
   if (!has_channel) return *passed_on;
   const Domain own = domain();
@@ -161,7 +178,8 @@ Expected<void> check_clip(const Skeleton& skeleton, const Clip& clip) {
   const ChannelCheck check(skeleton, clip);
   return check.all(clip.rotations, "rotation")
       .and_then([&] { return check.all(clip.translations, "translation"); })
-      .and_then([&] { return check.all(clip.scales, "scale"); });
+      .and_then([&] { return check.all(clip.scales, "scale"); })
+      .and_then([&] { return check.all(clip.weights); });
 }
 
 std::string place_of(const Skeleton& skeleton, const Clip& clip, std::size_t joint) {

@@ -52,6 +52,14 @@ template <CurvePoint P>
 using RotationChannel = Channel<Eigen::Quaterniond>;
 using VectorChannel = Channel<Eigen::Vector3d>;
 
+/// Weights of the morph targets that a joint has, three to a channel: the components of channel k are the weights 3k to
+/// 3k + 2, and 0 behind the last. The keys of the channels may differ.
+struct WeightChannels {
+  std::size_t joint = 0;  ///< index in the skeleton; of all channels too
+  std::size_t count = 0;  ///< of weights
+  std::vector<VectorChannel> triples{};
+};
+
 /// The channel of that joint; null where there is none.
 template <CurvePoint P>
 [[nodiscard]] const Channel<P>* channel_of(const std::vector<Channel<P>>& channels, std::size_t joint) noexcept {
@@ -109,8 +117,9 @@ struct ORISPLINE_EXPORT Clip {
   std::string name{};
   std::vector<RotationChannel> rotations{};
   std::vector<VectorChannel> translations{}, scales{};
+  std::vector<WeightChannels> weights{};  ///< none of a joint: they stay as the file has them
 
-  /// From the first key to the last of what else the file moves in it, such as weights, which is passed on [s].
+  /// From the first key to the last of what else the file moves in it, which is passed on [s].
   std::optional<Domain> passed_on{};
 
   /// From its first key to its last [s]; 0 to 0 where it has no channel.

@@ -7,6 +7,7 @@
 #include <orispline/clip/clip_motion.hpp>
 #include <orispline/curve/path.hpp>
 #include <orispline/curve/taylor.hpp>
+#include <orispline/math/shorter_way.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -46,26 +47,6 @@ extern template Expected<AnyPath> meant_curve(const VectorChannel&);
 [[nodiscard]] inline Eigen::Quaterniond point_of(const Motion& motion) noexcept { return motion.orientation; }
 [[nodiscard]] inline Eigen::Vector3d point_of(const LinearMotion& motion) noexcept { return motion.position; }
 
-/// How far two values are from each other [rad, or the unit of vectors].
-[[nodiscard]] inline double distance_of(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) noexcept {
-  return angular_distance(a, b);
-}
-[[nodiscard]] inline double distance_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b) noexcept {
-  return (a - b).norm();
-}
-
-/// `to`, with the sign of the nearer of the two quaternions that are its rotation.
-[[nodiscard]] inline Eigen::Quaterniond with_sign_near(const Eigen::Quaterniond& to, const Eigen::Quaterniond& from) {
-  return from.dot(to) < 0.0 ? Eigen::Quaterniond(-to.coeffs()) : to;
-}
-[[nodiscard]] inline Eigen::Vector3d with_sign_near(const Eigen::Vector3d& to, const Eigen::Vector3d&) { return to; }
-
-/// The displacement of the shorter way.
-template <CurvePoint P>
-[[nodiscard]] Eigen::Vector3d shortest(const P& from, const P& to) {
-  return displacement<double>(from, with_sign_near(to, from));
-}
-
 /// Whether a channel has the same value at all keys.
 template <CurvePoint P>
 [[nodiscard]] bool rests(const Channel<P>& channel) {
@@ -74,7 +55,7 @@ template <CurvePoint P>
     else return tangent.isZero(0.0);
   };
   return std::ranges::all_of(channel.values,
-                             [&](const P& v) { return distance_of(v, channel.values.front()) == 0.0; }) &&
+                             [&](const P& v) { return distance_between(v, channel.values.front()) == 0.0; }) &&
          std::ranges::all_of(channel.in_tangents, is_zero) && std::ranges::all_of(channel.out_tangents, is_zero);
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include <orispline/clip/clip_clock.hpp>
 #include <orispline/clip/clip_difference.hpp>
 #include <orispline/clip/clip_motion.hpp>
 
@@ -145,22 +146,6 @@ class Part {
   Channel<P> part_{};
 };
 
-/// Calls `change` for every channel of a clip.
-template <class Change>
-Clip with_channels(Clip clip, const Change& change) {
-  for (RotationChannel& channel : clip.rotations) channel = change(std::move(channel));
-  for (VectorChannel& channel : clip.translations) channel = change(std::move(channel));
-  for (VectorChannel& channel : clip.scales) channel = change(std::move(channel));
-  return clip;
-}
-
-template <CurvePoint P>
-void scale(SharedList<P>& tangents, double factor) {
-  for (P& tangent : tangents)
-    if constexpr (std::same_as<P, Eigen::Quaterniond>) tangent.coeffs() *= factor;
-    else tangent *= factor;
-}
-
 template <class T>
 SharedList<T> backwards(const SharedList<T>& list) {
   return std::vector<T>(std::make_reverse_iterator(list.end()), std::make_reverse_iterator(list.begin()));
@@ -174,8 +159,8 @@ Channel<P> reversed_within(const Channel<P>& channel, Domain domain) {
     back.times.push_back(domain.start + (domain.end - *--time));
   back.in_tangents = backwards(channel.out_tangents);
   back.out_tangents = backwards(channel.in_tangents);
-  scale(back.in_tangents, -1.0);
-  scale(back.out_tangents, -1.0);
+  for (P& tangent : back.in_tangents) tangent = scaled(tangent, -1.0);
+  for (P& tangent : back.out_tangents) tangent = scaled(tangent, -1.0);
   if (channel.interpolation != ChannelInterpolation::step || channel.size() == 1) return back;
   // Between two keys a step has the value of the earlier one, which is the later one now.
   std::rotate(back.values.begin(), back.values.begin() + 1, back.values.end());
@@ -245,13 +230,8 @@ Clip shifted(Clip clip, double by) {
 }
 
 Clip with_speed(Clip clip, double factor) {
-  const double start = clip.domain().start;
-  return with_channels(std::move(clip), [&](auto channel) {
-    for (double& time : channel.times) time = start + (time - start) / factor;
-    scale(channel.in_tangents, factor);
-    scale(channel.out_tangents, factor);
-    return channel;
-  });
+  const double start = clip.domain().start, end = start + 1.0;
+  return on_clock(std::move(clip), {{start, end}, {start, start + 1.0 / factor}});
 }
 
 Clip reversed(Clip clip) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
@@ -71,7 +72,7 @@ class ChannelJoin {
       : first_(std::move(first)), second_(std::move(second)), whole_(start_to_end), blend_(blend) {}
 
   [[nodiscard]] Expected<Channel<P>> made() {
-    if (first_.size() == 1 && second_.size() == 1 && distance_of(first_.values[0], second_.values[0]) == 0.0)
+    if (first_.size() == 1 && second_.size() == 1 && distance_between(first_.values[0], second_.values[0]) == 0.0)
       return first_;
     if (is_linear(first_) && is_linear(second_)) return of_samples();
     if (is_step(first_) && is_step(second_)) return of_steps();
@@ -204,6 +205,7 @@ class ClipJoin {
     meet_frame(second_.rotations);
     meet_frame(second_.translations);
     meet_frame(second_.scales);
+    for (WeightChannels& weights : second_.weights) meet_frame(weights.triples);
     whole_ = {before.start, second_.domain().end};
     place();
     joined_.clip = {.name = first_.name, .passed_on = first_.passed_on};
@@ -216,12 +218,16 @@ class ClipJoin {
         if (channel) all.push_back(std::move(*channel));
         else added = tl::unexpected(std::move(channel.error()));
       };
+      const auto of_joint = [](const auto& channels, std::size_t joint) {
+        const auto found = std::ranges::find(channels, joint, [](const auto& channel) { return channel.joint; });
+        return found == channels.end() ? nullptr : &*found;
+      };
       for (const auto& channel : ours) {
-        const auto* const other = channel_of(theirs, channel.joint);
+        const auto* const other = of_joint(theirs, channel.joint);
         add(channel, other ? *other : rest(channel));
       }
       for (const auto& channel : theirs)
-        if (!channel_of(ours, channel.joint)) add(rest(channel), channel);
+        if (!of_joint(ours, channel.joint)) add(rest(channel), channel);
     };
     each(first_.rotations, second_.rotations, joined_.clip.rotations,
          [&](const RotationChannel& c) { return resting(skeleton_, c, whole_.start); });
@@ -235,10 +241,30 @@ class ClipJoin {
     };
     each(first_.translations, second_.translations, joined_.clip.translations, vectors(&JointPose::translation));
     each(first_.scales, second_.scales, joined_.clip.scales, vectors(&JointPose::scale));
+    join_weights(each);
     return added.map([&] { return std::move(joined_); });
   }
 
  private:
+  /// Of the first clip. Where the second one has none, they stay at their last values.
+  template <class Each>
+  void join_weights(const Each& each) {
+    const auto held_at_end = [&](const VectorChannel& c) {
+      return VectorChannel{.joint = c.joint,
+                           .interpolation = ChannelInterpolation::linear,
+                           .times = std::vector<double>(1, whole_.start),
+                           .values = std::vector<Eigen::Vector3d>(1, c.values.back())};
+    };
+    for (const WeightChannels& ours : first_.weights) {
+      const auto theirs = std::ranges::find(second_.weights, ours.joint, &WeightChannels::joint);
+      const bool goes_on = theirs != second_.weights.end() && theirs->count == ours.count;
+      auto& all = joined_.clip.weights.emplace_back(WeightChannels{ours.joint, ours.count}).triples;
+      for (std::size_t k = 0; k < ours.triples.size(); ++k)
+        each(std::span(&ours.triples[k], 1), std::span(&(goes_on ? *theirs : ours).triples[k], goes_on ? 1 : 0), all,
+             held_at_end);
+    }
+  }
+
   /// The key of the first clip there, where one is that near.
   [[nodiscard]] double frame_near(double time) const {
     const std::vector<double> times = key_times(first_);
@@ -328,6 +354,11 @@ Expected<Clip> with_joints_of(const Skeleton& skeleton, const Clip& clip, const 
   put(moved.rotations);
   put(moved.translations);
   put(moved.scales);
+  std::erase_if(moved.weights, [&](const WeightChannels& weights) { return place[weights.joint] == no_parent; });
+  for (WeightChannels& weights : moved.weights) {
+    weights.joint = place[weights.joint];
+    put(weights.triples);
+  }
   return moved;
 }
 

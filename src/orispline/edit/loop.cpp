@@ -39,7 +39,7 @@ double unit_of(const VectorChannel& channel) {
 
 /// From the end of a loop to its start.
 Vector3d gap(const Quaterniond& end, const Quaterniond& start, const LoopStep& step) {
-  return shortest(end, step.turn * start);
+  return shortest_displacement(end, step.turn * start);
 }
 Vector3d gap(const Vector3d& end, const Vector3d& start, const LoopStep& step) {
   return step.up ? Vector3d(*step.up * step.up->dot(start - end)) : Vector3d(start - end);
@@ -52,7 +52,7 @@ Vector3d turned(const VectorChannel&, const Vector3d& rate, const LoopStep& step
 /// The mean rate from a key to the next.
 template <CurvePoint P>
 Vector3d step_rate(const Channel<P>& channel, std::size_t i) {
-  return shortest(channel.values[i], channel.values[i + 1]) / (channel.times[i + 1] - channel.times[i]);
+  return shortest_displacement(channel.values[i], channel.values[i + 1]) / (channel.times[i + 1] - channel.times[i]);
 }
 
 /// The jumps from one such rate to the next, the smallest first.
@@ -239,10 +239,20 @@ class Looper {
     return is_path ? ends.translation : LoopStep{};
   }
 
+  [[nodiscard]] static bool is_weight(const RotationChannel&) { return false; }
+  [[nodiscard]] bool is_weight(const VectorChannel& channel) const {
+    return std::ranges::any_of(clip_.weights, [&](const WeightChannels& weights) {
+      return !weights.triples.empty() && &channel >= &weights.triples.front() && &channel <= &weights.triples.back();
+    });
+  }
+
   template <class Holds>
   [[nodiscard]] bool all(const Holds& holds) const {
     return std::ranges::all_of(clip_.rotations, holds) && std::ranges::all_of(clip_.translations, holds) &&
-           std::ranges::all_of(clip_.scales, holds);
+           std::ranges::all_of(clip_.scales, holds) &&
+           std::ranges::all_of(clip_.weights, [&](const WeightChannels& weights) {
+             return std::ranges::all_of(weights.triples, holds);
+           });
   }
 
   /// Whether all channels of more than one key end at one time, after one interval.
@@ -264,6 +274,8 @@ class Looper {
     each(clip_.rotations, loop_.clip.rotations);
     each(clip_.translations, loop_.clip.translations);
     each(clip_.scales, loop_.clip.scales);
+    for (const WeightChannels& weights : clip_.weights)
+      each(weights.triples, loop_.clip.weights.emplace_back(WeightChannels{weights.joint, weights.count}).triples);
   }
 
   template <CurvePoint P>
@@ -282,7 +294,7 @@ class Looper {
       } else {
         for (std::size_t i = 0; i < made.size(); ++i) made.values[i] = point_of(motion_at(curve, made.times[i]));
       }
-      note_change(part, curve);
+      if (!is_weight(channel)) note_change(part, curve);
       made.values.back() = with_sign_near(again(made, made.values.back(), step), made.values.back());
       return made;
     });
@@ -292,7 +304,7 @@ class Looper {
   void note_change(const Channel<P>& before, const AnyCurveThrough<P>& after) {
     LoopChange& change = std::same_as<P, Quaterniond> ? loop_.rotation : loop_.translation;
     for (std::size_t i = 0; i < before.size(); ++i) {
-      const double moved = distance_of(before.values[i], point_of(motion_at(after, before.times[i])));
+      const double moved = distance_between(before.values[i], point_of(motion_at(after, before.times[i])));
       if (moved > change.largest.value) change = {{moved, before.times[i]}, before.joint};
     }
   }

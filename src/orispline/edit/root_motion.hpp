@@ -3,6 +3,7 @@
 
 #include <orispline/base/expected.hpp>
 #include <orispline/clip/clip.hpp>
+#include <orispline/clip/motion_file.hpp>
 
 // Where a joint goes and where it heads, taken out of it.
 
@@ -24,6 +25,10 @@ struct RootMotion {
 /// the joint: a node that is not above it; a scale above it that is not the same along all axes.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Clip> with_root_motion(const Skeleton& skeleton, const Clip& clip,
                                                                const RootMotion& motion);
+
+/// The file with one joint more, the first one, above a joint without a parent: it rests at the origin of the world,
+/// and is called `root`, or that with as many `_` as no other joint has.
+[[nodiscard]] ORISPLINE_EXPORT Expected<MotionFile> with_root_above(MotionFile file, std::size_t joint);
 
 /// The topmost joint above another one; `no_parent` where there is none.
 [[nodiscard]] ORISPLINE_EXPORT std::size_t topmost_above(const Skeleton& skeleton, std::size_t joint) noexcept;

@@ -32,8 +32,12 @@ struct Atbi {
     [[nodiscard]] std::array<T, 3> operator()(KnotSpan span, const T& t) const noexcept {
       constexpr double pi = std::numbers::pi;
       const T u = span.normalised(t);
+      // Behind the middle by the angle that is left: at the end the sine is 0 then, and what lies beyond it does not
+      // count, however far that is.
+      const bool is_late = value_of(u) > 0.5;
       T sine, cosine;
-      sin_cos(T(u * pi), sine, cosine);
+      sin_cos(T((is_late ? T(1.0) - u : u) * pi), sine, cosine);
+      if (is_late) cosine = -cosine;
       // C_3 mirrors C_0: their sum and their difference. C_2 follows from C_0 + … + C_3 = 1 and -C_0 + C_2 + 2 C_3 = u.
       const T sum = (u * u - u) * (pi * pi / 8.0) + sine * ((pi * pi / 4.0 - 1.0) / (2.0 * pi));
       const T difference = (T(1.0) - u * 2.0 - cosine) * 0.25;

@@ -49,10 +49,11 @@ Expected<void> move_to_first_row(TextTable& table) {
 /// Tables have neither clips nor joints, nor do they state how many rows they have.
 Expected<void> check_scene(const FormatInfo& format, const ReadOptions& options) {
   const SceneTrack& scene = options.scene;
-  if (format.reading.tracks || !(scene.is_given() || scene.salvage)) return {};
+  if (format.reading.tracks || !(scene.is_given() || scene.salvage || scene.rest_frame)) return {};
   const std::string_view option = scene.joint            ? "joint"
                                   : !scene.clips.empty() ? "clip"
                                   : scene.salvage        ? "salvage"
+                                  : scene.rest_frame     ? "rest_frame"
                                                          : "space";
   return bad_option(option, formatted("found {}, which has no skeleton, wanted a file of skeletons", format.file));
 }

@@ -44,8 +44,9 @@ struct SceneTrack {
   std::vector<std::string> clips{};    ///< names; empty: all, of which a command of one track takes the only one
   std::optional<std::string> joint{};  ///< its name; absent: the only one that has keys
   Space space = Space::local;
-  std::optional<Signs> signs{};  ///< of rotations that are cubic splines; absent: nobody says
-  bool salvage = false;          ///< of a file that was cut off take the whole frames that are there
+  std::optional<Signs> signs{};             ///< of rotations that are cubic splines; absent: nobody says
+  bool salvage = false;                     ///< of a file that was cut off take the whole frames that are there
+  std::optional<std::size_t> rest_frame{};  ///< of a BVH file: its pose is the rest pose
 
   [[nodiscard]] bool is_given() const noexcept { return !clips.empty() || joint || space != Space::local; }
 };

@@ -51,7 +51,7 @@ struct OrientationForm {
   Representation representation = Representation::quaternion;
   EulerOrder order{};                   ///< of Euler angles
   AngleUnit unit = AngleUnit::degrees;  ///< of Euler angles that are written
-  bool continuous = false;              ///< these run on from row to row, beyond a full turn and through the pole
+  bool continuous = true;               ///< these run on from row to row, beyond a full turn and through the pole
 
   [[nodiscard]] bool runs_on() const noexcept { return continuous && representation == Representation::euler; }
 };

@@ -91,6 +91,14 @@ Expected<void> take_salvage(Reading& reading, std::string_view) {
   return {};
 }
 
+Expected<void> take_rest_frame(Reading& reading, std::string_view text) {
+  const auto number = Decimal::parse(text);
+  if (!number || !number->is_whole() || *number < Decimal() || *number > Decimal::power_of_ten(9))
+    return not_wanted("rest_frame", text, "the number of a frame, from 0");
+  reading.options.scene.rest_frame = static_cast<std::size_t>(number->to_double());
+  return {};
+}
+
 template <bool ReadOptions::*Member>
 Expected<void> set(Reading& reading, std::string_view) {
   reading.options.*Member = true;
@@ -285,6 +293,11 @@ const std::array reading_list{
                   .take = take_salvage,
                   .member = "salvage",
                   .use = "reads those that are whole"},
+    ReadingOption{.name = "rest_frame",
+                  .sentence = "Frame of a BVH file, from 0, whose pose is the rest pose [that of its offsets, with no "
+                              "turns]",
+                  .argument = [] { return std::string("N"); },
+                  .take = take_rest_frame},
     ReadingOption{.name = "sort",
                   .sentence = "Sort the rows by time",
                   .take = set<&ReadOptions::sort>,

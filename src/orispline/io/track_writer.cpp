@@ -52,11 +52,20 @@ Sample sample_at(const Track& track, const SampleColumns& columns, std::size_t k
   return sample;
 }
 
+/// Angles that run on do so by the shorter way of each step.
+bool goes_short_ways(const Keyframes& keys) {
+  const auto q = keys.orientations();
+  for (std::size_t i = 0; i + 1 < q.size(); ++i)
+    if (q[i].dot(q[i + 1]) < 0.0) return false;
+  return true;
+}
+
 /// What a file would need so that its keys give the curve of their recipe; nothing if there is all.
 std::optional<std::string_view> lacking_for_recipe(const Track& track, const SampleColumns& columns) {
   const FormatInfo& format = *columns.format;
   const bool keeps_signs = columns.form.representation == Representation::quaternion ||
-                           columns.form.representation == Representation::rotation_vector || columns.form.runs_on();
+                           columns.form.representation == Representation::rotation_vector ||
+                           (columns.form.runs_on() && goes_short_ways(track.keys));
   if (!format.holds.comments) return "comments";
   if (track.recipe.signs == Signs::as_given && !keeps_signs) return "signs in this form of orientations";
   if (!format.holds.rates && rate_orders_of(track.keys) > 0) return "columns for rates";

@@ -45,11 +45,18 @@ const std::array writing_list{
                       }},
     WritingOption{.name = "continuous",
                   .sentence =
-                      "Euler angles run on from row to row: full turns are counted, and nothing jumps at 180° or "
-                      "flips at the pole",
+                      "Euler angles run on from row to row, as they do anyway: full turns are counted, and nothing "
+                      "jumps at 180° or flips at the pole",
                   .take =
                       [](SampleColumns& columns, std::string_view) {
                         columns.form.continuous = true;
+                        return Expected<void>();
+                      }},
+    WritingOption{.name = "no_continuous",
+                  .sentence = "Euler angles of each row by itself, within ±180° [they run on from row to row]",
+                  .take =
+                      [](SampleColumns& columns, std::string_view) {
+                        columns.form.continuous = false;
                         return Expected<void>();
                       }},
     WritingOption{.name = "output_conjugate",
@@ -94,14 +101,14 @@ Expected<void> check_name(const std::string& path) {
 
 /// The option that asks for the form of orientations.
 std::string_view asking(const StatedOptions& stated) {
-  for (const std::string_view name : {"output_orientation", "output_euler", "continuous"})
+  for (const std::string_view name : {"output_orientation", "output_euler", "continuous", "no_continuous"})
     if (is_stated(stated, name)) return name;
   return "output_angle_unit";
 }
 
 Expected<void> check_form(const SampleColumns& columns, const StatedOptions& stated) {
   const Representation form = columns.form.representation;
-  for (const std::string_view name : {"output_euler", "output_angle_unit", "continuous"})
+  for (const std::string_view name : {"output_euler", "output_angle_unit", "continuous", "no_continuous"})
     if (is_stated(stated, name) && form != Representation::euler)
       return not_wanted("output_orientation",
                         std::ranges::find(stated, "output_orientation", &StatedOptions::value_type::first)->second,
@@ -120,7 +127,8 @@ std::span<const FileOption<SampleColumns>> writing_options() noexcept { return w
 Expected<SampleColumns> columns_of_output(const std::string& path, const StatedOptions& stated) {
   SampleColumns columns;
   if (const FormatInfo* const by_name = format_of_extension(path)) columns.format = by_name;
-  if (is_stated(stated, "output_euler") || is_stated(stated, "output_angle_unit") || is_stated(stated, "continuous"))
+  constexpr std::array of_angles{"output_euler", "output_angle_unit", "continuous", "no_continuous"};
+  if (std::ranges::any_of(of_angles, [&](std::string_view name) { return is_stated(stated, name); }))
     columns.form.representation = Representation::euler;
   const auto named = is_stated(stated, "output_format") && !path.empty() ? Expected<void>() : check_name(path);
   return named.and_then([&] { return take_all<SampleColumns>(columns, writing_list, stated); })

@@ -9,13 +9,14 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/edit/root_motion.hpp>
 #include <orispline/math/degrees.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
 namespace {
 
-std::string_view length_unit(const ClipOutcome& outcome) { return outcome.request.file.has_no_unit ? "" : " m"; }
+std::string_view length_unit(const ClipOutcome& outcome) { return outcome.request.file.format.has_no_unit ? "" : " m"; }
 
 /// The only joint of that name; `no_parent` where none is stated.
 Expected<std::size_t> joint_named(const MotionFile& file, const std::string& name, std::string_view option) {
@@ -33,8 +34,8 @@ std::vector<Warning> warnings_of_values_beside(const MotionFile& file) {
       std::ranges::count_if(file.clips, [](const Clip& clip) { return clip.passed_on.has_value(); }));
   if (count == 0) return {};
   return {{.code = "values_not_edited",
-           .message = formatted("{} has weights or other values beside its joints, which stay as they are",
-                                counted(count, "clip")),
+           .message =
+               formatted("{} has values beside its joints and weights, which stay as they are", counted(count, "clip")),
            .where = {.file = file.name},
            .numbers = {{"clips", static_cast<double>(count)}}}};
 }
@@ -164,10 +165,31 @@ Expected<EditedJoints> joints_in(const ClipRequest& request) {
                                                  .in_place = joint(request.in_place, "in_place")});
 }
 
+/// Where the joint whose way is extracted has no joint above it, one is made. Returns its name; empty: none is made.
+Expected<std::string> made_root(ClipRequest& request) {
+  if (!request.root_node.empty()) return std::string();
+  const auto with_root = [&](MotionFile& file) {
+    return joint_named(file, request.extract_root, "extract_root")
+        .and_then([&](std::size_t joint) -> Expected<std::string> {
+          if (joint == no_parent || file.skeleton[joint].parent != no_parent) return std::string();
+          return with_root_above(std::move(file), joint).map([&](MotionFile made) {
+            file = std::move(made);
+            return file.skeleton[0].name;
+          });
+        });
+  };
+  auto name = with_root(request.file);
+  if (!name || name->empty() || !request.appended) return name;
+  if (!request.appended->skeleton.find(request.extract_root)) return name;
+  return with_root(*request.appended).map([&](const std::string&) { return *name; });
+}
+
 Expected<ClipOutcome> edited_clips(ClipRequest request) {
   FirstError checked;
   const auto sound = check(request);
   if (!sound) return tl::unexpected(sound.error());
+  const auto root = made_root(request);
+  if (!root) return tl::unexpected(root.error());
   const Clip* const second = checked(appended_clip(request));
   const EditedJoints joints = checked(joints_in(request));
   const MotionFile& file = request.file;
@@ -179,7 +201,7 @@ Expected<ClipOutcome> edited_clips(ClipRequest request) {
       edits[i] = edited(file.skeleton, file.clips[i], request.edits, joints, &appended);
     }
   });
-  ClipOutcome outcome{.request = std::move(request)};
+  ClipOutcome outcome{.request = std::move(request), .made_root = *root};
   for (Expected<ClipEdit>& edit : edits) {
     const ClipEdit& done = outcome.clips.emplace_back(checked(std::move(edit)));
     const bool keeps_way = done.loop && joints.in_place == no_parent && joints.extracted == no_parent;
@@ -213,6 +235,9 @@ std::string summary_of(const ClipOutcome& outcome) {
   const std::string& name = outcome.request.file.name;
   std::string text =
       formatted("{}{}\n", counted(outcome.clips.size(), "clip"), name.empty() ? "" : " from " + printable(name));
+  if (!outcome.made_root.empty())
+    text += formatted("joint {} was made above joint {}\n", in_quotes(outcome.made_root),
+                      in_quotes(outcome.request.extract_root));
   constexpr std::size_t most_shown = 10;
   const std::size_t shown = std::min(most_shown, outcome.clips.size());
   for (std::size_t i = 0; i < shown; ++i) text += lines_of(outcome, i);
@@ -228,6 +253,7 @@ Json document_of(const ClipOutcome& outcome) {
     clips.push_back(std::move(clip));
   }
   Json json;
+  if (!outcome.made_root.empty()) json["made_root"] = outcome.made_root;
   json["clips"] = std::move(clips);
   return json;
 }

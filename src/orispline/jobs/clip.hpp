@@ -28,7 +28,7 @@ struct ClipRequest {
   // Names of joints; empty: none.
   std::string root{};                    ///< whose way a loop keeps, and goes on in an appended clip
   std::string extract_root{};            ///< whose way goes into a node above it
-  std::string root_node{};               ///< that one; empty: the topmost one
+  std::string root_node{};               ///< that one; empty: the topmost one, which is made where there is none
   std::string in_place{};                ///< whose way is taken out
   std::optional<MotionFile> appended{};  ///< with the clip that is appended
   std::string append_clip{};             ///< its name; empty: the only one
@@ -37,7 +37,8 @@ struct ClipRequest {
 
 /// Clips of a skeleton with their edits, and what was asked for.
 struct ClipOutcome {
-  ClipRequest request;
+  ClipRequest request;              ///< with the joint that was made
+  std::string made_root{};          ///< its name; empty: none was
   std::vector<ClipEdit> clips{};    ///< of each
   std::vector<ClipSeam> seams{};    ///< of each, as it is written
   std::vector<Warning> warnings{};  ///< of what could not be edited with them

@@ -7,6 +7,7 @@
 
 #include <orispline/base/warning.hpp>
 #include <orispline/clip/clip_difference.hpp>
+#include <orispline/clip/motion_file.hpp>
 #include <orispline/fields/json.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -19,18 +20,6 @@ struct PageHead;
 }
 
 namespace jobs {
-
-/// The clips of a skeleton, and the file that they are from.
-struct MotionFile {
-  std::string name{};  ///< for people
-  Skeleton skeleton{};
-  std::vector<Clip> clips{};
-  bool has_no_unit = false;        ///< of length; else it is the metre
-  std::string_view format{};       ///< with its article: `a BVH file`; empty where it is not known
-  std::string_view title{};        ///< of the format: `glTF`
-  bool is_single_precise = false;  ///< times and values are in single precision
-  bool is_sampled = false;         ///< the keys are frames of a motion: the file does not say what lies between them
-};
 
 /// Clips that have the same name are the same, and so is the only clip of both files; joints go by counterparts_of().
 struct DifferenceRequest {

@@ -136,12 +136,12 @@ Json document_of(const InspectSceneOutcome& outcome) {
 }
 
 std::string summary_of(const InspectSceneOutcome& outcome) {
-  const auto& [file, format] = outcome.request;
+  const MotionFile& file = outcome.request.file;
   const SceneCounts& counts = outcome.counts;
   return formatted(
              "{} ({})\njoints        {}\nclips         {}\nrotations     {}\ntranslations  {}\n"
              "scales        {}\nsign flips    {}\nwidest step   {}\n",
-             printable(file.name), format, file.skeleton.size(), file.clips.size(), rotations_text(counts),
+             printable(file.name), file.format.title, file.skeleton.size(), file.clips.size(), rotations_text(counts),
              tracks_text(counts.translation_tracks, counts.translation_keys),
              tracks_text(counts.scale_tracks, counts.scale_keys), counts.sign_flips, step_text(counts)) +
          clips_table(outcome);

@@ -37,7 +37,6 @@ struct SceneCounts {
 
 struct InspectSceneRequest {
   MotionFile file{};
-  std::string_view format{};  ///< its title: `glTF`
 };
 
 /// What a file of skeletons holds.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <orispline/base/warning.hpp>
+#include <orispline/clip/motion_file.hpp>
 #include <orispline/fields/json.hpp>
 #include <orispline/jobs/smooth.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
@@ -70,10 +71,8 @@ struct ORISPLINE_EXPORT ReduceOutcome {
 
 /// Where clips come from, as far as it tells what their numbers are.
 struct ClipFile {
-  std::string name{};              ///< for people
-  std::string_view format{};       ///< with its article: `a BVH file`
-  bool has_no_unit = false;        ///< of length; else it is the metre
-  bool is_single_precise = false;  ///< times and values are in single precision
+  std::string name{};  ///< for people
+  ClipFormat format{};
 };
 
 /// Clips that are to go into a glTF file.
@@ -82,24 +81,20 @@ struct ReduceSceneRequest {
   Skeleton skeleton{};
   std::vector<Clip> clips{};
   ClipReduceOptions options{};             ///< lengths in metres; the precisions follow from the file
-  std::optional<double> position_scale{};  ///< metres in the unit of length of the file; absent: 1
+  std::optional<double> position_scale{};  ///< metres in the unit of length of the file, which is taken to metres
   unsigned threads = 0;                    ///< at most so many at work; 0: one per core
 };
 
 /// Clips with fewer keys, and what was asked for.
 struct ORISPLINE_EXPORT ReduceSceneOutcome {
-  ReduceSceneRequest request;
-  ClipReduceOptions options{};  ///< as they were used: lengths in the unit of the file
+  ReduceSceneRequest request;   ///< with lengths in metres where a scale was stated
+  ClipReduceOptions options{};  ///< as they were used
   std::vector<ClipReduction> reductions{};
   std::vector<Warning> warnings{};
 
   [[nodiscard]] ClipTotals totals() const;
   /// The clips, in their order.
   [[nodiscard]] std::vector<Clip> clips() const;
-  /// In the unit of length of the file; lengths are shown in metres.
-  [[nodiscard]] double metres() const;
-  /// Whether lengths are; else they are shown in the unit of the file, which is not known.
-  [[nodiscard]] bool knows_metres() const;
 };
 
 /// What is wrong before there is a clip. Errors (bad_argument): those of orispline::check(), and tolerances of lengths

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
@@ -12,25 +13,23 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
 namespace {
 
-/// With lengths in the unit of the file.
 ClipReduceOptions options_for(const ReduceSceneRequest& request) {
   ClipReduceOptions options = request.options;
-  for (double* const length : {&options.position_tolerance, &options.world_tolerance, &options.shell})
-    *length /= request.position_scale.value_or(1.0);
   options.precision = KeyPrecision::float32;  // that of glTF
-  options.precision_before = request.file.is_single_precise ? KeyPrecision::float32 : KeyPrecision::float64;
+  options.precision_before = request.file.format.holds_floats ? KeyPrecision::float32 : KeyPrecision::float64;
   return options;
 }
 
 Expected<void> check_unit(const ReduceSceneRequest& request) {
+  if (request.position_scale) return check_metres(request.file.format, *request.position_scale);
   const bool bounds_world = std::isfinite(request.options.world_tolerance);
   const bool bounds_lengths = bounds_world || std::isfinite(request.options.position_tolerance);
-  if (!request.file.has_no_unit || request.position_scale || !bounds_lengths) return {};
+  if (!request.file.format.has_no_unit || !bounds_lengths) return {};
   return bad_option(
       bounds_world ? "world_tolerance" : "position_tolerance",
       formatted("found {}, which has no unit of length, wanted `position_scale` as well, such as 0.01 for "
                 "centimetres",
-                request.file.format));
+                request.file.format.file));
 }
 
 Warning missed(std::string_view option, double found, double tolerance, std::string_view unit) {
@@ -50,11 +49,11 @@ std::vector<Warning> warnings_of_precision(const ReduceSceneOutcome& outcome) {
     warnings.push_back(
         missed("tolerance", totals.angle->angle.largest.value * degrees, options.tolerance * degrees, "°"));
   if (totals.translation && totals.translation->translation.largest.value > options.position_tolerance)
-    warnings.push_back(missed("position_tolerance", totals.translation->translation.largest.value * outcome.metres(),
-                              options.position_tolerance * outcome.metres(), " m"));
+    warnings.push_back(
+        missed("position_tolerance", totals.translation->translation.largest.value, options.position_tolerance, " m"));
   if (totals.distance && totals.distance->distance.largest.value > options.world_tolerance)
-    warnings.push_back(missed("world_tolerance", totals.distance->distance.largest.value * outcome.metres(),
-                              options.world_tolerance * outcome.metres(), " m"));
+    warnings.push_back(
+        missed("world_tolerance", totals.distance->distance.largest.value, options.world_tolerance, " m"));
   return warnings;
 }
 
@@ -68,16 +67,23 @@ std::vector<Clip> ReduceSceneOutcome::clips() const {
   return clips;
 }
 
-double ReduceSceneOutcome::metres() const { return request.position_scale.value_or(1.0); }
-
-bool ReduceSceneOutcome::knows_metres() const { return !request.file.has_no_unit || request.position_scale; }
-
 Expected<void> check(const ReduceSceneRequest& request) {
   return check_unit(request).and_then([&] { return orispline::check(options_for(request)); });
 }
 
 Expected<ReduceSceneOutcome> reduce_scene(ReduceSceneRequest request) {
   if (auto checked = check(request); !checked) return tl::unexpected(std::move(checked.error()));
+  std::vector<Warning> warnings;
+  if (request.position_scale) {
+    warnings = warnings_of_height(request.skeleton, request.file.format, *request.position_scale, request.file.name);
+    auto file =
+        in_metres({request.file.name, std::move(request.skeleton), std::move(request.clips), request.file.format},
+                  *request.position_scale);
+    if (!file) return tl::unexpected(std::move(file.error()));
+    request.file.format = file->format;
+    request.skeleton = std::move(file->skeleton);
+    request.clips = std::move(file->clips);
+  }
   const ClipReduceOptions options = options_for(request);
   auto reductions = reduce_clips(request.skeleton, request.clips, options, request.threads);
   if (!reductions) {
@@ -85,7 +91,8 @@ Expected<ReduceSceneOutcome> reduce_scene(ReduceSceneRequest request) {
     return tl::unexpected(std::move(reductions.error()));
   }
   ReduceSceneOutcome outcome{.request = std::move(request), .options = options, .reductions = *std::move(reductions)};
-  outcome.warnings = warnings_of_precision(outcome);
+  outcome.warnings = std::move(warnings);
+  std::ranges::move(warnings_of_precision(outcome), std::back_inserter(outcome.warnings));
   return outcome;
 }
 

@@ -14,7 +14,9 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
 namespace {
 
-std::string_view length_unit(const ReduceSceneOutcome& outcome) { return outcome.knows_metres() ? " m" : ""; }
+std::string_view length_unit(const ReduceSceneOutcome& outcome) {
+  return outcome.request.file.format.has_no_unit ? "" : " m";
+}
 
 std::string worst_place(const ReduceSceneOutcome& outcome, const ClipReduction& reduction,
                         const ClipReduction::Worst& worst) {
@@ -29,7 +31,7 @@ std::string open_text(const ReduceSceneOutcome& outcome, const ClipReduction& re
                    orispline::place_of(outcome.request.skeleton, reduction.clip, track.joint),
                    track.is_cut_at_ends
                        ? "a cut at an end"
-                       : formatted("{:.4g}{}", track.apart * (track.is_rotation ? degrees : outcome.metres()),
+                       : formatted("{:.4g}{}", track.apart * (track.is_rotation ? degrees : 1.0),
                                    track.is_rotation ? "°" : length_unit(outcome)));
 }
 
@@ -87,14 +89,13 @@ std::string errors_lines(const ReduceSceneOutcome& outcome, const ClipTotals& to
     text += formatted("largest angle   {:.6g}°, {}\n", totals.angle->angle.largest.value * degrees,
                       worst_place(outcome, *totals.angle, totals.angle->angle));
   if (totals.translation && std::isfinite(outcome.options.position_tolerance))
-    text +=
-        formatted("largest shift   {:.6g}{}, {}\n", totals.translation->translation.largest.value * outcome.metres(),
-                  length_unit(outcome), worst_place(outcome, *totals.translation, totals.translation->translation));
+    text += formatted("largest shift   {:.6g}{}, {}\n", totals.translation->translation.largest.value,
+                      length_unit(outcome), worst_place(outcome, *totals.translation, totals.translation->translation));
   if (totals.distance)
-    text += formatted("shell distance  {:.6g}{} in the world, {}; shell {:g}{}\n",
-                      totals.distance->distance.largest.value * outcome.metres(), length_unit(outcome),
-                      worst_place(outcome, *totals.distance, totals.distance->distance),
-                      outcome.options.shell * outcome.metres(), length_unit(outcome));
+    text +=
+        formatted("shell distance  {:.6g}{} in the world, {}; shell {:g}{}\n", totals.distance->distance.largest.value,
+                  length_unit(outcome), worst_place(outcome, *totals.distance, totals.distance->distance),
+                  outcome.options.shell, length_unit(outcome));
   if (totals.angle || totals.translation) text += between_line(outcome, totals);
   return text;
 }
@@ -113,7 +114,7 @@ Json open_json(const ReduceSceneOutcome& outcome) {
     for (const ClipReduction::OpenTrack& track : reduction.open) {
       Json open{{"clip", reduction.clip.name}, {"joint", outcome.request.skeleton[track.joint].name}};
       if (track.is_rotation) open["angle_deg"] = track.apart * degrees;
-      else open["translation_m"] = track.apart * outcome.metres();
+      else open["translation_m"] = track.apart;
       if (track.is_cut_at_ends) open["is_cut"] = true;
       list.push_back(std::move(open));
     }
@@ -125,29 +126,27 @@ Json open_json(const ReduceSceneOutcome& outcome) {
 std::string summary_of(const ReduceSceneOutcome& outcome) {
   const ClipTotals totals = outcome.totals();
   return formatted("{} from {}, tolerance {}, method {}\n", counted(outcome.reductions.size(), "clip"),
-                   printable(outcome.request.file.name),
-                   tolerance_text(outcome.options, outcome.metres(), length_unit(outcome)),
+                   printable(outcome.request.file.name), tolerance_text(outcome.options, length_unit(outcome)),
                    outcome.options.method.name) +
          counts_lines(outcome, totals) + errors_lines(outcome, totals);
 }
 
 std::string line_of(const ReduceSceneOutcome& outcome) {
   const ClipTotals totals = outcome.totals();
-  return formatted(
-      "{} of {}, {:.6g}° and {:.6g}{} in the world off at most", totals.rotation_keys,
-      counted(totals.rotation_keys_before, "key"), totals.angle ? totals.angle->angle.largest.value * degrees : 0.0,
-      totals.distance ? totals.distance->distance.largest.value * outcome.metres() : 0.0, length_unit(outcome));
+  return formatted("{} of {}, {:.6g}° and {:.6g}{} in the world off at most", totals.rotation_keys,
+                   counted(totals.rotation_keys_before, "key"),
+                   totals.angle ? totals.angle->angle.largest.value * degrees : 0.0,
+                   totals.distance ? totals.distance->distance.largest.value : 0.0, length_unit(outcome));
 }
 
 Json document_of(const ReduceSceneOutcome& outcome) {
   const ClipTotals totals = outcome.totals();
   const ClipReduceOptions& options = outcome.options;
-  const double metres = outcome.metres();
   Json json{{"method", options.method.name}};
   if (std::isfinite(options.tolerance)) json["tolerance_deg"] = options.tolerance * degrees;
-  if (std::isfinite(options.position_tolerance)) json["position_tolerance_m"] = options.position_tolerance * metres;
-  if (std::isfinite(options.world_tolerance)) json["world_tolerance_m"] = options.world_tolerance * metres;
-  json["shell_m"] = options.shell * metres;
+  if (std::isfinite(options.position_tolerance)) json["position_tolerance_m"] = options.position_tolerance;
+  if (std::isfinite(options.world_tolerance)) json["world_tolerance_m"] = options.world_tolerance;
+  json["shell_m"] = options.shell;
   json["clips"] = outcome.reductions.size();
   json["rotation_tracks"] = totals.rotation_tracks;
   json["rotation_keys_before"] = totals.rotation_keys_before;
@@ -164,9 +163,8 @@ Json document_of(const ReduceSceneOutcome& outcome) {
   }
   if (totals.angle) json["angle_deg"] = worst_json(outcome, *totals.angle, totals.angle->angle, degrees);
   if (totals.translation && std::isfinite(options.position_tolerance))
-    json["translation_m"] = worst_json(outcome, *totals.translation, totals.translation->translation, metres);
-  if (totals.distance)
-    json["shell_distance_m"] = worst_json(outcome, *totals.distance, totals.distance->distance, metres);
+    json["translation_m"] = worst_json(outcome, *totals.translation, totals.translation->translation, 1.0);
+  if (totals.distance) json["shell_distance_m"] = worst_json(outcome, *totals.distance, totals.distance->distance, 1.0);
   if (totals.from_smooth && totals.from_stored) {
     json["from_smooth_deg"] = worst_json(outcome, *totals.from_smooth, totals.from_smooth->from_smooth, degrees);
     json["from_stored_deg"] = worst_json(outcome, *totals.from_stored, totals.from_stored->from_stored, degrees);

@@ -87,7 +87,8 @@ TaskInfo reduce_info() {
   info.inputs = {several_of("recording", "The recording, or several; or a skeleton with its clips", scenes_too)};
   const std::array of_scenes{
       TaskSetting{"closed", "Of a skeleton: channels that end as they begin have the same tangent at both ends"},
-      TaskSetting{"position_scale", "Of a skeleton: metres in the unit of length of its file"}};
+      TaskSetting{"position_scale",
+                  "Of a skeleton: metres in one unit of length of its file, whose lengths become metres"}};
   info.settings.insert(info.settings.begin() + 3, of_scenes.begin(), of_scenes.end());  // before those of smoothing
   info.on_scene = {run_reduce_scene, check_reduce_scene, fields<ClipReduceOptions>()};
   return info;
@@ -98,10 +99,12 @@ TaskInfo retime_info() {
           "The least slowing that keeps a motion within limits",
           fields<RetimeOptions>(),
           fields<Retiming>(),
-          {keys_input},
+          {{.name = "keys", .sentence = "The keys, or a skeleton with its clips", .takes = scenes_too}},
           {one_method},
           run_retime,
-          check_retime};
+          check_retime,
+          {},
+          {run_retime_scene, check_retime_scene}};
 }
 
 TaskInfo bake_info() {

@@ -93,8 +93,8 @@ struct ORISPLINE_EXPORT TaskRequest {
 template <class... Outcomes>
 using OneOf = std::variant<std::shared_ptr<Outcomes>...>;
 using TaskFinding = OneOf<SmoothOutcome, SmoothClipsOutcome, TuneOutcome, ReduceOutcome, ReduceSceneOutcome,
-                          RetimeOutcome, BakeOutcome, MeanOutcome, AlignOutcome, RateAlignOutcome, CompareOutcome,
-                          InspectOutcome, InspectSceneOutcome, DifferenceOutcome, ClipOutcome>;
+                          RetimeOutcome, RetimeClipsOutcome, BakeOutcome, MeanOutcome, AlignOutcome, RateAlignOutcome,
+                          CompareOutcome, InspectOutcome, InspectSceneOutcome, DifferenceOutcome, ClipOutcome>;
 
 /// What there is to say of a task that was done, and what it made.
 struct TaskOutcome {
@@ -194,6 +194,7 @@ struct TaskInfo {
 [[nodiscard]] Expected<void> check_bake(const TaskRequest& request);
 [[nodiscard]] Expected<void> check_compare(const TaskRequest& request);
 [[nodiscard]] Expected<void> check_reduce_scene(const TaskRequest& request);
+[[nodiscard]] Expected<void> check_retime_scene(const TaskRequest& request);
 [[nodiscard]] Expected<void> check_clip_edits(const TaskRequest& request);
 template <class Options>
 [[nodiscard]] Expected<void> check_typed(const TaskRequest& request);
@@ -208,6 +209,7 @@ template <class Options>
 [[nodiscard]] Expected<TaskOutcome> run_inspect(const TaskRequest& request, const Progress& progress);
 [[nodiscard]] Expected<TaskOutcome> run_smooth_scene(const TaskRequest& request, const Progress& progress);
 [[nodiscard]] Expected<TaskOutcome> run_reduce_scene(const TaskRequest& request, const Progress& progress);
+[[nodiscard]] Expected<TaskOutcome> run_retime_scene(const TaskRequest& request, const Progress& progress);
 [[nodiscard]] Expected<TaskOutcome> run_inspect_scene(const TaskRequest& request, const Progress& progress);
 [[nodiscard]] Expected<TaskOutcome> run_difference(const TaskRequest& request, const Progress& progress);
 [[nodiscard]] Expected<TaskOutcome> run_clip(const TaskRequest& request, const Progress& progress);

@@ -103,7 +103,7 @@ report::Page page_of(const InspectOutcome& outcome, pages::PageHead head) {
 
 report::SkeletonPage page_of(const InspectSceneOutcome& outcome, const pages::PageHead& head) {
   const MotionFile& file = outcome.request.file;
-  return pages::scene_page({file.name, file.skeleton, file.clips}, {.are_known = !file.has_no_unit}, head);
+  return pages::scene_page({file.name, file.skeleton, file.clips}, {.are_known = !file.format.has_no_unit}, head);
 }
 
 report::Page page_of(const ReduceOutcome& outcome, const pages::PageHead& head) {
@@ -116,8 +116,7 @@ report::SkeletonPage page_of(const ReduceSceneOutcome& outcome, std::string afte
   const ReduceSceneRequest& request = outcome.request;
   return pages::reduced_clips_page(
       {request.file.name, request.skeleton, request.clips}, std::move(after), outcome.reductions, outcome.options,
-      {.metres = outcome.metres(), .are_known = outcome.knows_metres(), .shell = outcome.options.shell}, head,
-      request.threads);
+      {.are_known = !request.file.format.has_no_unit, .shell = outcome.options.shell}, head, request.threads);
 }
 
 report::Page page_of(const RetimeOutcome& outcome, const pages::PageHead& head) {
@@ -142,9 +141,9 @@ report::SkeletonPage page_of(const DifferenceOutcome& outcome, const pages::Page
   std::ranges::move(notes_on(outcome), std::back_inserter(with_notes.notes));
   std::vector<pages::ClipPair> pairs;
   for (const ClipDifference& clip : outcome.clips) pairs.push_back({clip.first, clip.second, times_of(clip)});
-  return pages::skeleton_page({first.name, first.skeleton, first.clips}, {second.name, second.skeleton, second.clips},
-                              pairs, {.are_known = !first.has_no_unit && !second.has_no_unit, .shell = shell},
-                              with_notes, threads);
+  return pages::skeleton_page(
+      {first.name, first.skeleton, first.clips}, {second.name, second.skeleton, second.clips}, pairs,
+      {.are_known = !first.format.has_no_unit && !second.format.has_no_unit, .shell = shell}, with_notes, threads);
 }
 
 report::SkeletonPage page_of(const ClipOutcome& outcome, std::string after, pages::PageHead head) {
@@ -153,7 +152,16 @@ report::SkeletonPage page_of(const ClipOutcome& outcome, std::string after, page
   std::vector<Clip> clips;
   for (const ClipEdit& edit : outcome.clips) clips.push_back(edit.clip);
   return pages::scene_page({after.empty() ? file.name : std::move(after), file.skeleton, clips},
-                           {.are_known = !file.has_no_unit}, head, outcome.request.threads);
+                           {.are_known = !file.format.has_no_unit}, head, outcome.request.threads);
+}
+
+report::SkeletonPage page_of(const RetimeClipsOutcome& outcome, std::string after, pages::PageHead head) {
+  const MotionFile& file = outcome.request.file;
+  add_warnings(head.notes, outcome.warnings);
+  std::vector<Clip> clips;
+  for (const ClipRetiming& retiming : outcome.clips) clips.push_back(retiming.clip);
+  return pages::scene_page({after.empty() ? file.name : std::move(after), file.skeleton, clips},
+                           {.are_known = !file.format.has_no_unit}, head, outcome.request.threads);
 }
 
 namespace {

@@ -17,15 +17,8 @@ const MotionFile& scene_in(const TaskRequest& request, std::string_view name) {
 }
 
 /// With the clips that the task made.
-TaskOutcome with_clips(TaskOutcome outcome, const MotionFile& file, std::vector<Clip> clips) {
-  outcome.scenes.push_back({.name = file.name,
-                            .skeleton = file.skeleton,
-                            .clips = std::move(clips),
-                            .has_no_unit = file.has_no_unit,
-                            .format = file.format,
-                            .title = file.title,
-                            .is_single_precise = file.is_single_precise,
-                            .is_sampled = file.is_sampled});
+TaskOutcome with_scene(TaskOutcome outcome, MotionFile made) {
+  outcome.scenes.push_back(std::move(made));
   return outcome;
 }
 
@@ -51,11 +44,11 @@ Expected<ReduceSceneRequest> reduce_scene_request_in(const TaskRequest& request)
     return tl::unexpected(std::move(fits.error()));
   const MotionFile& file = scene_in(request, "recording");
   FirstError checked;
-  ReduceSceneRequest job{.file = {file.name, file.format, file.has_no_unit, file.is_single_precise},
+  ReduceSceneRequest job{.file = {file.name, file.format},
                          .options = checked(options_in<ClipReduceOptions>(request)),
                          .position_scale = checked(positive_in(request, "position_scale")),
                          .threads = checked(threads_in(request))};
-  if (file.is_sampled && !is_stated(request, "between")) job.options.between = BetweenSamples::smooth;
+  if (file.format.is_sampled && !is_stated(request, "between")) job.options.between = BetweenSamples::smooth;
   job.options.method = checked(clip_method_in(request));
   job.options.closed = checked(flag(request, "closed"));
   return std::move(checked).or_else(std::move(job));
@@ -73,7 +66,7 @@ Expected<TaskOutcome> run_smooth_scene(const TaskRequest& request, const Progres
                          .clips = file.clips,
                          .options = checked(smoothing_options_in(request)),
                          .threads = checked(threads_in(request)),
-                         .has_no_unit = file.has_no_unit};
+                         .has_no_unit = file.format.has_no_unit};
   return std::move(checked)
       .or_else(std::move(job))
       .and_then([](SmoothClipsRequest sound) { return smooth_clips(std::move(sound)); })
@@ -81,7 +74,7 @@ Expected<TaskOutcome> run_smooth_scene(const TaskRequest& request, const Progres
       .map([&](SmoothClipsOutcome outcome) {
         std::vector<Clip> clips;
         for (const ClipSmoothing& smoothed : outcome.clips) clips.push_back(smoothed.clip);
-        return with_clips(told(std::move(outcome)), file, std::move(clips));
+        return with_scene(told(std::move(outcome)), {file.name, file.skeleton, std::move(clips), file.format});
       });
 }
 
@@ -95,8 +88,38 @@ Expected<TaskOutcome> run_reduce_scene(const TaskRequest& request, const Progres
     job.skeleton = file.skeleton;
     job.clips = file.clips;
     return reduce_scene(std::move(job)).map([&](ReduceSceneOutcome outcome) {
-      std::vector<Clip> clips = outcome.clips();
-      return with_clips(told(std::move(outcome)), file, std::move(clips));
+      MotionFile made{file.name, outcome.request.skeleton, outcome.clips(), outcome.request.file.format};
+      return with_scene(told(std::move(outcome)), std::move(made));
+    });
+  });
+}
+
+namespace {
+
+/// All but the clips.
+Expected<RetimeClipsRequest> retime_clips_request_in(const TaskRequest& request) {
+  const MotionFile& file = scene_in(request, "keys");
+  FirstError checked;
+  RetimeClipsRequest job{.file = {.name = file.name, .format = file.format},
+                         .options = checked(options_in<RetimeOptions>(request))};
+  if (request.method) job.method = request.method->method;
+  else if (const std::string* const text = request.option("method")) job.method = checked(method_from_text(*text));
+  return std::move(checked).or_else(std::move(job));
+}
+
+}  // namespace
+
+Expected<void> check_retime_scene(const TaskRequest& request) {
+  return retime_clips_request_in(request).and_then([](const RetimeClipsRequest& job) { return check(job); });
+}
+
+Expected<TaskOutcome> run_retime_scene(const TaskRequest& request, const Progress& progress) {
+  return retime_clips_request_in(request).and_then([&](RetimeClipsRequest job) {
+    job.file = scene_in(request, "keys");
+    return retime_clips(std::move(job), progress).map([](RetimeClipsOutcome outcome) {
+      MotionFile made = outcome.request.file;
+      for (std::size_t i = 0; i < made.clips.size(); ++i) made.clips[i] = outcome.clips[i].clip;
+      return with_scene(told(std::move(outcome)), std::move(made));
     });
   });
 }
@@ -104,7 +127,7 @@ Expected<TaskOutcome> run_reduce_scene(const TaskRequest& request, const Progres
 Expected<TaskOutcome> run_inspect_scene(const TaskRequest& request, const Progress&) {
   return check_unset(request, {"methods"}, "found the clips of a skeleton, wanted orientations at times").map([&] {
     const MotionFile& file = scene_in(request, "keys");
-    return told(inspect_scene({.file = file, .format = file.title}));
+    return told(inspect_scene({.file = file}));
   });
 }
 
@@ -143,7 +166,9 @@ Expected<TaskOutcome> run_clip(const TaskRequest& request, const Progress&) {
       .map([&](ClipOutcome outcome) {
         std::vector<Clip> clips;
         for (const ClipEdit& edit : outcome.clips) clips.push_back(edit.clip);
-        return with_clips(told(std::move(outcome)), scene_in(request, "scene"), std::move(clips));
+        MotionFile made = outcome.request.file;
+        made.clips = std::move(clips);
+        return with_scene(told(std::move(outcome)), std::move(made));
       });
 }
 

@@ -13,6 +13,7 @@
 #include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/base/version.hpp>
 #include <orispline/clip/clip_difference.hpp>
 #include <orispline/math/degrees.hpp>
@@ -71,9 +72,9 @@ double farthest_of(const report::SkeletonPage& page) {
 
 /// Lengths in metres, or where all that differs is less than one in millimetres.
 void scale(report::SkeletonPage& page, const PageLengths& lengths) {
-  double factor = lengths.metres;
+  double factor = 1.0;
   if (lengths.are_known) {
-    const bool is_small = farthest_of(page) * lengths.metres < 1.0;
+    const bool is_small = farthest_of(page) < 1.0;
     page.length_unit = is_small ? "mm" : "m";
     if (is_small) factor /= millimetre;
   }
@@ -220,7 +221,37 @@ std::string smoothed_title(std::string_view name, std::span<const ClipSmoothing>
                    counted(smoothings.size(), "clip"), counted(found.rejected, "sample"));
 }
 
-std::vector<std::string> notes_on(std::span<const ClipSmoothing> smoothings) {
+/// `Frames 100 to 111, 1.667 s to 1.85 s, of Arm and Hand are bridged: they jump by up to 60.5°.`
+std::string note_on(const Skeleton& skeleton, const WrongRun& run) {
+  std::vector<std::string> names;
+  for (const std::size_t joint : run.joints) names.push_back(printable(skeleton.shown_name(joint)));
+  return formatted("Frames {} to {}, {:.4g} s to {:.4g} s, of {} are bridged: {} by up to {:.3g}°.", run.first,
+                   run.first + run.count - 1, run.start, run.end, joined(names, ", "),
+                   names.size() == 1 ? "it jumps" : "they jump", run.jump * degrees);
+}
+
+/// `LeftFoot is held on frames 20 to 45, 0.667 s to 1.5 s.`
+std::string note_on(const Skeleton& skeleton, const Contact& contact) {
+  return formatted("{} is held on frames {} to {}, {:.4g} s to {:.4g} s.",
+                   printable(skeleton.shown_name(contact.joint)), contact.first, contact.first + contact.count - 1,
+                   contact.start, contact.end);
+}
+
+/// What was found of one kind in all clips, of much the first ones.
+template <class Found>
+void add_notes_on(std::vector<std::string>& notes, const Skeleton& skeleton, std::span<const ClipSmoothing> smoothings,
+                  std::vector<Found> ClipSmoothing::*found, std::string_view kind) {
+  constexpr std::size_t most = 40;
+  std::size_t count = 0;
+  for (const ClipSmoothing& smoothing : smoothings)
+    for (const Found& one : smoothing.*found)
+      if (count++ < most)
+        notes.push_back((smoothings.size() > 1 ? formatted("Clip {}: ", in_quotes(smoothing.clip.name)) : "") +
+                        note_on(skeleton, one));
+  if (count > most) notes.push_back(formatted("There are {} more.", counted(count - most, kind)));
+}
+
+std::vector<std::string> notes_on(const Skeleton& skeleton, std::span<const ClipSmoothing> smoothings) {
   const SmoothedRotations found = found_in(smoothings);
   std::vector<std::string> notes;
   if (found.count > 0)
@@ -234,6 +265,8 @@ std::vector<std::string> notes_on(std::span<const ClipSmoothing> smoothings) {
   if (found.left > 0)
     notes.push_back(formatted(
         "Rotations that rest, are steps or splines, or have too few keys are left as they are: {}.", found.left));
+  add_notes_on(notes, skeleton, smoothings, &ClipSmoothing::runs, "run");
+  add_notes_on(notes, skeleton, smoothings, &ClipSmoothing::contacts, "contact");
   notes.emplace_back(compared_at_keys);
   return notes;
 }
@@ -284,7 +317,7 @@ report::SkeletonPage smoothed_clips_page(const NamedClips& before, std::string a
   report::SkeletonPage page =
       unfinished_page(before, {std::move(after), before.skeleton, clips}, pairs, lengths, head, threads);
   if (head.title.empty()) page.title = smoothed_title(page.before, smoothings);
-  std::ranges::move(notes_on(smoothings), std::back_inserter(page.notes));
+  std::ranges::move(notes_on(before.skeleton, smoothings), std::back_inserter(page.notes));
   for (std::size_t i = 0; i < smoothings.size(); ++i) mark_rejected(page.clips[i], before.clips[i], smoothings[i]);
   return finished(std::move(page), pairs, lengths);
 }
@@ -307,9 +340,8 @@ report::SkeletonPage reduced_clips_page(const NamedClips& before, std::string af
                                   comparison);
             });
   if (head.title.empty())
-    page.title =
-        formatted("{} within {}: {}", page.before,
-                  tolerance_text(options, lengths.metres, lengths.are_known ? " m" : ""), keys_text(reductions));
+    page.title = formatted("{} within {}: {}", page.before, tolerance_text(options, lengths.are_known ? " m" : ""),
+                           keys_text(reductions));
   page.notes.insert(page.notes.begin(), compared_between_keys(options.between));
   if (std::isfinite(options.tolerance)) page.angle_limit = options.tolerance * degrees;
   if (std::isfinite(options.world_tolerance)) page.distance_limit = options.world_tolerance;

@@ -113,7 +113,6 @@ struct ClipPair {
 
 /// What the lengths of a file are.
 struct PageLengths {
-  double metres = 1.0;           ///< in one unit of the file
   bool are_known = true;         ///< false: they are shown as they are, without a unit
   double shell = default_shell;  ///< of the shell distance, in the unit of the file
 };

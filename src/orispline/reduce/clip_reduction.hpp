@@ -155,9 +155,8 @@ ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexc
 
 /// The tolerances that are given: `0.1°, 0.02 m in the world`.
 ///
-/// `metres`: in the skeleton's unit of length; `unit`: what follows a length, such as ` m`.
-[[nodiscard]] ORISPLINE_EXPORT std::string tolerance_text(const ClipReduceOptions& options, double metres,
-                                                          std::string_view unit);
+/// `unit`: what follows a length, such as ` m`.
+[[nodiscard]] ORISPLINE_EXPORT std::string tolerance_text(const ClipReduceOptions& options, std::string_view unit);
 
 /// Of all clips together; its members are those of the clips.
 struct ClipTotals {

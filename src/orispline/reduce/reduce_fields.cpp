@@ -112,13 +112,13 @@ std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexcept {
   return fields;
 }
 
-std::string tolerance_text(const ClipReduceOptions& options, double metres, std::string_view unit) {
+std::string tolerance_text(const ClipReduceOptions& options, std::string_view unit) {
   std::vector<std::string> parts;
   if (std::isfinite(options.tolerance)) parts.push_back(formatted("{:.6g}°", options.tolerance * degrees));
   if (std::isfinite(options.position_tolerance))
-    parts.push_back(formatted("{:.6g}{} of translations", options.position_tolerance * metres, unit));
+    parts.push_back(formatted("{:.6g}{} of translations", options.position_tolerance, unit));
   if (std::isfinite(options.world_tolerance))
-    parts.push_back(formatted("{:.6g}{} in the world", options.world_tolerance * metres, unit));
+    parts.push_back(formatted("{:.6g}{} in the world", options.world_tolerance, unit));
   return joined(parts, ", ");
 }
 

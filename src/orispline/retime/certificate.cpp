@@ -53,7 +53,8 @@ std::vector<Certificate> certificates_of(const MotionLimits& limits, std::span<c
          .bound = peak.bound,
          .found = peak.found,
          .time = peak.time,
-         .segment = static_cast<std::size_t>(worst - peaks.begin())});
+         .segment = static_cast<std::size_t>(worst - peaks.begin()),
+         .body = peak.body});
   }
   return certificates;
 }

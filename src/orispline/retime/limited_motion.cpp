@@ -24,12 +24,35 @@ QuantitySizes values_of(const SegmentPeaks& peaks, double CertifiedPeak::*member
   return sizes;
 }
 
+/// Segment by segment and quantity by quantity.
+void add_largest(std::vector<SegmentPeaks>& all, std::vector<SegmentPeaks> more, std::size_t body) {
+  for (SegmentPeaks& segment : more)
+    for (CertifiedPeak& peak : segment) peak.body = body;
+  if (all.empty()) {
+    all = std::move(more);
+    return;
+  }
+  for (std::size_t s = 0; s < all.size(); ++s)
+    for (std::size_t k = 0; k < all[s].size(); ++k) {
+      CertifiedPeak& largest = all[s][k];
+      const CertifiedPeak& other = more[s][k];
+      if (other.bound > largest.bound) largest.bound = other.bound, largest.body = body;
+      if (other.found > largest.found) largest.found = other.found, largest.time = other.time;
+    }
+}
+
 }  // namespace
 
-LimitedMotion::LimitedMotion(const Method& method, const Keyframes& keys, const MotionLimits& limits,
+LimitedMotion::LimitedMotion(const Method& method, std::span<const Keyframes> bodies, const MotionLimits& limits,
                              const StartingTimes& start, Rests rests, OpenEndedWork& work)
-    : method_(method), keys_(keys), limits_(limits), start_(start), quantities_(quantities_of(limits)), work_(work) {
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i) is_rest_.push_back(rests == Rests::kept && keys.rests_after(i));
+    : method_(method),
+      bodies_(bodies),
+      limits_(limits),
+      start_(start),
+      quantities_(quantities_of(limits)),
+      work_(work) {
+  for (std::size_t i = 0; i + 1 < bodies.front().size(); ++i)
+    is_rest_.push_back(rests == Rests::kept && all_rest_after(bodies, i));
 }
 
 bool LimitedMotion::has_rests() const noexcept { return std::ranges::find(is_rest_, true) != is_rest_.end(); }
@@ -55,14 +78,31 @@ std::vector<double> LimitedMotion::shortened(std::vector<double> times, double f
   return times;
 }
 
-Expected<PoseCurve> LimitedMotion::curve(std::vector<double> times) const {
+Expected<std::vector<PoseCurve>> LimitedMotion::curves(const std::vector<double>& times) const {
   if (work_.stopped()) return cancellation();
   work_.add(1.0);
   const bool moves = std::ranges::any_of(quantities_, &LimitedQuantity::is_of_position);
-  return keys_.with_times(std::move(times)).and_then([&](const Keyframes& keys) {
-    if (moves) return make_pose_curve(method_, keys);
-    return make_curve(method_, keys).map([](AnyCurve curve) { return PoseCurve{std::move(curve)}; });
-  });
+  std::vector<PoseCurve> all;
+  for (const Keyframes& body : bodies_) {
+    auto made = body.with_times(times).and_then([&](const Keyframes& keys) {
+      if (moves) return make_pose_curve(method_, keys);
+      return make_curve(method_, keys).map([](AnyCurve curve) { return PoseCurve{std::move(curve)}; });
+    });
+    if (!made) return tl::unexpected(std::move(made.error()));
+    all.push_back(std::move(*made));
+  }
+  return all;
+}
+
+std::vector<QuantitySizes> LimitedMotion::sampled(const std::vector<PoseCurve>& curves) const {
+  std::vector<QuantitySizes> largest(is_rest_.size(), QuantitySizes{});
+  for (const PoseCurve& curve : curves) {
+    const auto peaks = sampled_peaks(curve, wanted());
+    for (std::size_t s = 0; s < largest.size(); ++s)
+      std::ranges::transform(largest[s], peaks[s], largest[s].begin(),
+                             [](double a, double b) { return std::max(a, b); });
+  }
+  return largest;
 }
 
 QuantitySizes LimitedMotion::limits_times(double share) const {
@@ -78,27 +118,32 @@ double LimitedMotion::factor_of_found(const SegmentPeaks& peaks) const {
   return needed_factor(values_of(peaks, &CertifiedPeak::found), quantities_);
 }
 
-Expected<std::vector<SegmentPeaks>> LimitedMotion::certified(const PoseCurve& curve,
+Expected<std::vector<SegmentPeaks>> LimitedMotion::certified(const std::vector<PoseCurve>& curves,
                                                              const QuantitySizes& floors) const {
-  if (auto peaks = certified_peaks(curve, wanted(), floors)) return std::move(*peaks);
-  return failure(ErrorCode::bad_argument,
-                 formatted("{}: no bounds are known for the segments of this method, wanted one of polynomials, "
-                           "such as auto or timed-c2",
-                           method_.name));
+  std::vector<SegmentPeaks> largest;
+  for (std::size_t body = 0; body < curves.size(); ++body) {
+    auto peaks = certified_peaks(curves[body], wanted(), floors);
+    if (!peaks)
+      return failure(ErrorCode::bad_argument,
+                     formatted("{}: no bounds are known for the segments of this method, wanted one of polynomials, "
+                               "such as auto or timed-c2",
+                               method_.name));
+    add_largest(largest, std::move(*peaks), body);
+  }
+  return largest;
 }
 
 Expected<std::vector<double>> LimitedMotion::sampled_factors(std::vector<double> times) const {
-  return curve(std::move(times)).transform([this](const PoseCurve& made) {
+  return curves(times).transform([this](const std::vector<PoseCurve>& made) {
     std::vector<double> factors;
-    for (const QuantitySizes& peaks : sampled_peaks(made, wanted()))
-      factors.push_back(needed_factor(peaks, quantities_));
+    for (const QuantitySizes& peaks : sampled(made)) factors.push_back(needed_factor(peaks, quantities_));
     return factors;
   });
 }
 
 Expected<std::vector<double>> LimitedMotion::certified_factors(std::vector<double> times) const {
-  return curve(std::move(times))
-      .and_then([this](const PoseCurve& made) { return certified(made, limits_times(1.0)); })
+  return curves(times)
+      .and_then([this](const std::vector<PoseCurve>& made) { return certified(made, limits_times(1.0)); })
       .transform([this](const std::vector<SegmentPeaks>& peaks) {
         std::vector<double> factors;
         for (const SegmentPeaks& segment : peaks) factors.push_back(std::max(1.0, factor_of_bounds(segment)));
@@ -107,9 +152,9 @@ Expected<std::vector<double>> LimitedMotion::certified_factors(std::vector<doubl
 }
 
 Expected<std::vector<SegmentPeaks>> LimitedMotion::largest_peaks(std::vector<double> times) const {
-  return curve(std::move(times)).and_then([this](const PoseCurve& made) {
+  return curves(times).and_then([this](const std::vector<PoseCurve>& made) {
     QuantitySizes floors = limits_times(1e-3);  // less matters to nobody
-    for (const QuantitySizes& peaks : sampled_peaks(made, wanted()))
+    for (const QuantitySizes& peaks : sampled(made))
       std::ranges::transform(floors, peaks, floors.begin(), [](double a, double b) { return std::max(a, b); });
     return certified(made, floors);
   });
@@ -128,8 +173,8 @@ double LimitedMotion::slack(std::span<const SegmentPeaks> peaks) const {
 }
 
 Expected<double> LimitedMotion::largest_slack(std::vector<double> times) const {
-  return curve(std::move(times))
-      .and_then([this](const PoseCurve& made) { return certified(made, limits_times(near_the_limit)); })
+  return curves(times)
+      .and_then([this](const std::vector<PoseCurve>& made) { return certified(made, limits_times(near_the_limit)); })
       .map([this](const std::vector<SegmentPeaks>& peaks) {
         std::optional<double> largest;
         for (const SegmentPeaks& segment : peaks)

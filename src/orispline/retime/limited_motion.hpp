@@ -18,19 +18,21 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// What becomes of rests between equal keys.
 enum class Rests { kept, slowed };
 
-/// A method's curve through keys whose times are free, beside the limits that it shall keep. Refers to its arguments.
+/// A method's curves through keys whose times are free, beside the limits that each of them shall keep: of a body, or
+/// of several that share their times, such as the joints of a skeleton. Refers to its arguments.
 class LimitedMotion {
  public:
-  LimitedMotion(const Method& method, const Keyframes& keys, const MotionLimits& limits, const StartingTimes& start,
-                Rests rests, OpenEndedWork& work);
-  LimitedMotion(Method&&, const Keyframes&, const MotionLimits&, const StartingTimes&, Rests, OpenEndedWork&) = delete;
+  LimitedMotion(const Method& method, std::span<const Keyframes> bodies, const MotionLimits& limits,
+                const StartingTimes& start, Rests rests, OpenEndedWork& work);
+  LimitedMotion(Method&&, std::span<const Keyframes>, const MotionLimits&, const StartingTimes&, Rests,
+                OpenEndedWork&) = delete;
 
   [[nodiscard]] const std::vector<double>& starting_times() const noexcept { return start_.times; }
   /// Other times from which a descent may begin.
   [[nodiscard]] const std::vector<std::vector<double>>& other_times() const noexcept { return start_.others; }
   /// What a segment may be cut to [s].
   [[nodiscard]] double least_interval(std::size_t segment) const noexcept { return start_.least[segment]; }
-  /// Whether the body rests on a segment, which has its duration already.
+  /// Whether all rest on a segment, which has its duration already.
   [[nodiscard]] bool is_rest(std::size_t segment) const noexcept { return is_rest_[segment]; }
   [[nodiscard]] bool has_rests() const noexcept;
   [[nodiscard]] bool is_limited() const noexcept { return !quantities_.empty(); }
@@ -54,8 +56,10 @@ class LimitedMotion {
   [[nodiscard]] Expected<double> largest_slack(std::vector<double> times) const;
 
  private:
-  [[nodiscard]] Expected<PoseCurve> curve(std::vector<double> times) const;
-  [[nodiscard]] Expected<std::vector<SegmentPeaks>> certified(const PoseCurve& curve,
+  [[nodiscard]] Expected<std::vector<PoseCurve>> curves(const std::vector<double>& times) const;
+  /// The largest of all curves, segment by segment.
+  [[nodiscard]] std::vector<QuantitySizes> sampled(const std::vector<PoseCurve>& curves) const;
+  [[nodiscard]] Expected<std::vector<SegmentPeaks>> certified(const std::vector<PoseCurve>& curves,
                                                               const QuantitySizes& floors) const;
   [[nodiscard]] MotionQuantities wanted() const noexcept { return {quantities_, limits_.inertia}; }
   [[nodiscard]] QuantitySizes limits_times(double share) const;
@@ -63,7 +67,7 @@ class LimitedMotion {
   [[nodiscard]] double factor_of_found(const SegmentPeaks& peaks) const;
 
   const Method& method_;
-  const Keyframes& keys_;
+  std::span<const Keyframes> bodies_;
   const MotionLimits& limits_;
   const StartingTimes& start_;
   std::vector<LimitedQuantity> quantities_{};

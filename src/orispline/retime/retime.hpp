@@ -73,7 +73,8 @@ struct RetimeOptions {
 /// The largest of a quantity on one segment: what was found at a time, and what it is nowhere above.
 struct CertifiedPeak {
   double found = 0.0, bound = 0.0;
-  double time = 0.0;  ///< of `found` [s]
+  double time = 0.0;     ///< of `found` [s]
+  std::size_t body = 0;  ///< of several bodies on one clock that of the bound
 };
 
 /// The peaks of one segment, one for each quantity.
@@ -143,6 +144,7 @@ struct ORISPLINE_EXPORT Certificate {
   double limit, bound, found;  ///< rad/s and the like, as the times
   double time;                 ///< of `found` [s]
   std::size_t segment;
+  std::size_t body = 0;  ///< of several bodies on one clock
 
   /// `rate_bound_deg_s`
   [[nodiscard]] std::string id_of(std::string_view part) const;

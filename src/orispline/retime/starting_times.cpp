@@ -31,12 +31,13 @@ double change_of(const LimitedQuantity& quantity, const Keyframes& keys, std::si
       quantity.vector == LimitedQuantity::Vector::torque && inertia ? Eigen::Vector3d(*inertia * turned) : turned);
 }
 
-/// Of each of the limited quantities.
-QuantitySizes changes_of(const Keyframes& keys, std::size_t i, const MotionLimits& limits,
+/// Of each of the limited quantities, the largest of all bodies.
+QuantitySizes changes_of(std::span<const Keyframes> bodies, std::size_t i, const MotionLimits& limits,
                          const std::vector<LimitedQuantity>& quantities) {
   QuantitySizes changes{};
-  std::ranges::transform(quantities, changes.begin(),
-                         [&](const LimitedQuantity& quantity) { return change_of(quantity, keys, i, limits.inertia); });
+  for (std::size_t k = 0; k < quantities.size(); ++k)
+    for (const Keyframes& keys : bodies)
+      changes[k] = std::max(changes[k], change_of(quantities[k], keys, i, limits.inertia));
   return changes;
 }
 
@@ -69,7 +70,8 @@ struct Ways {
 };
 
 /// Times of the keys in the fastest motion from each rest to the next, if it had one axis.
-std::vector<double> rest_to_rest_times(const Keyframes& keys, const StartingTimes& start, const MotionLimits& limits) {
+std::vector<double> rest_to_rest_times(std::span<const Keyframes> bodies, const StartingTimes& start,
+                                       const MotionLimits& limits) {
   const auto quantities = quantities_of(limits);
   std::vector<double> times{start.times.front()};
   Ways ways;
@@ -84,9 +86,9 @@ std::vector<double> rest_to_rest_times(const Keyframes& keys, const StartingTime
     }
     ways = {};
   };
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
-    if (!keys.rests_after(i)) {
-      ways.add(way_of(changes_of(keys, i, limits, quantities), quantities));
+  for (std::size_t i = 0; i + 1 < bodies.front().size(); ++i) {
+    if (!all_rest_after(bodies, i)) {
+      ways.add(way_of(changes_of(bodies, i, limits, quantities), quantities));
       continue;
     }
     go();
@@ -97,12 +99,12 @@ std::vector<double> rest_to_rest_times(const Keyframes& keys, const StartingTime
 }
 
 /// The times of the keys, with what is beyond `longest_rest` cut from rests.
-std::vector<double> with_rests_cut(const Keyframes& keys, const std::optional<double>& longest_rest) {
-  std::vector<double> times(keys.times().begin(), keys.times().end());
+std::vector<double> with_rests_cut(std::span<const Keyframes> bodies, const std::optional<double>& longest_rest) {
+  std::vector<double> times(bodies.front().times().begin(), bodies.front().times().end());
   double cut = 0.0;
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
-    const double interval = keys.times()[i + 1] - keys.times()[i];
-    if (longest_rest && interval > *longest_rest && keys.rests_after(i)) cut += interval - *longest_rest;
+  for (std::size_t i = 0; i + 1 < bodies.front().size(); ++i) {
+    const double interval = bodies.front().times()[i + 1] - bodies.front().times()[i];
+    if (longest_rest && interval > *longest_rest && all_rest_after(bodies, i)) cut += interval - *longest_rest;
     times[i + 1] -= cut;
   }
   return times;
@@ -110,16 +112,21 @@ std::vector<double> with_rests_cut(const Keyframes& keys, const std::optional<do
 
 }  // namespace
 
-Expected<StartingTimes> starting_times(const Keyframes& keys, const RetimeOptions& options) {
-  StartingTimes start{.times = with_rests_cut(keys, options.shorten_rests), .least = {}};
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i) start.least.push_back(start.times[i + 1] - start.times[i]);
+bool all_rest_after(std::span<const Keyframes> bodies, std::size_t key) {
+  return std::ranges::all_of(bodies, [key](const Keyframes& keys) { return keys.rests_after(key); });
+}
+
+Expected<StartingTimes> starting_times(std::span<const Keyframes> bodies, const RetimeOptions& options) {
+  StartingTimes start{.times = with_rests_cut(bodies, options.shorten_rests), .least = {}};
+  for (std::size_t i = 0; i + 1 < bodies.front().size(); ++i)
+    start.least.push_back(start.times[i + 1] - start.times[i]);
   if (options.slowing != Slowing::fastest_keys) return start;
   const auto quantities = quantities_of(options.limits);
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < bodies.front().size(); ++i) {
     double interval = start.least[i];
-    if (!keys.rests_after(i)) {
+    if (!all_rest_after(bodies, i)) {
       start.least[i] = 0.0;
-      interval = haste * needed_factor(changes_of(keys, i, options.limits, quantities), quantities);
+      interval = haste * needed_factor(changes_of(bodies, i, options.limits, quantities), quantities);
       if (!(interval > 0.0))
         return failure(ErrorCode::bad_argument,
                        "no limit concerns the step from this key to the next, which would take no time; wanted a limit "
@@ -134,7 +141,7 @@ Expected<StartingTimes> starting_times(const Keyframes& keys, const RetimeOption
                                interval),
                      {.key = i});
   }
-  start.others.push_back(rest_to_rest_times(keys, start, options.limits));
+  start.others.push_back(rest_to_rest_times(bodies, start, options.limits));
   return start;
 }
 

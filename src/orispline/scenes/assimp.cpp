@@ -164,18 +164,10 @@ Expected<Scene> read(std::string_view bytes, const io::Input& from, const SceneR
   });
 }
 
-constinit const SceneFormat fbx{.id = "fbx",
-                                .title = "FBX",
-                                .file = "an FBX file",
-                                .summary = "scenes of Autodesk's programs",
-                                .extensions = fbx_extensions,
-                                .read = read};
-constinit const SceneFormat collada{.id = "collada",
-                                    .title = "Collada",
-                                    .file = "a Collada file",
-                                    .summary = "scenes as XML",
-                                    .extensions = collada_extensions,
-                                    .read = read};
+constinit const SceneFormat fbx{
+    {.title = "FBX", .file = "an FBX file"}, "fbx", "scenes of Autodesk's programs", fbx_extensions, nullptr, read};
+constinit const SceneFormat collada{
+    {.title = "Collada", .file = "a Collada file"}, "collada", "scenes as XML", collada_extensions, nullptr, read};
 constexpr std::array formats{&fbx, &collada};
 
 }  // namespace guest

@@ -52,6 +52,24 @@ Expected<Scene> checked(Scene scene) {
 
 }  // namespace
 
+MotionFile motion_file_of(const Scene& scene) {
+  return {.name = scene.name,
+          .skeleton = scene.skeleton,
+          .clips = scene.clips,
+          .format = scene.format ? ClipFormat(*scene.format) : ClipFormat()};
+}
+
+Scene with_motion(Scene scene, const MotionFile& made) {
+  const bool had_no_unit = scene.format && scene.format->has_no_unit;
+  scene.skeleton = made.skeleton;
+  scene.clips = made.clips;
+  if (had_no_unit && !made.format.has_no_unit) {
+    scene.format = nullptr;
+    scene.source.reset();
+  }
+  return scene;
+}
+
 Expected<std::string> bytes_of_file(const std::string& path, const SceneFormat* format, std::size_t most) {
   if (path == io::standard_stream)
     return failure(ErrorCode::bad_argument, "found standard input for a file of skeletons, wanted the name of a file");
@@ -88,6 +106,8 @@ Expected<Scene> read_scene(const io::Input& input, const SceneReading& reading) 
   };
   const auto file = input.is_in_memory() ? Expected<std::string>() : bytes_of_file(path, *format);
   if (!file) return tl::unexpected(in_this_file(file.error()));
+  if (reading.rest_frame && *format != &bvh_format)
+    return bad_option("rest_frame", formatted("found {}, which states its rest pose, wanted BVH", (*format)->file));
   const std::string_view bytes = input.is_in_memory() ? input.bytes() : *file;
   if (bytes.empty()) return failure(ErrorCode::bad_data, "empty: no skeleton", {.file = path});
   auto scene = (*format)->read(bytes, input, reading).and_then(checked).map_error(in_this_file);
@@ -107,14 +127,21 @@ Expected<SceneWritten> written_scene(const Scene& scene, const std::string& path
                    {.file = path});
   for (const Clip& clip : scene.clips)
     if (auto sound = check_clip(scene.skeleton, clip); !sound) return tl::unexpected(std::move(sound.error()));
-  if (!writing.position_scale) return (*format)->write(scene, path, writing);
+  const auto with_height = [&](SceneWritten written) {
+    if (scene.format && !(*format)->has_no_unit)
+      for (Warning& warning :
+           warnings_of_height(scene.skeleton, *scene.format, writing.position_scale.value_or(1.0), path))
+        written.warnings.push_back(std::move(warning));
+    return written;
+  };
+  if (!writing.position_scale) return (*format)->write(scene, path, writing).map(with_height);
   if ((*format)->has_no_unit)
     return bad_option("position_scale",
                       formatted("found an output that is {}, which has no unit of length and keeps that "
                                 "of the input, wanted glTF",
                                 (*format)->file));
   return in_metres(scene, *writing.position_scale).and_then([&](const Scene& scaled) {
-    return (*format)->write(scaled, path, writing);
+    return (*format)->write(scaled, path, writing).map(with_height);
   });
 }
 

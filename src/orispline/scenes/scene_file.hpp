@@ -11,6 +11,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/base/warning.hpp>
 #include <orispline/clip/clip.hpp>
+#include <orispline/clip/motion_file.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/io/input.hpp>
 #include <orispline/math/euler.hpp>
@@ -37,7 +38,12 @@ struct Scene {
   std::shared_ptr<const SceneSource> source{};  ///< null for a scene that was made
 };
 
-struct SceneFormat;
+/// What the tasks on skeletons take.
+[[nodiscard]] ORISPLINE_EXPORT MotionFile motion_file_of(const Scene& scene);
+
+/// A scene with what a task made of it, and what else its file holds. In another unit of length it is one that was
+/// made.
+[[nodiscard]] ORISPLINE_EXPORT Scene with_motion(Scene scene, const MotionFile& made);
 
 /// How a scene is to be read.
 struct SceneReading {
@@ -45,6 +51,7 @@ struct SceneReading {
   std::optional<Signs> signs{};         ///< of `cubicspline` rotations; absent: as given, with a warning of long ways
   const SceneFormat* format = nullptr;  ///< of the file; null: that of its extension
   bool salvage = false;                 ///< of a BVH file that was cut off take the whole frames that are there
+  std::optional<std::size_t> rest_frame{};  ///< of a BVH file: its pose is the rest pose; absent: that of the offsets
 };
 
 /// How a scene is to be written.
@@ -70,15 +77,10 @@ struct SceneWritten {
 };
 
 /// A format of files of skeletons and clips: all that is known of it elsewhere.
-struct ORISPLINE_EXPORT SceneFormat {
+struct ORISPLINE_EXPORT SceneFormat : ClipFormat {
   std::string_view id;                             ///< the word that it is chosen by: `bvh`
-  std::string_view title;                          ///< what people call it: `BVH`
-  std::string_view file;                           ///< with its article: `a BVH file`
   std::string_view summary;                        ///< what it is, in a few words
   std::span<const std::string_view> extensions{};  ///< in small letters, with their dots
-  bool has_no_unit = false;   ///< its files do not say in what their lengths are; others: in metres
-  bool holds_floats = false;  ///< times and values are in single precision
-  bool is_sampled = false;    ///< its keys are frames: it does not say what lies between them
 
   /// Whether a file of so many bytes that begins with `start` can be one of the format, before all of it is read: the
   /// errors are those of `read`. Null: only `read` tells.

@@ -93,7 +93,8 @@ Expected<std::vector<io::KeyFile>> tracks_in(io::LineReader lines, const io::Rea
   return read_scene(lines.input(), {.drop_duplicates = options.drop_duplicates,
                                     .signs = options.scene.signs,
                                     .format = stated,
-                                    .salvage = options.scene.salvage})
+                                    .salvage = options.scene.salvage,
+                                    .rest_frame = options.scene.rest_frame})
       .and_then([&](const Scene& scene) { return keys_of(scene, options.scene); })
       .map_error([&](Error error) {
         if (error.where.file.empty()) error.where.file = lines.path();

@@ -387,6 +387,17 @@ Clip clip_of(const Source& source, std::string name) {
   return clip;
 }
 
+/// The skeleton with the pose of a frame as its rest pose. Error (bad_argument): there is no such frame.
+Expected<Skeleton> resting_as_in_frame(const Skeleton& skeleton, const Clip& clip, std::size_t frame,
+                                       std::size_t frames) {
+  if (frame >= frames)
+    return bad_option("rest_frame", formatted("found {}, wanted a frame of the file, from 0 to {}", frame, frames - 1));
+  std::vector<Joint> joints(skeleton.joints().begin(), skeleton.joints().end());
+  for (const RotationChannel& channel : clip.rotations) joints[channel.joint].rest.rotation = channel.values[frame];
+  for (const VectorChannel& channel : clip.translations) joints[channel.joint].rest.translation = channel.values[frame];
+  return Skeleton::make(std::move(joints));
+}
+
 /// Where several joints have one name.
 std::vector<Warning> warnings_of_names(const Hierarchy& hierarchy, const std::string& path) {
   std::unordered_set<std::string_view> names;
@@ -435,22 +446,24 @@ Expected<Scene> read(std::string_view bytes, const io::Input& from, const SceneR
   scene.skeleton = std::move(*skeleton);
   scene.clips.push_back(clip_of(*source, std::string(stem_of(path))));
   scene.source = std::move(source);
-  return scene;
+  if (!reading.rest_frame) return scene;
+  return resting_as_in_frame(scene.skeleton, scene.clips.front(), *reading.rest_frame, motion->frames)
+      .map([&](Skeleton resting) {
+        scene.skeleton = std::move(resting);
+        return std::move(scene);
+      });
 }
 
 }}}  // namespace orispline::scenes::bvh
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
 
-constinit const SceneFormat bvh_format{.id = "bvh",
-                                       .title = "BVH",
-                                       .file = "a BVH file",
-                                       .summary = "motion capture as a hierarchy and a table of angles",
-                                       .extensions = bvh::file_extensions,
-                                       .has_no_unit = true,
-                                       .is_sampled = true,
-                                       .check_start = bvh::check_start,
-                                       .read = bvh::read,
-                                       .write = bvh::write};
+constinit const SceneFormat bvh_format{{.title = "BVH", .file = "a BVH file", .has_no_unit = true, .is_sampled = true},
+                                       "bvh",
+                                       "motion capture as a hierarchy and a table of angles",
+                                       bvh::file_extensions,
+                                       bvh::check_start,
+                                       bvh::read,
+                                       bvh::write};
 
 }}}  // namespace orispline::scenes

@@ -90,12 +90,12 @@ Decimal StepRange::shortest() const {
 }
 
 /// The steps of the coarsest even grid from the first time on that has all times within their rounding; nothing where
-/// there is none. `times`: two at least, rising.
-std::optional<StepRange> even_steps_of(std::span<const double> times, TimeRounding rounding) {
+/// there is none. `times`: two at least, rising. `most`: parts of the shortest step between them.
+std::optional<StepRange> even_steps_of(std::span<const double> times, TimeRounding rounding, int most) {
   const EvenTimes even(times, rounding);
   const StepRange step = even.shortest_step();
   if (step.least == 0.0) return std::nullopt;
-  for (int parts = 1; parts <= most_parts; ++parts) {
+  for (int parts = 1; parts <= most; ++parts) {
     const StepRange part{step.least / parts, step.most / parts};
     if (!even.tells(part.middle())) return std::nullopt;
     if (const auto steps = even.narrowed(part)) return steps;
@@ -149,14 +149,41 @@ Expected<Frames> frames_at_rate(double rate, std::span<const double> keys) {
                 times_at(step, static_cast<std::size_t>(steps) + 1, keys, rounding)};
 }
 
-std::optional<Frames> even_frames(std::span<const double> keys, TimeRounding rounding, const Source* source) {
-  const auto steps = even_steps_of(keys, rounding);
+std::optional<Frames> even_frames(std::span<const double> keys, TimeRounding rounding, const Source* source, int most) {
+  const auto steps = even_steps_of(keys, rounding, most);
   if (!steps) return std::nullopt;
   const bool is_of_source = source && steps->has(source->frame_time.to_double());
   const Decimal frame_time = is_of_source ? source->frame_time : steps->shortest();
   const double step = frame_time.to_double();
   const auto count = static_cast<std::size_t>(std::round((keys.back() - keys.front()) / step)) + 1;
   return Frames{frame_time, times_at(step, count, keys, rounding)};
+}
+
+/// The step [s] of frames that were cut between two of them, or joined with others: that of most keys, else that of
+/// their file; nothing where keys are farther apart.
+std::optional<Decimal> step_of_cut(std::span<const double> keys, const Source& source) {
+  constexpr double same_step = 1e-3;  // share by which steps may differ
+  std::vector<double> steps;
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) steps.push_back(keys[i + 1] - keys[i]);
+  const double longest = std::ranges::max(steps) * (1.0 - same_step);
+  const double of_file = source.frame_time.to_double();
+  std::vector<double> sorted = steps;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::ranges::nth_element(sorted, middle);
+  const double usual = *middle;
+  const auto is_usual = [usual](double step) { return std::abs(step - usual) <= same_step * usual; };
+  const bool are_most = 2 * static_cast<std::size_t>(std::ranges::count_if(steps, is_usual)) > steps.size();
+  if (are_most && longest <= usual && !is_usual(of_file)) {
+    const double off = 2.0 * rounding_at(keys.back(), rounding_of(keys));
+    return StepRange{usual - off, usual + off}.shortest();
+  }
+  return longest <= of_file ? std::optional(source.frame_time) : std::nullopt;
+}
+
+Expected<Frames> frames_with_step(const Decimal& step, std::span<const double> keys) {
+  auto frames = frames_at_rate(1.0 / step.to_double(), keys);
+  if (frames) frames->frame_time = step;
+  return frames;
 }
 
 }  // namespace
@@ -171,8 +198,12 @@ Expected<Frames> frames_of(const Clip& clip, const SceneWriting& writing, const 
   const bool are_floats = rounding_of(keys) == TimeRounding::to_float;
   const TimeRounding first = are_floats ? TimeRounding::to_float : TimeRounding::to_double,
                      second = are_floats ? TimeRounding::to_double : TimeRounding::to_float;
-  for (const TimeRounding rounding : {first, second})
-    if (auto frames = even_frames(keys, rounding, source)) return std::move(*frames);
+  for (const int most : source ? std::vector{1, most_parts} : std::vector{most_parts}) {
+    for (const TimeRounding rounding : {first, second})
+      if (auto frames = even_frames(keys, rounding, source, most)) return std::move(*frames);
+    if (most == 1)
+      if (const auto step = step_of_cut(keys, *source)) return frames_with_step(*step, keys);
+  }
   return mended_by("rate", "found keys at uneven times, wanted even key times or a `rate`");
 }
 

@@ -10,6 +10,7 @@
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/scenes/gltf/weights.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
@@ -136,6 +137,14 @@ Expected<std::optional<ChannelTarget>> target_of(const Object& target, std::size
   return std::nullopt;
 }
 
+/// The node whose morph targets it weighs.
+Expected<std::size_t> weighed_node(const Object& target, std::size_t nodes) {
+  const auto path = target.text("path");
+  if (!path) return tl::unexpected(path.error());
+  if (*path != "weights") return target.fault("found no weights");
+  return target.index("node", nodes);
+}
+
 }  // namespace
 
 Expected<SamplerPlaces> sampler_places(const Document& document, const Object& sampler, const ValueType& type) {
@@ -259,6 +268,9 @@ Expected<std::vector<AnimationChannel>> animation_channels(const Document& docum
     const auto target = channel->object("target").and_then([&](const Object& read) { return target_of(read, nodes); });
     if (!target) return tl::unexpected(target.error());
     channels[i] = {*sampler, *target};
+    if (const auto weighed =
+            channel->object("target").and_then([&](const Object& read) { return weighed_node(read, nodes); }))
+      channels[i].weights_of = *weighed;
     std::optional<ChannelTarget>& ours = channels[i].target;
     if (ours && ours->property == Property::translation && std::ranges::find(weights, ours->node) != weights.end())
       ours.reset();
@@ -278,7 +290,8 @@ Expected<Clip> AnimationReader::next() {
   for (const AnimationChannel& channel : *channels) {
     const auto sampler = animation->entry("samplers", "sampler", channel.sampler);
     if (!channel.target) {
-      if (sampler) clip.passed_on = joined(clip.passed_on, sampler_domain(document_, *sampler));
+      if (!sampler || (channel.weights_of && took_weights(clip, *sampler, *channel.weights_of))) continue;
+      clip.passed_on = joined(clip.passed_on, sampler_domain(document_, *sampler));
       continue;
     }
     const std::string place = place_of(nodes_.skeleton, clip, nodes_.joint_of_node[channel.target->node]);
@@ -287,6 +300,16 @@ Expected<Clip> AnimationReader::next() {
     clip = std::move(*more);
   }
   return clip;
+}
+
+bool AnimationReader::took_weights(Clip& clip, const Object& sampler, std::size_t node) {
+  const std::size_t joint = nodes_.joint_of_node[node];
+  if (std::ranges::find(clip.weights, joint, &WeightChannels::joint) != clip.weights.end()) return false;
+  auto weights = weights_in(document_, sampler, joint, stored_left_);
+  if (!weights) return false;
+  stored_left_ -= weights->triples.front().size() * weights->count;
+  clip.weights.push_back(std::move(*weights));
+  return true;
 }
 
 Expected<Clip> AnimationReader::with(Clip clip, const Object& sampler, const ChannelTarget& target) {

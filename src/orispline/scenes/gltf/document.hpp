@@ -90,6 +90,10 @@ class Source final : public SceneSource {
   SceneReading reading_;
 };
 
+/// The file with one node more, above one without a parent, where that is what a skeleton has more than the source's:
+/// its first joint. Nothing where it differs otherwise.
+[[nodiscard]] std::optional<Source> with_new_root(const Source& source, const Skeleton& skeleton);
+
 /// A document without animations for a skeleton that no glTF file had, one node per joint.
 [[nodiscard]] Source made_source(const Skeleton& skeleton, const SceneWriting& writing);
 
@@ -185,6 +189,7 @@ struct ChannelTarget {
 struct AnimationChannel {
   std::size_t sampler = 0;
   std::optional<ChannelTarget> target{};
+  std::optional<std::size_t> weights_of{};  ///< the node whose morph targets it weighs; it has no target then
 };
 
 /// The object of an animation; it was read before, or its errors are bad_data.
@@ -217,6 +222,7 @@ class AnimationReader {
   using KnownChannels = std::map<SamplerPlaces, Channel<P>>;
 
   [[nodiscard]] Expected<Clip> with(Clip clip, const Object& sampler, const ChannelTarget& target);
+  [[nodiscard]] bool took_weights(Clip& clip, const Object& sampler, std::size_t node);
   template <CurvePoint P>
   [[nodiscard]] Expected<Channel<P>> channel(const Object& sampler, std::size_t joint, KnownChannels<P>& known);
   template <CurvePoint P>

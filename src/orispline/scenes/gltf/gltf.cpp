@@ -24,6 +24,7 @@
 #include <orispline/scenes/gltf/document.hpp>
 #include <orispline/scenes/gltf/integers.hpp>
 #include <orispline/scenes/gltf/packing.hpp>
+#include <orispline/scenes/gltf/weights.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
@@ -38,6 +39,12 @@ struct WrittenChannel {
   float end = 0.0F;                              ///< of the last key, also where that was left out
   SharedList<float> outputs{};                   ///< of splines with a tangent before and after each value
   ComponentType component = ComponentType::f32;  ///< of the outputs, which are such numbers
+};
+
+/// Weights in single precision, as the file holds them.
+struct WrittenWeights {
+  ChannelInterpolation interpolation = ChannelInterpolation::linear;
+  std::vector<float> times{}, outputs{};
 };
 
 /// A channel of rotations as a file of the scene held it, to write the same bits again where they were not changed:
@@ -281,7 +288,9 @@ class Writer {
       if (!old) return tl::unexpected(old.error());
       auto channels = channels_of(scene_.clips[i], *old);
       if (!channels) return tl::unexpected(std::move(channels.error()));
-      append(scene_.clips[i], *old, with_end(std::move(*channels)));
+      const auto weights = weights_of(scene_.clips[i], *old, plan.of_clip[i]);
+      if (!weights) return tl::unexpected(weights.error());
+      append(scene_.clips[i], *old, with_end(std::move(*channels)), *weights);
     }
     return std::move(result_);
   }
@@ -334,6 +343,25 @@ class Writer {
     });
   }
 
+  /// Of old channels by their places: those whose weights have changed.
+  [[nodiscard]] Expected<std::map<std::size_t, WrittenWeights>> weights_of(const Clip& clip, const OldAnimation& old,
+                                                                           std::optional<std::size_t> index) const {
+    std::map<std::size_t, WrittenWeights> changed;
+    if (!index) return changed;
+    const auto animation = animation_of(source_.document(), *index);
+    if (!animation) return tl::unexpected(animation.error());
+    for (std::size_t i = 0; i < old.channels.size(); ++i) {
+      const WeightChannels* const weights = changed_weights(source_, clip, *animation, old.channels[i]);
+      if (!weights) continue;
+      const WeightKeys keys = gltf::keys_of(*weights);
+      auto times = single_times(keys.times);
+      if (!times) return tl::unexpected(within(place_of(scene_.skeleton, clip, weights->joint), times.error()));
+      changed[i] = {keys.interpolation, std::move(*times),
+                    std::vector<float>(keys.numbers.begin(), keys.numbers.end())};
+    }
+    return changed;
+  }
+
   [[nodiscard]] std::size_t node_of(std::size_t joint) const { return source_.nodes().node_of_joint[joint]; }
 
   [[nodiscard]] std::size_t sampler_of(const WrittenChannel& channel, SamplerList& samplers) {
@@ -347,8 +375,14 @@ class Writer {
     return samplers.made(input, output, channel.interpolation);
   }
 
+  [[nodiscard]] std::size_t sampler_of(const WrittenWeights& weights, SamplerList& samplers) {
+    const std::size_t input = result_.store.times(weights.times);
+    return samplers.made(input, result_.store.outputs(weights.outputs, "SCALAR", 1), weights.interpolation);
+  }
+
   /// Channels that were there stay at their place in the list, with what else they say.
-  void append(const Clip& clip, const OldAnimation& old, const std::vector<WrittenChannel>& written_channels) {
+  void append(const Clip& clip, const OldAnimation& old, const std::vector<WrittenChannel>& written_channels,
+              const std::map<std::size_t, WrittenWeights>& weights) {
     std::map<Place, const WrittenChannel*> left;
     for (const WrittenChannel& channel : written_channels)
       left.emplace(Place(node_of(channel.joint), channel.property), &channel);
@@ -359,8 +393,10 @@ class Writer {
       const auto found = target ? left.find({target->node, target->property}) : left.end();
       if (target && found == left.end()) continue;
       Json channel = old.json["channels"][i];
-      channel["sampler"] =
-          target ? sampler_of(*found->second, samplers) : samplers.kept(old.channels[i].sampler, old.json["samplers"]);
+      const auto weighs = weights.find(i);
+      channel["sampler"] = target                    ? sampler_of(*found->second, samplers)
+                           : weighs != weights.end() ? sampler_of(weighs->second, samplers)
+                                                     : samplers.kept(old.channels[i].sampler, old.json["samplers"]);
       channels.push_back(std::move(channel));
       if (target) left.erase(found);
     }
@@ -396,7 +432,8 @@ class Writer {
   WrittenAnimations result_;
 };
 
-Expected<AnimationPlan> plan_of(const Document& document, const std::vector<Clip>& clips) {
+Expected<AnimationPlan> plan_of(const Source& source, const std::vector<Clip>& clips) {
+  const Document& document = source.document();
   const Json& animations = *document.root().list("animations").value();
   AnimationPlan plan{.of_clip = std::vector<std::optional<std::size_t>>(clips.size()),
                      .kept = KeptSamplers(animations.size())};
@@ -416,8 +453,10 @@ Expected<AnimationPlan> plan_of(const Document& document, const std::vector<Clip
     if (!plan.of_clip[i]) continue;
     const auto channels = animation_channels(document, animation_of(document, *plan.of_clip[i]).value());
     if (!channels) return tl::unexpected(channels.error());
+    const auto animation = animation_of(document, *plan.of_clip[i]);
     for (const AnimationChannel& channel : *channels)
-      if (!channel.target) plan.kept[*plan.of_clip[i]][channel.sampler] = true;
+      if (!channel.target && !(animation && changed_weights(source, clips[i], *animation, channel)))
+        plan.kept[*plan.of_clip[i]][channel.sampler] = true;
   }
   return plan;
 }
@@ -501,7 +540,7 @@ std::vector<Warning> warnings_of_images(const Json& json, const std::string& fro
 Expected<SceneWritten> written_from(const Source& source, const Scene& scene, const std::string& path) {
   const Document& document = source.document();
   if (auto named = check_name(document.json, path); !named) return tl::unexpected(std::move(named.error()));
-  const auto plan = plan_of(document, scene.clips);
+  const auto plan = plan_of(source, scene.clips);
   if (!plan) return tl::unexpected(plan.error());
   const Uses uses = uses_of(document, plan->kept);
   KeyStore store(uses.free_accessors, document.root().list("accessors").value()->size());
@@ -553,6 +592,8 @@ Expected<Scene> read_scene(std::string_view bytes, const io::Input& from, const 
 /// check_name().
 Expected<SceneWritten> written_scene(const Scene& scene, const std::string& path, const SceneWriting& writing) {
   const auto* source = dynamic_cast<const Source*>(scene.source.get());
+  const auto rooted = source ? with_new_root(*source, scene.skeleton) : std::nullopt;
+  if (rooted) source = &*rooted;
   const bool is_ours = source != nullptr && source->nodes().skeleton.size() == scene.skeleton.size();
   return (is_ours ? written_from(*source, scene, path)
                   : written_from(made_source(scene.skeleton, writing), scene, path))
@@ -566,14 +607,12 @@ Expected<SceneWritten> written_scene(const Scene& scene, const std::string& path
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
 
-constinit const SceneFormat gltf_format{.id = "gltf",
-                                        .title = "glTF",
-                                        .file = "a glTF file",
-                                        .summary = "glTF 2.0, in one file or as text, and VRM",
-                                        .extensions = gltf::file_extensions,
-                                        .holds_floats = true,
-                                        .check_start = gltf::check_start,
-                                        .read = gltf::read_scene,
-                                        .write = gltf::written_scene};
+constinit const SceneFormat gltf_format{{.title = "glTF", .file = "a glTF file", .holds_floats = true},
+                                        "gltf",
+                                        "glTF 2.0, in one file or as text, and VRM",
+                                        gltf::file_extensions,
+                                        gltf::check_start,
+                                        gltf::read_scene,
+                                        gltf::written_scene};
 
 }}}  // namespace orispline::scenes
