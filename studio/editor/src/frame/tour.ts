@@ -52,7 +52,7 @@ export class Tour {
     back.disabled = step === 0;
     const place = `Step ${step + 1} of ${steps.length}`;
     this.card.setAttribute('aria-label', `Tour: ${place}`);
-    this.card.replaceChildren(element('strong', {}, title), element('p', { attributes: { role: 'status' } }, text), element('div', { className: 'answers' }, element('small', {}, place), button('Leave the tour', () => this.leave()), back, next));
+    this.card.replaceChildren(element('strong', {}, title), element('p', { attributes: { role: 'status' } }, text), element('div', { className: 'answers' }, element('small', {}, place), button('Leave', () => this.leave()), back, next));
     this.card.hidden = false;
     if (takesFocus) next.focus({ preventScroll: true });
   }
