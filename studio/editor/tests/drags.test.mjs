@@ -29,7 +29,8 @@ let last;
 
 /** The keys turn as far as slerp does. */
 function isCalm(document, what) {
-  const { turn, need } = found(document);
+  const { turn, need, spun } = found(document);
+  assert.deepEqual(spun, [], what);
   assert.ok(turn <= 2 * need, `${what}: ${turn}°, where the keys turn ${need}°`);
 }
 

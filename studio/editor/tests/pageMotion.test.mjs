@@ -12,8 +12,8 @@ const opens = async (options = {}) => {
 };
 const isPlaying = (studio) => studio.ask(({ view }) => view.current().playing);
 const goesOn = (studio) => studio.page.waitForFunction(() => {
-  const { view } = window.studio.current.studio;
-  return view.current().playing && view.current().time > view.current().extent[0] + 0.2;
+  const { view } = window.studio?.current?.studio ?? {};
+  return view?.current().playing && view.current().time > view.current().extent[0] + 0.2;
 });
 
 test('it opens in motion, under its own name; a key is dragged at once, and nothing is unsaved before', async () => {

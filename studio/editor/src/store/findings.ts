@@ -14,9 +14,9 @@ export interface Findings {
   readonly jumps: readonly number[]; // indices of keys at which less is smooth than the method promises on even times
 }
 
-// As `overturned_span` of the library has them.
-const muchFarther = 2; // than the keys
-const worthSaying = 45; // [deg] beside the turn of the keys
+const muchFarther = 2; // than the keys, in a span and in all
+const turnedOver = 180; // [deg] beside the turn of the keys: so far no curve goes that only overshoots
+const worthSaying = 45; // [deg] where it goes much farther in all; as `overturned_span` of the library has it
 
 const degrees = 180 / Math.PI;
 
@@ -38,10 +38,12 @@ const sum = (numbers: readonly number[]): number => numbers.reduce((all, number)
 /** Of the curve of a method through keys, as it is drawn. */
 export function findingsOf(keys: readonly Key[], samples: Samples, { interpolates, continuity_uniform, continuity_uneven }: MethodInfo): Findings {
   const [turns, steps] = [turnsBetween(keys, samples), stepsOf(keys)];
-  const spun = steps.flatMap((step, i) => (interpolates && turns[i] > Math.max(muchFarther * step, step + worthSaying) ? i : []));
+  const [turn, need] = [sum(turns), sum(steps)];
+  const least = turn > muchFarther * need ? worthSaying : turnedOver;
+  const spun = steps.flatMap((step, i) => (interpolates && turns[i] > Math.max(muchFarther * step, step + least) ? i : []));
   const isForEven = continuity_uneven < continuity_uniform;
   const jumps = keys.flatMap((_, i) => (isForEven && samples.orders[i] < continuity_uniform ? i : []));
-  return { keys, turn: sum(turns), need: sum(steps), spun, jumps };
+  return { keys, turn, need, spun, jumps };
 }
 
 let last: { curves: State['curves']; keys: readonly Key[]; method: string; found: Findings } | null = null;
