@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// The studio in an element of a page: the start screen, or the document that is open.
+// The studio in an element of a page: the motion that it opens with, or the document that is open.
 import './style/viewer.css';
 import './style/studio.css';
 import type { StudioDocument } from './document/document';
 import { sentence } from './document/sentence';
+import { motion } from './document/templates';
 import type { Curves, Engine, MethodInfo, Opened, Trouble } from './engine/protocol';
 import { hearDrops, opened as openedOf, picked, type Given } from './frame/opening';
 import { Session } from './frame/session';
-import { Start } from './frame/start';
+import { product, Start } from './frame/start';
+import { givenOf } from './frame/welcome';
 import { Draft } from './store/draft';
 
 export class App {
-  private readonly start: Start;
+  private readonly start = new Start();
   private methods: readonly MethodInfo[] = [];
   private session: Session | null = null;
+  private asked = 0; // times that something was to be opened
   private awaited: { document: StudioDocument; told: (curves: Curves) => void } | null = null;
 
   constructor(
     private readonly place: HTMLElement,
     private readonly engine: Engine,
   ) {
-    this.start = new Start((given) => void this.open(given));
     hearDrops(place, () => this.front, (given) => void this.open(given));
     engine.onCurves((curves, of) => {
       const { awaited } = this;
@@ -42,16 +44,18 @@ export class App {
     try {
       this.methods = await this.engine.ask('methods', null);
       if (given) await this.open(given);
+      else if (this.asked === 0) await this.open(givenOf(motion), true);
     } catch (trouble) {
       this.tell(sentence((trouble as Trouble).message));
     }
   }
 
   /** What was open stays where the new one cannot be opened. */
-  async open(given: Given): Promise<void> {
+  async open(given: Given, isOpening = false): Promise<void> {
+    const asked = ++this.asked;
     try {
       const opened = await openedOf(this.engine, this.front, given);
-      if (opened) await this.show(opened, given);
+      if (opened && !(isOpening && asked !== this.asked)) await this.show(opened, given, isOpening);
     } catch (reason) {
       const { message, line } = reason as Trouble;
       this.tell(`${given.name}${line === undefined ? '' : `:${line}`}: ${sentence(message)}`);
@@ -76,7 +80,7 @@ export class App {
     }
   }
 
-  private async show(opened: Opened, given: Given): Promise<void> {
+  private async show(opened: Opened, given: Given, isOpening: boolean): Promise<void> {
     const { original, document } = opened;
     const draft = new Draft({ hash: original.hash, opened: document, shelf: () => localStorage, tell: (sentence) => this.tell(sentence) });
     this.session?.keepDraft(); // it may be that of the same file
@@ -86,10 +90,11 @@ export class App {
     this.session?.end();
     this.start.element.remove();
     const handle = original.name === given.name ? given.handle : undefined; // keys of a recording are not written over it
-    const setting = { engine: this.engine, methods: this.methods, theme, looks: given.looks, handle, open: () => void this.pick() };
+    const setting = { engine: this.engine, methods: this.methods, theme, looks: given.looks, handle, open: () => void this.pick(), begins: isOpening ? (given: Given) => void this.open(given) : undefined };
     this.session = new Session(opened, first, curves, draft, setting);
     this.place.append(this.session.screen.element);
-    window.document.title = `${original.name} – orispline studio`;
+    window.document.title = isOpening ? product : `${original.name} – ${product}`;
+    this.session.begin();
   }
 
   private curvesOf(document: StudioDocument): Promise<Curves> {

@@ -21,7 +21,7 @@ const needsBoth = { skip: command && packageFolder ? false : 'ORISPLINE_COMMAND 
 
 const cameraText = templates[1].text;
 const wantedOf = (more = {}) => ({ name: 'keys.csv', keys: keysIn(cameraText), choice: { method: 'timed-c2', settings: { ends: 'rest' } }, method: { ...timedC2, rate_orders: 0 }, count: 101, ...more });
-const withTensions = keysIn(templates[0].text);
+const tensions = templates.find(({ name }) => name === 'five_tensions.csv').text, withTensions = keysIn(tensions);
 
 test('a command is one line that a shell reads as it is meant', () => {
   assert.equal(copiedCode('command', wantedOf()), 'orispline sample keys.csv --method timed-c2:ends=rest --count 101 -o motion.csv\n');
@@ -62,7 +62,7 @@ function commanded(wanted, text) {
 
 const cases = [
   ['camera', wantedOf({ name: `"it's" a\ncamera.csv` }), cameraText],
-  ['five', wantedOf({ name: 'five.csv', keys: withTensions, choice: { method: 'timed-c2', settings: { tension2: 0.9 } } }), templates[0].text],
+  ['five', wantedOf({ name: 'five.csv', keys: withTensions, choice: { method: 'timed-c2', settings: { tension2: 0.9 } } }), tensions],
 ];
 
 test('the command that is copied writes so many samples', needsCommand, () => {
@@ -95,8 +95,8 @@ test('samples are a table with exact times', () => {
 });
 
 test('a template is a file that can be read, with methods and a sentence', () => {
-  assert.deepEqual(templates.map(({ name }) => name), ['five_keys.csv', 'camera_keys.csv', 'flight_keys.csv']);
-  assert.deepEqual(templates.map(({ text, name }) => keysIn(text, name).length), [5, 12, 38]);
+  assert.deepEqual(templates.map(({ name }) => name), ['five_keys.csv', 'camera_keys.csv', 'flight_keys.csv', 'five_tensions.csv']);
+  assert.deepEqual(templates.map(({ text, name }) => keysIn(text, name).length), [5, 12, 38, 5]);
   assert.deepEqual(withTensions.map(({ t, own }) => [t, own.tension]), [[0, 0.1], [1, 0.6], [2, 0], [3, 0.6], [4, 0.1]]);
   for (const { sentence, title } of templates) assert.match(`${title} ${sentence}`, /^[A-Z].*\.$/);
 });

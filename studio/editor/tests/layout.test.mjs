@@ -35,7 +35,7 @@ test('the long text of a method with settings wraps no menu of the body', async 
     const { document } = store.current();
     store.edit({ ...document, first: { method: 'timed-c2', settings: { tension: 0.123456, tension2: 1.234567, ends: 'clamped,repeat', 'start-rate': '0.1,0.2,0.3' } } });
   });
-  await page.getByRole('group', { name: 'Body' }).getByText('A timed-c2:tension=0.123456').waitFor();
+  await page.getByRole('group', { name: 'Body' }).getByText('Curve timed-c2:tension=0.123456').waitFor();
   assert.ok((await boxOf(page, '.body > .caption')).height < 45);
   const [menu, body] = await Promise.all(['.body > .caption > :last-child', '.body'].map((selector) => boxOf(page, selector)));
   assert.ok(menu.x + menu.width <= body.x + body.width);
@@ -45,7 +45,7 @@ test('the long text of a method with settings wraps no menu of the body', async 
 test('a closed menu of methods shows a name, its list the titles', async () => {
   const page = await opened({ viewport: { width: 1400, height: 900 } });
   await page.evaluate(([text]) => begin(text, 'keys.csv', { method: 'hermite-c1' }), [csv(5, false)]);
-  const menu = page.getByRole('combobox', { name: 'A', exact: true });
+  const menu = page.getByRole('combobox', { name: 'Curve', exact: true });
   const name = page.locator('.named.first .name');
   assert.equal(await name.textContent(), 'hermite-c1');
   assert.ok(await name.evaluate((one) => one.scrollWidth <= one.clientWidth));

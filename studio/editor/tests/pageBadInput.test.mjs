@@ -53,15 +53,16 @@ test('what cannot be opened is told in a sentence; what is open stays, with its 
   await studio.finish();
 });
 
-test('on the start screen it is told too, and the next file opens', async () => {
+test('above the motion that the page opens with it is told too, and the next file opens', async () => {
   const studio = await studioWith();
   for (const [what, [content, pattern]] of Object.entries(refused)) {
     await dropped(studio, 'bad.csv', content);
-    await studio.page.waitForFunction(() => document.querySelector('.trouble').textContent !== '');
-    const text = await studio.page.locator('.trouble').textContent();
+    const notice = studio.page.locator('.notice.trouble');
+    await notice.waitFor();
+    const text = await notice.locator('span').first().textContent();
     assert.match(text, wholeSentence, what);
     assert.match(text, pattern, what);
-    await studio.page.evaluate(() => (document.querySelector('.trouble').textContent = ''));
+    await notice.getByRole('button', { name: 'Close this notice' }).click();
   }
   await studio.drop('good.csv', five);
   await studio.isOpen('good.csv');
@@ -148,18 +149,18 @@ test('a method that refuses the keys says why; the last good curve stays in grey
   const studio = await studioWith({ text: five, method: 'timed-c2', beside: 'slerp' });
   const shown = () => studio.ask(({ view }) => view.methods.map(({ name, failure, samples }) => [name, failure, samples.q.length]));
   const [[, , samples]] = await shown();
-  await studio.method('A').selectOption('bezier');
+  await studio.method('Curve').selectOption('bezier');
   await studio.drawn();
   const refusal = studio.page.locator('.refusal.first');
-  assert.match(await refusal.textContent(), /^A bezier has no curve through these keys: bezier needs .*\. The last good one stays, in grey\.$/);
+  assert.match(await refusal.textContent(), /^bezier has no curve through these keys: bezier needs .*\. The last good one stays, in grey\.$/);
   const [[name, failure, kept]] = await shown();
-  assert.deepEqual([name, kept], ['A timed-c2', samples]);
+  assert.deepEqual([name, kept], ['Curve timed-c2', samples]);
   assert.match(failure, /^bezier needs/);
   const colour = () => studio.ask(({ view }) => view.colours(view.current()).first);
   const grey = await colour();
   await studio.dragBy(studio.dot(2), 30, 0); // it is edited on
   await studio.drawn();
-  await studio.method('A').selectOption('timed-c2');
+  await studio.method('Curve').selectOption('timed-c2');
   await studio.drawn();
   assert.equal(await refusal.isVisible(), false);
   assert.notEqual(await colour(), grey);

@@ -16,7 +16,7 @@ test('the keys of the command are there at once, with its methods', async () => 
   await studio.finish();
 });
 
-for (const [title, name, count] of [['Five keys', 'five_keys.csv', 5], ['A camera', 'camera_keys.csv', 12], ['The flight', 'flight_keys.csv', 38]]) {
+for (const [title, name, count] of [['Five keys', 'five_keys.csv', 5], ['A camera', 'camera_keys.csv', 12], ['The flight', 'flight_keys.csv', 38], ['Tensions of a paper', 'five_tensions.csv', 5]]) {
   test(`${title}, a template, is begun by mouse and by keyboard`, async () => {
     const studio = await studioWith();
     const card = studio.page.getByRole('button', { name: title });
@@ -33,8 +33,8 @@ for (const [title, name, count] of [['Five keys', 'five_keys.csv', 5], ['A camer
 
 test('a template is begun by touch', async () => {
   const studio = await studioWith({}, phone);
-  await studio.tap(studio.page.getByRole('button', { name: 'Five keys' }));
-  await studio.isOpen('five_keys.csv');
+  await studio.tap(studio.page.getByRole('button', { name: 'Tensions of a paper' }));
+  await studio.isOpen('five_tensions.csv');
   assert.deepEqual((await studio.keys()).map(({ own }) => own.tension), [0.1, 0.6, 0, 0.6, 0.1]);
   await studio.finish();
 });
@@ -49,7 +49,7 @@ test('a file is dropped, and another one on that', async () => {
   await studio.finish();
 });
 
-test('a text is pasted anywhere, or typed into the field', async () => {
+test('a text is pasted anywhere, or typed into a field', async () => {
   const studio = await studioWith();
   await studio.paste(five);
   await studio.isOpen('pasted.csv');
@@ -58,6 +58,7 @@ test('a text is pasted anywhere, or typed into the field', async () => {
   await studio.page.waitForFunction(() => window.studio.current.studio.store.current().document.keys.at(-1).t === 8);
   await studio.finish();
   const other = await studioWith();
+  await other.button('Paste…').click();
   await other.page.getByRole('textbox', { name: 'Keys as CSV' }).fill(five);
   await other.button('Use this text').click();
   await other.isOpen('pasted.csv');
@@ -82,10 +83,10 @@ test('a file is picked: by a file chooser, or by what gives access to the disk',
   await other.finish();
 });
 
-test('the plots call the two methods A and B, as all of the page does', async () => {
+test('the plots call the two methods as all of the page does', async () => {
   const studio = await studioWith({ text: five });
   const text = await studio.page.getByRole('group', { name: 'Plots' }).innerText();
-  for (const wanted of ['Components x, y, z of A', 'Angle from A to B']) assert.ok(text.includes(wanted), text);
+  for (const wanted of ['Components x, y, z of the curve', 'Angle between both curves', 'Curve auto', 'beside slerp']) assert.ok(text.includes(wanted), text);
   assert.doesNotMatch(text, /first method|two methods/);
   await studio.finish();
 });

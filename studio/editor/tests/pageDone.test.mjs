@@ -14,7 +14,7 @@ const save = (studio) => studio.download(() => studio.button('Save').click());
 test('a key is dragged, its tension pulled, undone, saved: only its line is another one', async () => {
   const text = example('flight_keys.csv');
   const studio = await studioWith({ text, name: 'flight_keys.csv' });
-  await studio.method('A').selectOption('timed-c2');
+  await studio.method('Curve').selectOption('timed-c2');
   await studio.dragBy(studio.dot(12), 9, 0);
   const dragged = (await studio.keys())[11];
   await studio.dragBy(studio.bar(12), 0, -12);
@@ -37,7 +37,7 @@ test('a file of Euler angles is saved byte for byte while no key is changed, and
   const studio = await studioWith({ text });
   assert.equal((await save(studio)).text, text);
   await studio.notice(/^keys\.csv is saved\.$/).waitFor();
-  await studio.method('A').selectOption('timed-c2');
+  await studio.method('Curve').selectOption('timed-c2');
   await studio.drawn();
   assert.equal((await save(studio)).text, text.replace('=squad', '=timed-c2'));
   await studio.dragBy(studio.dot(2), 9, 0);
@@ -48,8 +48,8 @@ test('a file of Euler angles is saved byte for byte while no key is changed, and
 
 test('where there is a column of tensions, a key that is dragged and pulled changes its line only', async () => {
   const studio = await studioWith();
-  await studio.page.getByRole('button', { name: 'Five keys' }).click();
-  await studio.isOpen('five_keys.csv');
+  await studio.page.getByRole('button', { name: 'Tensions of a paper' }).click();
+  await studio.isOpen('five_tensions.csv');
   const { text } = await studio.ask(({ original }) => original);
   await studio.dragBy(studio.dot(3), 25, 0);
   await studio.dragBy(studio.bar(3), 0, -10);

@@ -126,15 +126,15 @@ test('numbers are typed into fields and into the table', async () => {
 
 test('methods are chosen, their settings set, and menus and dialogs opened and left', async () => {
   const studio = await studioWith({ text: five });
-  await tabTo(studio, studio.method('A'));
+  await tabTo(studio, studio.method('Curve'));
   await studio.keyboard.type('timed-c2');
   await studio.page.waitForFunction(() => window.studio.current.studio.store.current().document.first.method === 'timed-c2');
-  await tabTo(studio, studio.button('Settings of A'));
+  await tabTo(studio, studio.button('Settings of Curve'));
   await studio.keyboard.press('Enter');
-  await written(studio, studio.dialog('Settings of A').getByRole('textbox', { name: 'tension', exact: true }), '0.75');
+  await written(studio, studio.dialog('Settings of Curve').getByRole('textbox', { name: 'tension', exact: true }), '0.75');
   await studio.keyboard.press('Escape');
   assert.deepEqual(await studio.ask(({ store }) => store.current().document.first.settings), { tension: 0.75 });
-  assert.equal(await studio.button('Settings of A').evaluate((one) => one === document.activeElement), true);
+  assert.equal(await studio.button('Settings of Curve').evaluate((one) => one === document.activeElement), true);
   await tabTo(studio, studio.button('Copy'), 'Shift+Tab');
   await studio.keyboard.press('Enter');
   await studio.page.waitForFunction(() => document.activeElement.textContent === 'Command');

@@ -126,11 +126,11 @@ test('tension is pulled at one key by its bar, at all keys by the slider, each i
   await studio.finish();
 });
 
-test('A and B are seen at once, with both sides and the order at each key', async () => {
+test('both curves are seen at once, with both sides and the order at each key', async () => {
   const studio = await studioWith({ text: five, method: 'slerp', beside: 'timed-c2' });
-  assert.deepEqual(await studio.ask(({ view }) => view.methods.map(({ name }) => name)), ['A slerp', 'B timed-c2']);
+  assert.deepEqual(await studio.ask(({ view }) => view.methods.map(({ name }) => name)), ['Curve slerp', 'beside timed-c2']);
   const sides = await studio.ask(({ view }) => {
-    const { t, w } = view.methodNamed('A slerp').samples;
+    const { t, w } = view.methodNamed('Curve slerp').samples;
     const left = t.indexOf(1);
     return [t[left + 1], [...w.slice(3 * left, 3 * left + 6)]];
   });
@@ -142,7 +142,7 @@ test('A and B are seen at once, with both sides and the order at each key', asyn
   assert.equal(await jumping(), 3);
   await studio.dot(2).click();
   assert.match(await studio.group('Key').textContent(), /velocity jumps/);
-  await studio.method('A').selectOption('timed-c2');
+  await studio.method('Curve').selectOption('timed-c2');
   await studio.drawn();
   assert.equal(await jumping(), 0);
   assert.match(await studio.group('Key').textContent(), /jerk jumps/);
@@ -153,23 +153,23 @@ test('A and B are seen at once, with both sides and the order at each key', asyn
 
 test('parameters, choices and ends are set in a form made of what the library tells', async () => {
   const studio = await studioWith({ text: five, method: 'timed-c2' });
-  await studio.button('Settings of A').click();
-  const form = studio.dialog('Settings of A');
+  await studio.button('Settings of Curve').click();
+  const form = studio.dialog('Settings of Curve');
   await form.getByRole('combobox', { name: 'Start', exact: true }).selectOption('rest');
   await studio.type(form.getByRole('textbox', { name: 'tension', exact: true }), '0.25');
   await studio.keyboard.press('Escape');
   await studio.drawn();
-  assert.equal(await studio.ask(({ view }) => view.current().first), 'A timed-c2:ends=rest,natural:tension=0.25');
+  assert.equal(await studio.ask(({ view }) => view.current().first), 'Curve timed-c2:ends=rest,natural:tension=0.25');
   const speed = await studio.ask(({ view }) => view.methodNamed(view.current().first).samples.w.slice(0, 3).map(Math.abs));
   assert.ok(Object.values(speed).every((value) => value < 1e-9), JSON.stringify(speed));
   const names = await studio.ask(({ methods }) => methods.map(({ name }) => name));
   assert.ok(names.length > 15);
   for (const name of names) {
-    await studio.method('A').selectOption(name);
+    await studio.method('Curve').selectOption(name);
     await studio.drawn();
     const { troubles } = await studio.ask(({ store }) => store.current());
     const refusal = studio.page.locator('.refusal.first');
-    if (troubles.first) assert.match(await refusal.textContent(), /^A \S+ has no curve through these keys: .*\. The last good one stays, in grey\.$/);
+    if (troubles.first) assert.match(await refusal.textContent(), /^\S+ has no curve through these keys: .*\. The last good one stays, in grey\.$/);
     else assert.equal(await refusal.isVisible(), false);
   }
   await studio.finish();

@@ -23,7 +23,7 @@ async function check(studio, what, size) {
   assert.deepEqual(await tooSmall(studio.page, size), [], what);
 }
 
-const popups = ['Settings of A', 'Settings of B', 'Copy', 'Export'];
+const popups = ['Settings of Curve', 'Settings of Compare with', 'Copy', 'Export'];
 
 /** All that can be opened, one after another. */
 async function* opened(studio) {
@@ -54,7 +54,7 @@ for (const [name, options] of Object.entries(screens)) {
     const studio = await studioWith({ text: five, name: 'a_rather_long_name_of_a_file_that_somebody_gave_to_keys.csv', method: 'timed-c2' }, options);
     await check(studio, 'editor', size);
     await studio.dot(3).click();
-    await studio.method('A').selectOption('bezier');
+    await studio.method('Curve').selectOption('bezier');
     await studio.drawn();
     await studio.button('Table').click();
     await studio.drop('bad.csv', 'no keys');

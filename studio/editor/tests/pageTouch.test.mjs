@@ -79,9 +79,9 @@ onPhone('fields, menus, settings, the table and texts to copy are within reach o
   await studio.dot(2).tap();
   await studio.tap(studio.field('Y, second turn'));
   await studio.type(studio.field('Y, second turn'), '33');
-  await studio.method('B').selectOption('squad');
-  await studio.tap(studio.button('Settings of A'));
-  await studio.dialog('Settings of A').getByRole('combobox', { name: 'End', exact: true }).selectOption('rest');
+  await studio.method('Compare with').selectOption('squad');
+  await studio.tap(studio.button('Settings of Curve'));
+  await studio.dialog('Settings of Curve').getByRole('combobox', { name: 'End', exact: true }).selectOption('rest');
   await studio.page.touchscreen.tap(5, 5);
   await studio.tap(studio.button('Table'));
   await studio.type(studio.group('Keys').getByRole('textbox', { name: 'time of key 3' }), '3');

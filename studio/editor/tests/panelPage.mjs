@@ -28,7 +28,7 @@ function stub() {
     return { t, q: Float64Array.from(poses.flatMap(({ q }) => q)), w: rate(1), a: rate(4), j: rate(20), p: Float64Array.from(poses.flatMap(({ p }) => p ?? [])), orders: Int8Array.from(keys, (_, i) => (i === 0 || i === keys.length - 1 ? 3 : (i * 7 + bend) % 4)) };
   };
   const parameter = (name, usual, per_key = true) => ({ name, default: usual, min: -100, max: 100, per_key, ghosts: 0, tensor: false });
-  const method = (name, title, more = {}) => ({ name, title, min_keys: 2, continuity_uniform: 2, continuity_uneven: 2, closes: false, parameters: [], choices: [], ends: [], ...more });
+  const method = (name, title, more = {}) => ({ name, title, min_keys: 2, interpolates: true, support_keys: 4, continuity_uniform: 2, continuity_uneven: 2, closes: false, parameters: [], choices: [], ends: [], ...more });
   const ends = ['natural', 'repeat', 'clamped', 'rest'];
   const methods = [
     method('auto', 'Local C2 spline that takes its rates from the keys around', { parameters: [{ ...parameter('hold', 0, false), min: 0, max: 1 }] }),
@@ -43,7 +43,7 @@ function stub() {
   const asked = [];
   const open = ({ bytes, name, method = 'auto', beside = 'slerp' }) => {
     const text = new TextDecoder().decode(bytes);
-    const [head, ...rows] = text.trim().split('\n').map((line) => line.split(','));
+    const [head, ...rows] = text.trim().split('\n').filter((line) => !line.startsWith('#')).map((line) => line.split(','));
     if (head[0] !== 't') return trouble(`found no header, wanted one such as t,qw,qx,qy,qz`);
     const keys = rows.map((row, i) => ({ id: i + 1, row: i, t: Number(row[0]), q: row.slice(1, 5).map(Number), p: row.length > 5 ? row.slice(5, 8).map(Number) : null, rates: [], own: {} }));
     const original = { name, text, hash: `${name}-${text.length}`, epoch: '0' };
@@ -63,6 +63,8 @@ function stub() {
     read: ({ text, name }) => open({ bytes: new TextEncoder().encode(text), name }).then(({ document }) => document.keys),
     sample: ({ keys }) => Promise.resolve(samples(keys, 0)),
     bake: () => Promise.resolve('{}'),
+    calmest: () => Promise.resolve(null),
+    ofAnyTimes: () => Promise.resolve(null),
   };
   return {
     asked,
@@ -83,6 +85,6 @@ export async function panelPage() {
   const [{ output }] = await build({ configFile: false, logLevel: 'error', build: { write: false, minify: false, target: 'es2022', lib } });
   const style = output.find(({ fileName }) => fileName.endsWith('.css')).source;
   const script = output.find(({ fileName }) => fileName.endsWith('.js')).code.replaceAll('</script', '<\\/script');
-  const begin = `globalThis.engine = (${stub})(); globalThis.app = new orispline.App(document.querySelector('main'), engine); globalThis.begin = (text, name = 'keys.csv', more = {}) => app.open({ bytes: new TextEncoder().encode(text), name, ...more }); app.begin(null);`;
+  const begin = `for (const habit of ['more', 'toured']) localStorage.setItem('orispline-studio-' + habit, '1'); globalThis.engine = (${stub})(); globalThis.app = new orispline.App(document.querySelector('main'), engine); globalThis.begin = (text, name = 'keys.csv', more = {}) => app.open({ bytes: new TextEncoder().encode(text), name, ...more }); app.begin(null);`;
   return `<!doctype html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1"><link rel="icon" href="data:,"><title>Studio</title><style>${style}</style></head><body><main></main><script>${script}</script><script>${begin}</script></body></html>`;
 }

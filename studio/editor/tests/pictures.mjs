@@ -22,7 +22,7 @@ async function settled(page) {
 /** The five keys beside squad; the third is chosen, and its tension pulled up. */
 async function fiveKeys(page) {
   await page.getByRole('button', { name: 'Five keys' }).click();
-  await page.getByRole('combobox', { name: 'B', exact: true }).selectOption('squad');
+  await page.getByRole('combobox', { name: 'Compare with', exact: true }).selectOption('squad');
   await page.getByRole('slider', { name: 'tension of key 3' }).focus();
   for (let i = 0; i < 20; i++) await page.keyboard.press('ArrowUp');
   await page.evaluate(() => document.activeElement.blur());
@@ -41,7 +41,7 @@ const browser = await launch();
 await take('studio.png', desktop, async (page) => {
   await page.getByRole('combobox', { name: 'Shape' }).selectOption('aircraft');
   await page.evaluate(() => document.activeElement.blur());
-  for (let i = 0; i < 6; i++) await page.keyboard.press('ArrowRight'); // A and B are apart between keys
+  for (let i = 0; i < 6; i++) await page.keyboard.press('ArrowRight'); // both curves are apart between keys
 });
 await take('studio-table.png', { ...desktop, colorScheme: 'dark' }, async (page) => {
   await page.getByRole('button', { name: 'Table' }).click();

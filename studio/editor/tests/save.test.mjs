@@ -148,7 +148,7 @@ test('what the library reads otherwise than it was meant is not saved so', async
   assert.equal((await savedText(originalOf(plain, '10.5'), documentIn(plain), engine, documentIn(plain))).isWhole, true);
 });
 
-test('the comment that names the method is that of A, and stays while A is that', async () => {
+test('the comment that names the method is that of the curve, and stays while it is', async () => {
   const stated = (method) => `# one\n# orispline: method=${method} signs=shortest\nt,qw,qx,qy,qz\n0,1,0,0,0\n1,0.8,0.6,0,0\n`;
   const first = { method: 'timed-c2', settings: { ends: 'rest', tension: 0.5 } };
   const same = (document) => document;

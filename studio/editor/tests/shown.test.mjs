@@ -10,18 +10,18 @@ const document = documentOf(keysOfAngles([0, 1, 2]), { method: 'timed-c2', setti
 const samples = { t: Float64Array.of(0, 2), q: new Float64Array(8), w: new Float64Array(6), a: new Float64Array(6), j: new Float64Array(6), p: new Float64Array(), orders: Int8Array.of(3, 2, 3) };
 const trouble = { message: 'No.' };
 
-test('methods are named by their letters and settings', () => {
+test('methods are named by what they are for and their settings', () => {
   const report = new Shown().report(document, { first: samples, second: samples });
-  assert.deepEqual(report.methods.map(({ name }) => name), ['A timed-c2:tension=0.6', 'B slerp']);
-  assert.deepEqual([report.first, report.second], ['A timed-c2:tension=0.6', 'B slerp']);
+  assert.deepEqual(report.methods.map(({ name }) => name), ['Curve timed-c2:tension=0.6', 'beside slerp']);
+  assert.deepEqual([report.first, report.second], ['Curve timed-c2:tension=0.6', 'beside slerp']);
 });
 
 test('a choice that is refused keeps its last curve, and says why', () => {
   const shown = new Shown();
-  assert.deepEqual(shown.report(document, { first: { trouble }, second: samples }).methods.map(({ name }) => name), ['B slerp']);
+  assert.deepEqual(shown.report(document, { first: { trouble }, second: samples }).methods.map(({ name }) => name), ['beside slerp']);
   shown.report(document, { first: samples, second: samples });
   const [first] = shown.report({ ...document, first: { method: 'bezier', settings: {} } }, { first: { trouble }, second: samples }).methods;
-  assert.deepEqual([first.name, first.failure, first.samples.t], ['A timed-c2:tension=0.6', 'No.', samples.t]);
+  assert.deepEqual([first.name, first.failure, first.samples.t], ['Curve timed-c2:tension=0.6', 'No.', samples.t]);
 });
 
 test('each form leads back to the orientation', () => {

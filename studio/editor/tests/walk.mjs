@@ -56,14 +56,14 @@ export async function walk({ seed, edits }) {
     duplicate: () => button('Duplicate key').click(),
     remove: () => button('Delete key').click(),
     removeByKey: () => press(document.body, 'Delete'),
-    method: () => write(root.querySelector(`select[aria-label=${pick(['A', 'B'])}]`), pick(methods).name),
-    typeSetting: () => typed(settings(pick(['A', 'B'])), 0, 1.5),
+    method: () => write(root.querySelector(`select[aria-label="${pick(['Curve', 'Compare with'])}"]`), pick(methods).name),
+    typeSetting: () => typed(settings(pick(['Curve', 'Compare with'])), 0, 1.5),
     setting: () => {
-      const menus = seen('select', settings(pick(['A', 'B'])));
+      const menus = seen('select', settings(pick(['Curve', 'Compare with'])));
       if (menus.length > 0) select(pick(menus));
     },
     close: () => {
-      const box = seen('[type=checkbox]', settings(pick(['A', 'B'])))[0];
+      const box = seen('[type=checkbox]', settings(pick(['Curve', 'Compare with'])))[0];
       if (!box) return;
       box.checked = random() < 0.3;
       tell(box, 'change');

@@ -28,7 +28,7 @@ export const five = 't,qw,qx,qy,qz\n0,1,0,0,0\n1,0.8,0.6,0,0\n2.5,0.6,0,0.8,0\n4
 
 const encoded = (value) => JSON.stringify(value).replaceAll('<', '\\u003c');
 
-/** A page with keys; without text the one that asks for them. */
+/** A page with keys; without text the one that opens with a motion. */
 function pageWith({ text, bytes = text === undefined ? undefined : Buffer.from(text), name = 'keys.csv', method = null, beside = null }) {
   if (bytes === undefined) return process.env.ORISPLINE_STUDIO_PAGE;
   const file = placeOf('studio.html');
@@ -54,21 +54,31 @@ function watched() {
   Object.defineProperty(globalThis, 'studio', { get: () => app, set: put });
 }
 
+/** In the page, before all else: who opens it knows it, and wants all controls. */
+function known() {
+  try {
+    for (const habit of ['more', 'toured']) localStorage.setItem(`orispline-studio-${habit}`, '1');
+  } catch {
+    // A test may forbid it.
+  }
+}
+
 /** A browser of its own, for pages that share what it keeps. */
 export const profile = (options = {}) => browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
 
 const isOwn = (url, page) => url === page || url.startsWith('blob:');
 
 /**
- * The page with keys in it, in a profile. `first` runs in it before all else, `complaints` are those that it may have. It comes when all is
+ * The page with keys in it, in a profile, for somebody who knows it, or is `new`. `first` runs in it before all else, `complaints` are those that it may have. It comes when all is
  * drawn; `finish` closes it, and finds that it asked for nothing and complained of nothing.
  */
-export async function studioWith(given = {}, { within, first, complaints: allowed = [], ...options } = {}) {
+export async function studioWith(given = {}, { within, first, complaints: allowed = [], new: isNew = false, ...options } = {}) {
   const context = within ?? (await profile(options));
   const page = await context.newPage();
   page.setDefaultTimeout(120_000); // other work may be beside it
   await page.addInitScript(watched);
   await page.addInitScript(unseen);
+  if (!isNew) await page.addInitScript(known);
   if (first) await page.addInitScript(typeof first === 'string' ? { content: first } : first);
   const [complaints, requests] = [[], []];
   page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));

@@ -25,8 +25,8 @@ export interface Choice {
 export interface StudioDocument {
   readonly version: 1;
   readonly keys: readonly Key[]; // times increase
-  readonly first: Choice; // A
-  readonly second: Choice; // B
+  readonly first: Choice; // of the curve
+  readonly second: Choice; // of that which it is compared with
 }
 
 export type Which = 'first' | 'second';
@@ -39,6 +39,7 @@ export interface Original {
   readonly epoch: string; // what times count from [s], exact
 }
 
-export const letters: Record<Which, string> = { first: 'A', second: 'B' };
+/** What the page calls the two curves. */
+export const names: Record<Which, string> = { first: 'Curve', second: 'Compare with' };
 
 export const keyWith = ({ keys }: StudioDocument, id: number | null): Key | undefined => keys.find((key) => key.id === id);

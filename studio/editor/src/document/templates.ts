@@ -7,7 +7,7 @@ import flight from '../../../../examples/data/flight_keys.csv?raw';
 /** What is up in the world of the keys, what the body is, and which of its axes is looked at. */
 export interface Looks {
   readonly up: 'y' | 'z';
-  readonly body: 'box' | 'camera';
+  readonly body: 'box' | 'camera' | 'aircraft';
   readonly axis: 'x' | 'z'; // whose way over the sphere is shown
 }
 
@@ -16,30 +16,46 @@ export interface Template {
   readonly sentence: string;
   readonly name: string; // of the file
   readonly text: string;
-  readonly first: string; // methods of A and B
+  readonly first: string; // methods of both curves
   readonly second: string;
   readonly looks?: Looks;
 }
 
 const paperTensions = [0.1, 0.6, 0, 0.6, 0.1]; // of figure 3 of Tan et al. 2018
 
-/** The five keys at the even times of the paper, with its tensions; its own orientations are not published. */
-function withPaperTensions(text: string): string {
+/** Some rows of a file, each made anew, below a comment of their own and its units. */
+function excerpt(text: string, comment: string, column: string, row: (row: string, index: number) => string | null): string {
   const lines = text.split('\n').filter((line) => line !== '' && !line.startsWith('#'));
-  const comments = text.split('\n').filter((line) => line.startsWith('# Units'));
+  const units = text.split('\n').filter((line) => line.startsWith('# Units'));
   const [header, ...rows] = lines;
-  const timed = rows.map((row, i) => `${i}${row.slice(row.indexOf(','))},${paperTensions[i]}`);
-  const source = '# Five keyframes at the times and with the tensions of figure 3 of Tan et al. 2018, for the method quintic.';
-  return `${[source, ...comments, `${header},tension`, ...timed].join('\n')}\n`;
+  return `${[`# ${comment}`, ...units, header + column, ...rows.flatMap((line, i) => row(line, i) ?? [])].join('\n')}\n`;
 }
+
+const evenly = (row: string, i: number) => `${i}${row.slice(row.indexOf(','))}`;
+
+/** The paper's own orientations are not published. */
+const withPaperTensions = excerpt(five, 'Five keyframes at the times and with the tensions of figure 3 of Tan et al. 2018, for the method quintic.', ',tension', (row, i) => `${evenly(row, i)},${paperTensions[i]}`);
+
+const loopAndRoll = [9, 11, 13, 15, 16, 18, 19, 20, 21, 22, 23, 24]; // rows of the flight: fewer in the loop, where it turns evenly
+
+/** What the page opens with. */
+export const motion: Template = {
+  title: 'A loop and a roll',
+  sentence: 'A part of the flight, with some of its keys.',
+  name: 'loop_and_roll.csv',
+  text: excerpt(flight, 'A loop and a roll: some keys of flight_keys.csv.', '', (row, i) => (loopAndRoll.includes(i) ? row : null)),
+  first: 'auto',
+  second: 'slerp',
+  looks: { up: 'z', body: 'aircraft', axis: 'x' },
+};
 
 export const templates: readonly Template[] = [
   {
     title: 'Five keys',
-    sentence: 'Five orientations with the tensions of a paper, one at each key.',
+    sentence: 'Five orientations, a second apart.',
     name: 'five_keys.csv',
-    text: withPaperTensions(five),
-    first: 'quintic',
+    text: excerpt(five, 'Five keyframes, a second apart.', '', evenly),
+    first: 'auto',
     second: 'slerp',
   },
   {
@@ -58,5 +74,14 @@ export const templates: readonly Template[] = [
     text: flight,
     first: 'auto',
     second: 'squad',
+    looks: { up: 'z', body: 'aircraft', axis: 'x' },
+  },
+  {
+    title: 'Tensions of a paper',
+    sentence: 'Five keys with a tension each, for quintic, which is made for even times.',
+    name: 'five_tensions.csv',
+    text: withPaperTensions,
+    first: 'quintic',
+    second: 'slerp',
   },
 ];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The methods of A and B, and their settings.
+// The methods of both curves, and their settings.
 import type { Choice, Setting, StudioDocument, Which } from '../document/document';
 
 /** What a method knows, as the library tells it. */
@@ -68,5 +68,5 @@ export function withSetting(document: StudioDocument, which: Which, method: Know
   return isOwn || !knows(method, name, value) ? document : { ...document, [which]: coherent({ ...choice, settings: { ...choice.settings, [name]: value } }) };
 }
 
-/** A and B in each other's place. */
+/** Both curves in each other's place. */
 export const exchanged = (document: StudioDocument): StudioDocument => ({ ...document, first: document.second, second: document.first });

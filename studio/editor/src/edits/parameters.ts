@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers of the methods, such as tensions: one for all keys, which is a setting of a choice, or one at each key, which rules for A and B.
+// Numbers of the methods, such as tensions: one for all keys, which is a setting of a choice, or one at each key, which rules for both curves.
 // A value beyond what a parameter may have becomes the nearest one that it may have; one that is no number changes nothing.
 import type { Choice, Key, StudioDocument, Which } from '../document/document';
 import { withKey } from '../document/keys';

@@ -41,3 +41,18 @@ export function movedInTime(document: StudioDocument, id: number, t: number): St
   const allowed = Math.min(Math.max(t, min), max);
   return withKey(document, id, (key) => (key.t === allowed ? key : { ...key, t: allowed }));
 }
+
+const share = 0.15; // of the mean interval: where keys are nearer, smooth curves may turn more than twice as far as the keys
+const room = 1 / 3; // of the time between both neighbours, where keys are dense
+
+/** Where a drag leaves a key: off its neighbours by so much time [s] that both are seen, and by what a smooth curve needs. One that is nearer may stay. */
+export function timesForDrag(document: StudioDocument, id: number, seen: number): Range {
+  const { keys } = document;
+  const index = keys.findIndex((key) => key.id === id);
+  if (index < 0) return { min: 0, max: 0 };
+  const [before, { t }, after] = [keys[index - 1], keys[index], keys[index + 1]];
+  const free = before && after ? room * (after.t - before.t) : Infinity;
+  const off = Math.min(Math.max(seen, (share * span(keys)) / Math.max(keys.length - 1, 1)), free);
+  const { min, max } = timesFor(document, id);
+  return { min: before ? Math.max(min, Math.min(before.t + off, t)) : min, max: after ? Math.min(max, Math.max(after.t - off, t)) : max };
+}

@@ -9,6 +9,7 @@ import { dataOf } from './keys';
 import { Library, used } from './library';
 import { Opening } from './opening';
 import type { Given, MethodInfo, Name, Told } from './protocol';
+import { Remedies } from './remedies';
 import { evenSamples } from './samples';
 import { tableOf } from './table';
 
@@ -41,7 +42,7 @@ export class Answering {
 
 /** An answer to each question of the protocol. */
 export function answersOf(library: Library): Questioned {
-  const methods = library.methods() as MethodInfo[], opening = new Opening(library, methods), drawings = new Drawings(library, methods);
+  const methods = library.methods() as MethodInfo[], opening = new Opening(library, methods), drawings = new Drawings(library, methods), remedies = new Remedies(library, methods);
   const withCurve = <Result>(edited: readonly Key[], choice: Choice, work: (curve: WholeCurve, counted: Counted) => Result): Result => {
     const counted = countedOf(edited), { keys } = counted;
     return used(library.curve(choice.method, dataOf(keys), settingsOf(choice, keys, methods)), (curve) => work(curve, counted));
@@ -51,6 +52,8 @@ export function answersOf(library: Library): Questioned {
     open: (given) => opening.open(given),
     reduce: (given) => opening.reduce(given),
     curves: (given) => drawings.redrawn(given),
+    calmest: ({ keys, choice, need }) => remedies.calmest(countedOf(keys).keys, choice, need),
+    ofAnyTimes: ({ keys, choice }) => remedies.ofAnyTimes(keys, choice),
     at: ({ keys, choice, time }) => withCurve(keys, choice, (curve, { counted }) => {
       const t = counted(time), [w, x, y, z] = curve.at(t), p = curve.hasPositions ? curve.positionAt(t) : null;
       return { q: [w, x, y, z], p: p && [p[0], p[1], p[2]] };

@@ -42,8 +42,19 @@ export interface TooMany {
 
 export type { ParameterInfo };
 
+/** Another method, and what its curve does that was measured. */
+export interface Remedy {
+  choice: Choice;
+  own: [name: string, from: string][]; // values at keys that it has besides, and those that they shall be like
+  turn: number; // [rad]
+  order: number; // no rate up to it jumps at a key
+  apart: number | null; // [rad] at most from the curve in whose place it comes, both with the keys at even times; null: not asked
+}
+
 /** What the library says of a method. */
 export interface MethodInfo extends LibraryMethod {
+  interpolates: boolean;
+  support_keys: number | null; // on which a piece of a curve depends; null: on all
   choices: { name: string; words: string[]; default?: string }[];
 }
 
@@ -52,12 +63,16 @@ export const mostKeys = 1000; // that can be edited
 /** What can be asked, by name: of each what is given, and what is told. All are promises on the page; errors are `Trouble`. */
 export interface Questions {
   methods: { given: null; told: MethodInfo[] };
-  /** `method` and `beside`: the texts of A and B; without them that which the file is for, and slerp. */
+  /** `method` and `beside`: the texts of both methods; without them that which the file is for, and slerp. */
   open: { given: { bytes: Uint8Array; name: string; method?: string; beside?: string }; told: Opened | TooMany };
   /** Of a recording that has too many keys those that are needed; the tolerance with its unit, such as `0.1deg`. */
   reduce: { given: { bytes: Uint8Array; name: string; tolerance: string }; told: Opened };
   /** Only the latest one is answered; others are never told. `count` samples at even times. */
   curves: { given: { document: StudioDocument; count: number }; told: Curves };
+  /** A calm method for keys with which that of a choice turns too far; they turn by `need` [rad]. */
+  calmest: { given: { keys: readonly Key[]; choice: Choice; need: number }; told: Remedy | null };
+  /** For a method that is smooth on even times only, one that is so on any. */
+  ofAnyTimes: { given: { keys: readonly Key[]; choice: Choice }; told: Remedy | null };
   /** Where the curve of a choice is at a time. */
   at: { given: { keys: readonly Key[]; choice: Choice; time: number }; told: { q: Quaternion; p: Vector | null } };
   /** All keys as a file of the library, such as `keys.csv`, which states the method too. */

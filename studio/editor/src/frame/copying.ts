@@ -16,7 +16,7 @@ export function copiesOf({ store, methods, original }: Studio, place: () => HTML
     const method = methods.find(({ name }) => name === choice.method)!;
     const text = copiedCode(language, { name: original.name, keys, choice, method, count: sampleCount });
     const needs = language !== 'JavaScript' && !store.current().isSaved ? ' (save the keys first)' : '';
-    void showText(place(), `${titles[language]} for the curve of A${needs}`, text, tell);
+    void showText(place(), `${titles[language]} for the curve${needs}`, text, tell);
   };
   return languages.map((language) => ({ label: titles[language], chosen: () => show(language) }));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curve of A as a file: samples, or what the player plays.
+// The curve as a file: samples, or what the player plays.
 import { element, menu } from 'orispline-viewer/look/element';
 import { sentence } from '../document/sentence';
 import { notANumber, numberIn } from '../edits/reasons';
@@ -44,7 +44,7 @@ async function exportSamples({ store, engine, original }: Studio, place: HTMLEle
   const [line, select] = menu('Rates', orders, () => {});
   select.value = '3';
   const refused = (count: number) => (Number.isInteger(count) && count >= 2 && count <= mostSamples ? null : `Found ${count} samples, wanted a whole number from 2 to ${mostSamples}. Give such a number.`);
-  const count = await numberFrom(place, { title: 'Samples of the curve of A', label: 'Samples at even times', value: usual.samples, more: [line], refused });
+  const count = await numberFrom(place, { title: 'Samples of the curve', label: 'Samples at even times', value: usual.samples, more: [line], refused });
   if (count === null) return null;
   const { keys, first: choice } = store.current().document;
   const samples = await engine.ask('sample', { keys, choice, count, rates: Number(select.value) as 0 | 1 | 2 | 3 });
@@ -55,7 +55,7 @@ async function exportSamples({ store, engine, original }: Studio, place: HTMLEle
 
 async function exportBaked({ store, engine, original }: Studio, place: HTMLElement): Promise<string | null> {
   const refused = (tolerance: number) => (tolerance > 0 ? null : `Found a tolerance of ${tolerance}°, wanted more than 0. Give a larger one.`);
-  const tolerance = await numberFrom(place, { title: 'The curve of A for orispline/player', label: 'Tolerance [°]', value: usual.tolerance, refused });
+  const tolerance = await numberFrom(place, { title: 'The curve for orispline/player', label: 'Tolerance [°]', value: usual.tolerance, refused });
   if (tolerance === null) return null;
   const { keys, first: choice } = store.current().document;
   const name = `${stemOf(original.name)}.json`;

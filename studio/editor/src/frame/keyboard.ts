@@ -80,9 +80,11 @@ const places: [where: string, lines: [string, string][]][] = [
   ['While dragging', [['Escape', 'End the drag where it began']]],
 ];
 
-export function showHelp(place: HTMLElement, shortcuts: Shortcut[]): void {
+/** `tour`: what is begun instead, where that is wanted. */
+export async function showHelp(place: HTMLElement, shortcuts: Shortcut[], tour: () => void): Promise<void> {
   const list = (lines: readonly [string, string][]) => element('dl', {}, ...lines.flatMap(([keys, does]) => [element('dt', {}, keys), element('dd', {}, does)]));
   const everywhere = [...elsewhere, ...shortcuts.map(({ keys, does }): [string, string] => [keys, does])];
   const parts = [['Everywhere', everywhere] as const, ...places, ['Marks of keys', Object.entries(marks)] as const].map(([where, lines]) => element('section', {}, element('h3', {}, where), list(lines)));
-  void ask(place, 'Keyboard', [element('div', { className: 'help', tabIndex: 0, attributes: { role: 'region', 'aria-label': 'Keys and what they do' } }, ...parts)], [{ label: 'Close', isFirst: true }]);
+  const answer = await ask(place, 'Keyboard', [element('div', { className: 'help', tabIndex: 0, attributes: { role: 'region', 'aria-label': 'Keys and what they do' } }, ...parts)], [{ label: 'Close', isFirst: true }, { label: 'Take the tour' }]);
+  if (answer === 'Take the tour') tour();
 }

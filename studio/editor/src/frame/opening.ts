@@ -16,7 +16,7 @@ export interface FileHandle {
 export interface Given {
   bytes: Uint8Array;
   name: string;
-  method?: string; // text of A
+  method?: string; // its text
   beside?: string;
   looks?: Looks; // else those of a body that nothing is known of
   handle?: FileHandle; // where it can be written again

@@ -12,7 +12,7 @@ import { createStore } from '../store/store';
 import type { Studio } from '../store/studio';
 import { copiesOf } from './copying';
 import { exportsOf } from './exporting';
-import type { FileHandle } from './opening';
+import type { FileHandle, Given } from './opening';
 import { Saving } from './saving';
 import { Screen } from './screen';
 
@@ -23,6 +23,7 @@ export interface Setting {
   looks?: Looks;
   handle?: FileHandle;
   open: () => void;
+  begins?: (given: Given) => void; // where this is what the page opens with: takes what comes in its place
 }
 
 export class Session {
@@ -31,10 +32,11 @@ export class Session {
   private readonly shown = new Shown();
   private readonly asked = new WeakSet<StudioDocument>(); // documents whose curves are this session's
   private readonly endings: (() => void)[] = [];
+  private readonly plays: boolean; // by itself
   private chosen: { id: number | null; t: number } = { id: null, t: NaN };
 
   /** `curves`: those of the document that is shown first, which is the draft's where there is one. */
-  constructor({ original, document, warnings }: Opened, first: StudioDocument, curves: Curves, private readonly draft: Draft, { engine, methods, theme, looks, handle, open }: Setting) {
+  constructor({ original, document, warnings }: Opened, first: StudioDocument, curves: Curves, private readonly draft: Draft, { engine, methods, theme, looks, handle, open, begins }: Setting) {
     const store = createStore(first, document);
     store.tellCurves(curves);
     const view = new ViewStore(this.shown.report(first, curves));
@@ -43,7 +45,8 @@ export class Session {
     const saving = new Saving(this.studio, document, handle, () => this.screen);
     const place = () => this.screen.element;
     const tell = (sentence: string) => this.screen.notices.tell(sentence);
-    this.screen = new Screen(this.studio, { open, save: () => void saving.save(), copies: copiesOf(this.studio, place, tell), exports: exportsOf(this.studio, place, tell) });
+    this.screen = new Screen(this.studio, { open, save: () => void saving.save(), copies: copiesOf(this.studio, place, tell), exports: exportsOf(this.studio, place, tell) }, begins && { open, given: begins });
+    this.plays = begins !== undefined && first === document;
     for (const warning of warnings) this.screen.notices.tell(sentence(warning), { isTrouble: true });
     this.follow();
     this.keep(document, first);
@@ -57,11 +60,26 @@ export class Session {
   take(curves: Curves, of: StudioDocument): void {
     if (!this.asked.has(of)) return;
     const { store, view } = this.studio;
-    store.tellCurves(curves);
+    store.tellCurves(curves, of);
     const { t } = this.chosen;
     const isAtKey = view.current().time === t;
     view.replace(this.shown.report(of, curves));
     if (isAtKey) view.choose({ time: t }); // the curves may be those of an earlier document, which end before
+  }
+
+  /** When it is on the page. What moves by itself is still for those who want no motion, and while nobody sees it. */
+  begin(): void {
+    this.screen.begin();
+    const still = matchMedia('(prefers-reduced-motion: reduce)');
+    if (!this.plays || still.matches) return;
+    const { view } = this.studio;
+    let moves = true;
+    view.choose({ time: view.current().extent[0], playing: !document.hidden });
+    view.listen(document, 'visibilitychange', () => {
+      if (document.hidden) moves = view.current().playing;
+      view.choose({ playing: moves && !document.hidden && !still.matches });
+    });
+    view.listen(still, 'change', () => still.matches && view.choose({ playing: false }));
   }
 
   end(): void {

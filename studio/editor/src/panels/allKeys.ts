@@ -3,6 +3,7 @@
 import { element } from 'orispline-viewer/look/element';
 import { chosen as written } from 'orispline-viewer/look/number';
 import { hasOwn, valueAt, valueForAll, withValueForAll } from '../edits/parameters';
+import { meaningOf } from '../store/meanings';
 import type { OwnParameter } from '../store/parameters';
 import type { Studio } from '../store/studio';
 
@@ -11,7 +12,7 @@ const moving = ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'PageUp', 'Pa
 const mostOfDefault = 2;
 
 export class AllKeys {
-  readonly element = element('label', { className: 'choice all-keys' });
+  readonly element = element('label', { className: 'choice all-keys rare' });
   private readonly slider = element('input', { type: 'range' });
   private readonly value = element('output', {});
   private parameter: OwnParameter | null = null;
@@ -34,6 +35,7 @@ export class AllKeys {
     const low = Math.max(min, usual === 0 ? -high : 0);
     Object.assign(this.slider, { min: String(low), max: String(high), step: String((high - low) / steps) });
     this.slider.setAttribute('aria-label', `All keys: ${name}`);
+    this.element.title = meaningOf(this.studio.store.current().document[parameter.which].method, parameter.info);
     this.show();
   }
 

@@ -2,7 +2,7 @@
 // The settings of a method, made from what the library says of it, so that another method needs no line here.
 import { element, menu } from 'orispline-viewer/look/element';
 import { angleBetween } from 'orispline-viewer/motion/quaternion';
-import { letters, type Choice, type Setting, type Which } from '../document/document';
+import { names, type Choice, type Setting, type Which } from '../document/document';
 import { clamped, endsOf, isLoop, rateNames, withSetting } from '../edits/choice';
 import { hasOwn, valueForAll, withoutOwn, withValueForAll } from '../edits/parameters';
 import { notAValue } from '../edits/reasons';
@@ -49,7 +49,7 @@ export class MethodForm {
       ...(closes ? [this.closed(), this.period()] : []),
     ];
     const none = element('p', { className: 'facts' }, `${method.name} has no settings.`);
-    this.element.replaceChildren(element('p', { className: 'about' }, element('strong', {}, `${letters[this.which]} ${method.name}`), ` ${method.title}`), ...(lines.length > 0 ? lines : [none]));
+    this.element.replaceChildren(element('p', { className: 'about' }, element('strong', {}, `${names[this.which]} ${method.name}`), ` ${method.title}`), ...(lines.length > 0 ? lines : [none]));
   }
 
   private set(name: string, value: Setting | undefined, gesture?: object): void {

@@ -40,7 +40,7 @@ export class Orientations {
 
   menu(): HTMLElement {
     const options = groups.map(([label, forms]) => element('optgroup', { label }, ...forms.map(({ id, title }) => element('option', { value: id }, title))));
-    const select = element('select', { attributes: { 'aria-label': 'Orientation as' }, onchange: () => this.choose(select.value) }, ...options);
+    const select = element('select', { className: 'rare', attributes: { 'aria-label': 'Orientation as' }, onchange: () => this.choose(select.value) }, ...options);
     this.watch(() => (select.value = this.form.id));
     return select;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The body in space, moved by A, and B's where it is another one; the chosen key with its gizmo, and the keys beside it.
+// The body in space, moved by the curve, and that of the other one where it differs; the chosen key with its gizmo, and the keys beside it.
 import { Group, Vector3 } from 'three';
 import { once } from 'orispline-viewer/data/once';
 import { hasPositions, type BodyShape, type Method } from 'orispline-viewer/data/report';
@@ -40,6 +40,7 @@ const pathOf = once((method: Method) => new FlightPath(method, { step }));
 
 export class Body {
   readonly figure: HTMLElement;
+  private readonly tip: (text: string | null) => void;
   private readonly stage: Stage;
   private readonly gizmo: Gizmo;
   private readonly forms = new Shapes();
@@ -60,10 +61,11 @@ export class Body {
     const [shape, shapeSelect] = menu('Shape', shapes, (name) => looked.choose({ body: name as BodyShape }));
     const [space] = menu('Rings', spaces, (name) => this.gizmo.setSpace(name as Space));
     const [up, upSelect] = menu('Up', ups, (axis) => looked.choose({ up: axis as Up }));
-    const { figure, frame, stage } = figureWith(studio, painter, 'Body', [...Object.values(this.swatches), space, up, shape]);
+    const { figure, frame, stage, tip } = figureWith(studio, painter, 'Body', [...Object.values(this.swatches), space, up, shape]);
     this.figure = figure;
+    this.tip = tip;
     this.stage = stage;
-    this.gizmo = new Gizmo(stage, frame, { begin: () => this.begin(), turn: (by) => this.turn?.turn(by), end: () => (this.turn = undefined) });
+    this.gizmo = new Gizmo(stage, frame, { begin: () => this.begin(), turn: (by) => this.turn?.turn(by), end: () => this.end() });
     this.neighbours = new Neighbours(stage, (key) => this.place(key));
     this.floor.add(this.ground.object);
     stage.scene.add(this.floor, this.way.object, this.neighbours.object);
@@ -143,7 +145,7 @@ export class Body {
     return this.path.at(new Vector3(...p)).sub(this.path.atTime(this.studio.view.current().time));
   }
 
-  /** Where B's body is, which may have a path of its own. */
+  /** Where the other body is, which may have a path of its own. */
   private get besideFirst(): Vector3 {
     const { current, methodNamed } = this.studio.view;
     const { time, second } = current();
@@ -192,6 +194,12 @@ export class Body {
     const { document, chosen } = this.studio.store.current();
     const key = keyWith(document, chosen);
     if (key) this.turn = new TurnByHand(this.studio, key);
+    this.tip(this.gizmo.meaning);
+  }
+
+  private end(): void {
+    this.turn = undefined;
+    this.tip(null);
   }
 
   /** A click on a neighbour chooses it. */
@@ -206,6 +214,7 @@ export class Body {
       if (key) this.studio.store.choose(key.id);
     });
     canvas.addEventListener('pointermove', (event) => {
+      if (event.buttons === 0) this.tip(this.gizmo.meaning);
       if (event.buttons === 0) canvas.style.cursor = this.gizmo.isUnderPointer ? 'grab' : this.neighbours.under(event) ? 'pointer' : '';
     });
     canvas.addEventListener('keydown', ({ key }) => {

@@ -22,6 +22,7 @@ export interface Figure {
   figure: HTMLElement;
   frame: HTMLElement;
   stage: Stage;
+  tip: (text: string | null) => void; // says what is under the pointer, or is pulled
 }
 
 /** `caption`: what stands beside its name. */
@@ -32,14 +33,19 @@ export function figureWith(studio: Studio, painter: Painter, name: Name, caption
   const stage = new Stage(view, painter, frame);
   const hint = element('p', { className: 'hint', id: `orispline-turning-${name.toLowerCase()}` }, howTo);
   const said = element('p', { className: 'unseen', attributes: { role: 'status' } });
-  frame.append(hint, said);
+  const tip = element('p', { className: 'hint now', hidden: true, attributes: { 'aria-hidden': 'true' } });
+  frame.append(hint, said, tip);
   stage.canvas.tabIndex = 0;
   stage.canvas.setAttribute('role', 'application');
   stage.canvas.setAttribute('aria-describedby', hint.id);
   stage.canvas.addEventListener('pointerdown', ({ pointerType }) => pointerType !== 'mouse' && stage.canvas.focus({ preventScroll: true })); // as a mouse does
-  const tell = () => stage.describe(keyWords(store.current(), view.moments) ?? `${name}: no key is chosen`);
-  view.atEnd(store.subscribe(['document', 'chosen'], tell));
+  const describe = () => stage.describe(keyWords(store.current(), view.moments) ?? `${name}: no key is chosen`);
+  view.atEnd(store.subscribe(['document', 'chosen'], describe));
   hearLooks(stage);
   hearTurns(studio, stage, () => (said.textContent = keyWords(store.current(), view.moments)));
-  return { figure, frame, stage };
+  const tell = (text: string | null) => {
+    tip.hidden = text === null;
+    tip.textContent = text ?? '';
+  };
+  return { figure, frame, stage, tip: tell };
 }

@@ -58,6 +58,12 @@ export class Gizmo {
     return this.controls.axis !== null;
   }
 
+  /** What a pull at the ring does that is under the pointer, or is pulled; null: there is none. */
+  get meaning(): string | null {
+    const { axis, space } = this.controls;
+    return axis && axis in axes ? `Pull: turns the key about the ${axis.toLowerCase()} axis of the ${space === 'local' ? 'body' : 'world'}.` : null;
+  }
+
   setSpace(space: Space): void {
     this.controls.setSpace(space);
     this.stage.draw();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ways of a body axis over the unit sphere under A and B. Its keys are handles: a pull turns the key so that its axis is under the pointer.
+// The ways of a body axis over the unit sphere under both curves. Its keys are handles: a pull turns the key so that its axis is under the pointer.
 import type { Vector3 } from 'three';
 import type { Path } from 'orispline-viewer/data/report';
 import { menu } from 'orispline-viewer/look/element';
@@ -33,6 +33,7 @@ interface Pull {
 
 export class Sphere {
   readonly figure: HTMLElement;
+  private readonly tip: (text: string | null) => void;
   private readonly stage: Stage;
   private readonly globe = new Globe();
   private readonly ways = { second: wayOnSphere(2.5, 2), first: wayOnSphere(3, 4) };
@@ -46,8 +47,9 @@ export class Sphere {
   ) {
     const { store, view } = studio;
     const [choice, select] = menu('Body axis', axes, (axis) => view.choose({ axis: axis as Axis }));
-    const { figure, frame, stage } = figureWith(studio, painter, 'Sphere', [choice]);
+    const { figure, frame, stage, tip } = figureWith(studio, painter, 'Sphere', [choice]);
     this.figure = figure;
+    this.tip = tip;
     this.stage = stage;
     this.handles = new Handles(stage, frame);
     stage.scene.onBeforeRender = () => this.handles.arrange();
@@ -131,6 +133,7 @@ export class Sphere {
     const from = this.handles.directionOf(key)!;
     this.pull = { turn: null, key, from, isBehind: this.handles.isBehind(from), place: event };
     canvas.setPointerCapture(event.pointerId);
+    this.tip(this.meaning);
     this.studio.store.choose(key.id);
   }
 
@@ -138,7 +141,10 @@ export class Sphere {
     const { canvas } = this.stage;
     const { pull } = this;
     if (!pull) {
-      if (event.buttons === 0) canvas.style.cursor = this.handles.under(event) ? 'grab' : '';
+      if (event.buttons !== 0) return;
+      const under = this.handles.under(event);
+      canvas.style.cursor = under ? 'grab' : '';
+      this.tip(under && this.meaning);
       return;
     }
     if (!event.isPrimary) return;
@@ -148,8 +154,13 @@ export class Sphere {
     pull.turn.turn(turnBetween(pull.from, directionUnder(this.stage.rayThrough(event), lift, pull.isBehind)));
   }
 
+  private get meaning(): string {
+    return `Pull: turns the key so that the ${this.studio.view.current().axis} axis of its body points there.`;
+  }
+
   private end(): void {
     this.pull = undefined;
+    this.tip(null);
     this.stage.controls.enabled = true;
     this.stage.canvas.style.cursor = '';
   }

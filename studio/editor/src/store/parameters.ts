@@ -8,7 +8,7 @@ export interface OwnParameter {
   info: ParameterInfo;
 }
 
-/** Those of A, then those that B has alone. */
+/** Those of the curve, then those that the other one has alone. */
 export function ownParameters(document: StudioDocument, methods: readonly MethodInfo[]): OwnParameter[] {
   const of = (which: Which) => methods.find(({ name }) => name === document[which].method)?.parameters.filter(({ per_key }) => per_key) ?? [];
   const first = of('first');

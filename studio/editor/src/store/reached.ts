@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// How smooth the curve of A is at keys, in words.
+// How smooth the curve is at keys, in words.
 import type { State } from './store';
 
 /** What the marks of keys mean. */
 export const marks: Record<'◆' | '◇', string> = {
-  '◆': 'The curve of A is smooth at the key: neither velocity nor acceleration jumps; the jerk may.',
-  '◇': 'Velocity or acceleration of A jumps at the key.',
+  '◆': 'The curve is smooth at the key: neither velocity nor acceleration jumps; the jerk may.',
+  '◇': 'Its velocity or acceleration jumps at the key.',
 };
 
 const words = ['orientation jumps', 'velocity jumps', 'acceleration jumps', 'smooth, jerk jumps', 'smooth'];
@@ -13,7 +13,7 @@ const words = ['orientation jumps', 'velocity jumps', 'acceleration jumps', 'smo
 /** No rate up to the order jumps. */
 export const reachedText = (order: number | undefined): string => (order === undefined ? '' : words[Math.min(order + 1, words.length - 1)]);
 
-/** The order at each key, where the curve of A is that through these keys. */
+/** The order at each key, where the curve is that through these keys. */
 export function ordersOf({ curves, document }: Readonly<State>): ArrayLike<number> | null {
   const drawn = curves?.first;
   return drawn && 'orders' in drawn && drawn.orders.length === document.keys.length ? drawn.orders : null;

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curves of A and B as the viewer's report of them. A choice that is refused keeps the curve that it had last.
+// Both curves as the viewer's report of them. A choice that is refused keeps the curve that it had last.
 import { reportOf, type Keys, type Method, type Report } from 'orispline-viewer/data/report';
-import { letters, type Choice, type Key, type StudioDocument, type Which } from '../document/document';
+import { type Choice, type Key, type StudioDocument, type Which } from '../document/document';
 import { methodText } from '../document/methodText';
 import type { Curves, Samples } from '../engine/protocol';
 
 const none = new Float64Array();
 
-export const nameOf = (which: Which, choice: Choice): string => `${letters[which]} ${methodText(choice)}`;
+const words: Record<Which, string> = { first: 'Curve', second: 'beside' };
+
+export const nameOf = (which: Which, choice: Choice): string => `${words[which]} ${methodText(choice)}`;
 
 const keysOf = (keys: readonly Key[]): Keys => ({
   t: Float64Array.from(keys, ({ t }) => t),

@@ -11,6 +11,7 @@ export interface State {
   canUndo: boolean;
   canRedo: boolean;
   isSaved: boolean; // the document is what was opened or saved last
+  curvesOf: StudioDocument | null; // whose curves these are, which may be an earlier one
   curves: Curves | null; // of the newest document that was drawn; where a choice has none, those that it had last are in the view
   troubles: Record<Which, Trouble | null>; // why a choice has no curve through the keys as they are
 }
@@ -26,7 +27,7 @@ export interface StudioStore {
   edit: (next: StudioDocument, gesture?: object) => void;
   undo: () => void;
   redo: () => void;
-  tellCurves: (curves: Curves) => void;
+  tellCurves: (curves: Curves, of?: StudioDocument) => void;
   tellSaved: () => void;
 }
 
@@ -46,6 +47,7 @@ export function createStore(opened: StudioDocument, saved: StudioDocument = open
     canUndo: false,
     canRedo: false,
     isSaved: sameDocument(opened, saved),
+    curvesOf: null,
     curves: null,
     troubles: { first: null, second: null },
   };
@@ -92,9 +94,9 @@ export function createStore(opened: StudioDocument, saved: StudioDocument = open
       history.redo();
       show();
     },
-    tellCurves(curves) {
+    tellCurves(curves, of = state.document) {
       const troubles = { first: troubleOf(curves.first), second: troubleOf(curves.second) };
-      change({ curves, troubles: sameTroubles(troubles, state.troubles) ? state.troubles : troubles });
+      change({ curves, curvesOf: of, troubles: sameTroubles(troubles, state.troubles) ? state.troubles : troubles });
     },
     tellSaved() {
       file = state.document;

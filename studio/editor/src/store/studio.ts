@@ -7,7 +7,7 @@ import type { StudioStore } from './store';
 
 export interface Studio {
   readonly store: StudioStore; // the document, its history, the chosen key
-  readonly view: ViewStore; // time, playing, axis, theme, window: how it is looked at; its report has the curves of A and B
+  readonly view: ViewStore; // time, playing, axis, theme, window: how it is looked at; its report has both curves
   readonly engine: Engine;
   readonly methods: readonly MethodInfo[];
   readonly original: Original;

@@ -19,7 +19,7 @@ export class Actions {
     return keyWith(document, chosen);
   }
 
-  /** On the curve of A, else on that of B. */
+  /** On the curve, else on that beside it. */
   async insert(time: number): Promise<void> {
     const { store, engine } = this.studio;
     const { document, troubles } = store.current();

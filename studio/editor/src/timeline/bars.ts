@@ -4,11 +4,13 @@ import { element } from 'orispline-viewer/look/element';
 import { chosen as written } from 'orispline-viewer/look/number';
 import type { Key } from '../document/document';
 import { valueAt, withOwn } from '../edits/parameters';
+import { meaningOf } from '../store/meanings';
 import type { OwnParameter } from '../store/parameters';
 import type { Studio } from '../store/studio';
 import { drags } from './drag';
 import { reachFor, stride, type Dots } from './dots';
 import { nearest, reachOf, stepOf } from './scale';
+import { Tip } from './tip';
 import type { Track } from './track';
 
 const height = 44; // [px]
@@ -21,6 +23,8 @@ export class Bars {
   private reach = { low: 0, high: 1 };
   private isPulled = false; // the reach stays meanwhile
   private gesture = {};
+  private readonly tip = new Tip();
+  private told: number | null = null; // the key of whose bar the tip tells
 
   constructor(
     private readonly studio: Studio,
@@ -31,12 +35,32 @@ export class Bars {
     studio.store.subscribe(['document', 'chosen'], () => this.show());
     drags(this.element, (event) => this.grasp(event));
     this.element.addEventListener('keydown', (event) => this.hear(event));
+    this.element.append(this.tip.element);
+    this.element.addEventListener('pointerover', (event) => this.explain(this.keyOf(event.target)));
+    this.element.addEventListener('focusin', (event) => this.explain(this.keyOf(event.target)));
+    for (const type of ['pointerleave', 'focusout']) this.element.addEventListener(type, () => !this.isPulled && this.explain(null));
+  }
+
+  private keyOf = (target: EventTarget | null): number | null => [...this.bars].find(([, bar]) => bar.contains(target as Node))?.[0] ?? null;
+
+  /** Of whose bar the tip tells what it does; null: of none. */
+  private explain(id: number | null): void {
+    const bar = id === null ? undefined : this.bars.get(id);
+    this.told = bar ? id : null;
+    if (bar && this.parameter) this.tip.show(`${bar.getAttribute('aria-label')}: ${bar.getAttribute('aria-valuetext')}. ${this.meaning}`, bar);
+    else this.tip.hide();
+  }
+
+  private get meaning(): string {
+    const { which, info } = this.parameter!;
+    return meaningOf(this.studio.store.current().document[which].method, info);
   }
 
   choose(parameter: OwnParameter | null): void {
     this.parameter = parameter;
-    this.element.replaceChildren();
+    this.element.replaceChildren(this.tip.element);
     this.bars.clear();
+    this.explain(null);
     this.show();
   }
 
@@ -57,6 +81,7 @@ export class Bars {
       this.bars.get(id)!.remove();
       this.bars.delete(id);
     }
+    if (this.told !== null) this.explain(this.told);
   }
 
   private share = (value: number): number => Math.min(Math.max((value - this.reach.low) / (this.reach.high - this.reach.low), 0), 1);
@@ -75,8 +100,7 @@ export class Bars {
     bar.tabIndex = isChosen ? 0 : -1;
     const { keys } = this.studio.store.current().document;
     const label = `${info.name} of key ${keys.indexOf(key) + 1}`;
-    bar.title = `${label}: ${written(value)}`;
-    const said = { 'aria-label': label, 'aria-valuetext': written(value), 'aria-valuemin': info.min, 'aria-valuemax': info.max, 'aria-valuenow': value };
+    const said = { 'aria-label': label, 'aria-description': this.meaning, 'aria-valuetext': written(value), 'aria-valuemin': info.min, 'aria-valuemax': info.max, 'aria-valuenow': value };
     for (const [name, text] of Object.entries(said)) bar.setAttribute(name, String(text));
   }
 
@@ -104,14 +128,19 @@ export class Bars {
     this.bars.get(id)?.focus();
     const perPixel = (this.reach.high - this.reach.low) / height;
     this.isPulled = true;
+    this.explain(id);
     return {
-      moved: (_: number, dy: number, gesture: object) => this.set(id, dy === 0 ? before : Number((before - dy * perPixel).toPrecision(digits)), gesture),
+      moved: (_: number, dy: number, gesture: object) => this.set(id, dy === 0 ? before : this.within(Number((before - dy * perPixel).toPrecision(digits)), before), gesture),
       ended: () => {
         this.isPulled = false;
+        if (event.pointerType !== 'mouse') this.explain(null);
         this.show();
       },
     };
   }
+
+  /** A pull ends where the bar does; the next one goes farther. */
+  private within = (value: number, before: number): number => Math.min(Math.max(value, Math.min(this.reach.low, before)), Math.max(this.reach.high, before));
 
   private hear(event: KeyboardEvent): void {
     const { document, chosen } = this.studio.store.current();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The keys at their times: full where the curve of A is smooth, hollow where velocity or acceleration jumps.
+// The keys at their times: full where the curve is smooth, hollow where velocity or acceleration jumps.
 import { element } from 'orispline-viewer/look/element';
-import { roundStep } from 'orispline-viewer/look/number';
 import { closestKeys } from 'orispline-viewer/plots/drawings';
 import type { Key } from '../document/document';
-import { timesFor } from '../edits/time';
+import { timesFor, timesForDrag, type Range } from '../edits/time';
+import { findingsIn } from '../store/findings';
 import { jumps, ordersOf, reachedText } from '../store/reached';
 import type { Studio } from '../store/studio';
 import type { Actions } from './actions';
@@ -14,9 +14,8 @@ import { svg, type Track } from './track';
 
 const reach = { mouse: 14, touch: 22 }; // [px]
 const onKey = 8; // [px]
-const besideKey = 2; // [px]
+const mark = 20; // [px] from a key to the next one at least, so that both are seen whole
 const nearStep = 0.01; // of the window
-const leastInterval = 0.05; // of the mean one, where keys are dense
 
 export const reachFor = ({ pointerType }: PointerEvent): number => (pointerType === 'mouse' ? reach.mouse : reach.touch);
 
@@ -26,6 +25,7 @@ export const stride = ({ shiftKey, ctrlKey }: KeyboardEvent): number => (shiftKe
 export class Dots {
   readonly element = element('div', { className: 'dots' });
   private readonly ticks = svg('svg', { 'aria-hidden': 'true' });
+  private readonly stops = element('div', { className: 'stops', hidden: true }); // between which a key may be dragged
   private readonly dots = new Map<number, HTMLElement>(); // by the id of the key
   private shown: Key[] = [];
   private places: number[] = [];
@@ -36,7 +36,7 @@ export class Dots {
     private readonly track: Track,
     private readonly actions: Actions,
   ) {
-    this.element.append(this.ticks);
+    this.element.append(this.ticks, this.stops);
     track.watch(() => this.show());
     studio.store.subscribe(['document', 'chosen', 'curves'], () => this.show());
     drags(this.element, (event) => this.grasp(event));
@@ -62,7 +62,7 @@ export class Dots {
     const state = this.studio.store.current();
     const { keys } = state.document;
     const near = keys.map((key, index) => ({ key, index, x: placeOf(scale, key.t) })).filter(({ key, x }) => (x >= 0 && x <= scale.width) || key.id === state.chosen);
-    this.ticks.replaceChildren(svg('path', { d: near.map(({ x }) => `M${x.toFixed(1)} 0v4`).join('') }));
+    this.ticks.replaceChildren(...this.spunSpans(), svg('path', { d: near.map(({ x }) => `M${x.toFixed(1)} 0v4`).join('') }));
     const kept = apart(near.map(({ x }) => x), closestKeys, near.findIndex(({ key }) => key.id === state.chosen)).map((i) => near[i]);
     this.shown = kept.map(({ key }) => key);
     this.places = kept.map(({ x }) => x);
@@ -76,6 +76,17 @@ export class Dots {
       this.dots.get(id)!.remove();
       this.dots.delete(id);
     }
+  }
+
+  /** Where the curve turns much farther than its keys. */
+  private spunSpans(): SVGElement[] {
+    const { store, methods } = this.studio;
+    const found = findingsIn(store.current(), methods);
+    const { scale } = this.track;
+    return (found?.spun ?? []).map((i) => {
+      const [x, to] = [placeOf(scale, found!.keys[i].t), placeOf(scale, found!.keys[i + 1].t)];
+      return svg('rect', { class: 'spun', x, y: 0, width: to - x, height: 30 });
+    });
   }
 
   private showDot(key: Key, index: number, x: number, order: number | undefined, isChosen: boolean): void {
@@ -109,19 +120,31 @@ export class Dots {
     this.studio.store.choose(id);
     this.focus();
     const { scale } = this.track; // as it is now: an end that is dragged changes it
-    return { moved: (dx: number, _: number, gesture: object) => this.actions.move(id, dx === 0 ? t : this.beside(id, roundTime(scale, t + dx * perPixel(scale))), gesture) };
+    const moved = (dx: number, _: number, gesture: object) => {
+      const wanted = dx === 0 ? t : roundTime(scale, t + dx * perPixel(scale));
+      const time = dx === 0 ? t : this.beside(id, wanted);
+      this.actions.move(id, time, gesture);
+      this.showStops(id, time !== wanted);
+    };
+    return { moved, ended: () => (this.stops.hidden = true) };
   }
 
-  /** A little off the neighbours, for nobody means to put two keys a microsecond apart; a key that is nearer may stay. Numbers can be typed. */
+  /** Off the neighbours, for nobody means to hide a key behind another one. Numbers can be typed. */
   private beside(id: number, time: number): number {
-    const { keys } = this.studio.store.current().document;
-    const index = keys.findIndex((key) => key.id === id);
-    if (index < 0) return time; // it was deleted while it was dragged
-    const [before, { t }, after] = [keys[index - 1], keys[index], keys[index + 1]];
-    const interval = (keys[keys.length - 1].t - keys[0].t) / (keys.length - 1);
-    const apart = Math.min(roundStep(besideKey * perPixel(this.track.scale)), leastInterval * interval);
-    const [low, high] = [before ? Math.min(before.t + apart, t) : -Infinity, after ? Math.max(after.t - apart, t) : Infinity];
-    return Number(Math.min(Math.max(time, low), high).toPrecision(15));
+    const { min, max } = this.stopsOf(id);
+    return Number(Math.min(Math.max(time, min), max).toPrecision(15));
+  }
+
+  private stopsOf = (id: number): Range => timesForDrag(this.studio.store.current().document, id, mark * perPixel(this.track.scale));
+
+  /** What a key is dragged between; `isHeld`: it does not follow the pointer. */
+  private showStops(id: number, isHeld: boolean): void {
+    const { scale } = this.track;
+    const [from, to] = Object.values(this.stopsOf(id)).map((time) => Math.min(Math.max(placeOf(scale, time), 0), scale.width));
+    this.stops.hidden = false;
+    this.stops.classList.toggle('is-held', isHeld);
+    this.stops.style.left = `${from}px`;
+    this.stops.style.width = `${Math.max(to - from, 0)}px`;
   }
 
   private hear(event: KeyboardEvent): void {

@@ -54,12 +54,14 @@ export class Timeline {
     const duplicate = button('Duplicate', 'Duplicate the chosen key (Ctrl+D)', () => this.actions.duplicate());
     const remove = button('Delete', 'Delete the chosen key (Delete)', () => this.actions.remove());
     const whole = sign('↔', 'Show all of the time', () => view.choose({ window: view.current().extent }));
+    duplicate.classList.add('rare');
+    this.parameterMenu.classList.add('rare');
     store.subscribe(['chosen', 'document'], ({ chosen, document }) => {
       duplicate.disabled = chosen === null;
       remove.disabled = chosen === null || document.keys.length < 3;
     });
     view.subscribe(['window', 'extent'], ({ window, extent }) => (whole.disabled = window[0] <= extent[0] && window[1] >= extent[1]));
-    const zoom = element('span', { className: 'buttons' }, sign('−', 'Zoom out', () => this.track.zoom(zoomStep)), sign('+', 'Zoom in', () => this.track.zoom(1 / zoomStep)), whole);
+    const zoom = element('span', { className: 'buttons rare' }, sign('−', 'Zoom out', () => this.track.zoom(zoomStep)), sign('+', 'Zoom in', () => this.track.zoom(1 / zoomStep)), whole);
     const legend = element('span', { className: 'legend', title: Object.entries(marks).flat().join(' ') }, '◆ smooth ◇ jump');
     return element('div', { className: 'title' }, element('h2', {}, 'Time'), legend, element('span', { className: 'buttons' }, insert, duplicate, remove), this.parameterMenu, ...tools, zoom);
   }

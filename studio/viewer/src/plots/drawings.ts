@@ -3,7 +3,7 @@
 import type uPlot from 'uplot';
 import type { Numbers } from '../data/numbers';
 import { widths, type Colours } from '../look/theme';
-import type { PlacedBand, Points } from '../quantities/quantity';
+import type { Flags, PlacedBand, Points } from '../quantities/quantity';
 
 export const closestKeys = 12; // [px] keys nearer to each other than this are not marked
 export const cell = 7; // [px] of several marks in a square of this size one is drawn
@@ -39,6 +39,27 @@ export function markKeys(plot: uPlot, keys: Numbers, colours: Colours): boolean 
   }
   ctx.restore();
   return areThinned;
+}
+
+/** Stretches of time in full height, and moments as lines. */
+export function drawFlags({ ctx, bbox, valToPos }: uPlot, { spans, times }: Flags, colours: Colours): void {
+  const placeOf = (time: number) => Math.min(Math.max(valToPos(time, 'x', true), bbox.left), bbox.left + bbox.width);
+  ctx.save();
+  ctx.fillStyle = ctx.strokeStyle = colours.limit;
+  ctx.globalAlpha = 0.16;
+  for (const [from, to] of spans) ctx.fillRect(placeOf(from), bbox.top, placeOf(to) - placeOf(from), bbox.height);
+  ctx.globalAlpha = 1;
+  ctx.lineWidth = 2 * devicePixelRatio;
+  ctx.setLineDash([3, 3].map((length) => length * devicePixelRatio));
+  ctx.beginPath();
+  for (const time of times) {
+    const x = valToPos(time, 'x', true);
+    if (x < bbox.left || x > bbox.left + bbox.width) continue;
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+  }
+  ctx.stroke();
+  ctx.restore();
 }
 
 /** A dashed line that nothing is to cross. */

@@ -9,7 +9,7 @@ import type { Colours } from '../look/theme';
 import type { Course, Line, PlacedBand, Quantity } from '../quantities/quantity';
 import type { State, Store } from '../store/store';
 import { aligned } from './aligned';
-import { drawBand, drawLimit, drawMarks, markKeys } from './drawings';
+import { drawBand, drawFlags, drawLimit, drawMarks, markKeys } from './drawings';
 import { rangeOf, shownOf, type Cut } from './range';
 import type { Turns } from './turns';
 
@@ -59,7 +59,7 @@ interface Hooks {
   thinned: (what: keyof Thinned, is: boolean) => void;
 }
 
-function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, drawn, placed, thinned }: Hooks, { width, height }: Size): uPlot.Options {
+function optionsOf(store: Store, { limit, marks, flags }: Quantity, { ready, range, drawn, placed, thinned }: Hooks, { width, height }: Size): uPlot.Options {
   const { current, moveTo } = store;
   const { lines, colours } = drawn();
   const axis = { stroke: colours.faint, font, ticks: { stroke: colours.grid, size: 4 } };
@@ -67,6 +67,7 @@ function optionsOf(store: Store, { limit, marks }: Quantity, { ready, range, dra
     const { keys, band } = drawn();
     thinned('keys', markKeys(plot, keys, colours));
     if (band) drawBand(plot, band, colours);
+    if (flags) drawFlags(plot, flags(), colours);
   };
   return {
     width,

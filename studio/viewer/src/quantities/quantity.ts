@@ -27,6 +27,12 @@ export interface Points extends Course {
   label: string;
 }
 
+/** Stretches of time, and moments. */
+export interface Flags {
+  spans: [from: number, to: number][];
+  times: number[];
+}
+
 /** A band in the colour of its method. */
 export interface PlacedBand extends Band {
   place: 'first' | 'second';
@@ -43,6 +49,7 @@ export interface Quantity {
   lines: (state: State, colours: Colours) => Line[];
   marks?: Points;
   band?: (state: State) => PlacedBand | undefined;
+  flags?: () => Flags; // what stands out in time; as it is when the plot is drawn
   text?: (value: number, state: State) => string; // how its values are written; else with four digits
 }
 
