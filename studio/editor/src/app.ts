@@ -5,15 +5,21 @@ import './style/studio.css';
 import type { StudioDocument } from './document/document';
 import { sentence } from './document/sentence';
 import { motion } from './document/templates';
+import { sha256 } from './engine/hash';
 import type { Curves, Engine, MethodInfo, Opened, Trouble } from './engine/protocol';
-import { hearDrops, opened as openedOf, picked, type Given } from './frame/opening';
+import { curesOf } from './frame/cures';
+import { Notices, type Action } from './frame/notices';
+import { hearDrops, hearOpen, opened as openedOf, picked, type Given } from './frame/opening';
 import { Session } from './frame/session';
 import { product, Start } from './frame/start';
 import { givenOf } from './frame/welcome';
 import { Draft } from './store/draft';
+import { keepLooks, keepOpen, keptLooks, keptOpen, type Looks } from './store/kept';
 
 export class App {
   private readonly start = new Start();
+  private readonly notices = new Notices(); // while nothing is open
+  private page = ''; // which page this is, for a reload of it
   private methods: readonly MethodInfo[] = [];
   private session: Session | null = null;
   private asked = 0; // times that something was to be opened
@@ -23,7 +29,9 @@ export class App {
     private readonly place: HTMLElement,
     private readonly engine: Engine,
   ) {
+    this.start.element.append(this.notices.element);
     hearDrops(place, () => this.front, (given) => void this.open(given));
+    hearOpen(place, () => void this.pick());
     engine.onCurves((curves, of) => {
       const { awaited } = this;
       if (of === awaited?.document) {
@@ -39,11 +47,15 @@ export class App {
     return this.session;
   }
 
+  /** With what was open when this page was loaded before, else with what is given. */
   async begin(given: Given | null): Promise<void> {
     this.place.append(this.start.element);
+    this.page = `${location.pathname} ${given ? sha256(given.bytes) : ''}`;
     try {
       this.methods = await this.engine.ask('methods', null);
-      if (given) await this.open(given);
+      const kept = keptOpen(() => sessionStorage, this.page);
+      if (kept) await this.show({ ...kept, warnings: [] }, kept.looks);
+      else if (given) await this.open(given);
       else if (this.asked === 0) await this.open(givenOf(motion), true);
     } catch (trouble) {
       this.tell(sentence((trouble as Trouble).message));
@@ -55,10 +67,10 @@ export class App {
     const asked = ++this.asked;
     try {
       const opened = await openedOf(this.engine, this.front, given);
-      if (opened && !(isOpening && asked !== this.asked)) await this.show(opened, given, isOpening);
+      if (opened && !(isOpening && asked !== this.asked)) await this.show(opened, { ...keptLooks(() => localStorage), ...given.looks }, given, isOpening);
     } catch (reason) {
       const { message, line } = reason as Trouble;
-      this.tell(`${given.name}${line === undefined ? '' : `:${line}`}: ${sentence(message)}`);
+      this.tell(`${given.name}${line === undefined ? '' : `:${line}`}: ${sentence(message)}`, curesOf(reason as Trouble, given, () => this.front, (changed) => void this.open(changed)));
     }
   }
 
@@ -66,9 +78,8 @@ export class App {
     return this.session?.screen.element ?? this.start.element;
   }
 
-  private tell(sentence: string): void {
-    if (this.session) this.session.screen.notices.tell(sentence, { isTrouble: true });
-    else this.start.tell(sentence);
+  private tell(sentence: string, actions: Action[] = []): void {
+    (this.session?.screen.notices ?? this.notices).tell(sentence, { isRefusal: true, actions });
   }
 
   private async pick(): Promise<void> {
@@ -80,19 +91,26 @@ export class App {
     }
   }
 
-  private async show(opened: Opened, given: Given, isOpening: boolean): Promise<void> {
-    const { original, document } = opened;
-    const draft = new Draft({ hash: original.hash, opened: document, shelf: () => localStorage, tell: (sentence) => this.tell(sentence) });
+  private async show(opened: Opened, looks: Looks, given?: Given, isOpening = false): Promise<void> {
+    const { original, document } = opened, { reading } = original;
+    const hash = original.hash + (reading ? ` ${JSON.stringify(reading)}` : '');
+    const draft = new Draft({ hash, opened: document, shelf: () => localStorage, tell: (sentence) => this.tell(sentence) });
     this.session?.keepDraft(); // it may be that of the same file
-    const first = draft.read() ?? document;
-    const curves = await this.curvesOf(first);
-    const theme = this.session?.theme ?? null;
+    const work = draft.read();
+    const curves = await this.curvesOf(work?.document ?? document);
     this.session?.end();
     this.start.element.remove();
-    const handle = original.name === given.name ? given.handle : undefined; // keys of a recording are not written over it
-    const setting = { engine: this.engine, methods: this.methods, theme, looks: given.looks, handle, open: () => void this.pick(), begins: isOpening ? (given: Given) => void this.open(given) : undefined };
-    this.session = new Session(opened, first, curves, draft, setting);
+    const handle = original.name === given?.name ? given.handle : undefined; // keys of a recording are not written over it
+    const cures = given ? (warning: { remedy?: string }) => curesOf(warning, given, () => this.front, (changed) => void this.open(changed), false) : () => [];
+    const begins = isOpening ? (chosen: Given) => void this.open(chosen) : undefined;
+    this.session = new Session(opened, work, curves, draft, { engine: this.engine, methods: this.methods, looks, handle, open: () => void this.pick(), begins, cures });
     this.place.append(this.session.screen.element);
+    let isFirst = true;
+    this.session.onLooks((now) => {
+      if (!isFirst) keepLooks(() => localStorage, now);
+      isFirst = false;
+      if (!isOpening) keepOpen(() => sessionStorage, this.page, { original, document, looks: now });
+    });
     window.document.title = isOpening ? product : `${original.name} – ${product}`;
     this.session.begin();
   }

@@ -2,6 +2,7 @@
 // What the worker does with files, in a test: by the npm package where ORISPLINE_NPM is the folder of it, else by a small reader of simple
 // tables that knows nothing of the studio's.
 import { pathToFileURL } from 'node:url';
+import { isDeepStrictEqual } from 'node:util';
 
 const parameters = ['tension', 'tension2', 'bias', 'continuity'];
 const triples = (numbers) => Array.from({ length: numbers.length / 3 }, (_, i) => [...numbers.slice(3 * i, 3 * i + 3)]);
@@ -58,6 +59,29 @@ async function realRead() {
 
 const readWhole = process.env.ORISPLINE_NPM ? await realRead() : (text) => ({ keys: simpleRead(text) });
 
+/** A method with its settings in one order, with numbers in one form, as far as a test needs it. */
+const settled = (text) => {
+  const [name, ...pieces] = text.split(':');
+  return [name, ...pieces.map((piece) => piece.replace(/[^=,]+/g, (word) => (Number.isNaN(Number(word)) ? word : String(Number(word))))).sort()].join(':');
+};
+
+/** The method in the comment of a file; lists in it are values of the keys, other settings stand above the columns of their names. */
+function openedAs(text, name) {
+  const stated = /^\uFEFF?[ \t]*#[ \t]*orispline:(?:.*[ \t])?method=([^ \t\r\n]+)/m.exec(text)?.[1] ?? 'auto';
+  const lists = [...stated.matchAll(/:(\w+)=([^:]+,[^:]+)/g)].map(([, one, values]) => [one, values.split(',').map(Number)]);
+  const method = settled(stated.replace(/:\w+=[^:,]+,[^:]+/g, ''));
+  const own = readWhole(text, name).keys.map((key, k) => ({
+    ...Object.fromEntries(Object.entries(key.own).filter(([one]) => !method.includes(`:${one}=`))),
+    ...Object.fromEntries(lists.map(([one, values]) => [one, values[k]])),
+  }));
+  return { method, own };
+}
+
+const reopens = ({ text, name, choice, own }) => {
+  const opened = openedAs(text, name), wanted = [choice.method, ...Object.entries(choice.settings).map(([one, value]) => (value === true ? one : `${one}=${value}`))];
+  return opened.method === settled(wanted.join(':')) && isDeepStrictEqual(opened.own, own);
+};
+
 /** Only files: what is asked beside these fails. `asked` has the names of all questions. */
 export function fileEngine() {
   const asked = [];
@@ -66,6 +90,7 @@ export function fileEngine() {
     async ask(name, given) {
       asked.push(name);
       if (name === 'read') return readWhole(given.text, given.name).keys;
+      if (name === 'reopens') return reopens(given);
       if (name === 'write') return `all ${given.keys.length} keys anew`;
       throw new Error(name);
     },

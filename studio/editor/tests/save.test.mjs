@@ -49,7 +49,8 @@ test('a text of any form stays as it is while no key is changed, but for the lin
   const turned = [[1, 0, 0, 0], [Math.cos(Math.PI / 36), 0, 0, Math.sin(Math.PI / 36)]];
   const keys = turned.map((q, i) => ({ id: i + 1, row: i, t: i, q, p: null, rates: [], own: {} }));
   const rowsOf = (text) => text.split('\n').slice(1).join('\n');
-  const engine = { ask: async (name, { text }) => (name === 'read' && rowsOf(text) === rowsOf(euler) ? keys : 'anew') };
+  const isOf = (text, { method }) => text.startsWith(`# orispline: method=${method}\n`);
+  const engine = { ask: async (name, { text, choice }) => (name === 'reopens' ? isOf(text, choice) : name === 'read' && rowsOf(text) === rowsOf(euler) ? keys : 'anew') };
   const opened = { version: 1, keys, first: { method: 'slerp', settings: {} }, second: auto };
   const savedAs = (document) => savedText(originalOf(euler, '5'), document, engine, opened);
   assert.deepEqual(await savedAs(opened), { text: euler, isWhole: false });
@@ -121,7 +122,7 @@ test('rates of a new key are left free, those of a copy are written', async () =
   assert.equal(await saved(text, '0', (document) => edit.duplicated(document, 1).document), text.replace('1,0.8', '0.5,1,0,0,0,0.5,0,0\n1,0.8'));
 });
 
-test('a file that is not simple is written anew, all of it', async () => {
+test('a file that is not simple is written anew, all of it, under a name that is asked for', async () => {
   const turn = (document) => edit.turnedTo(document, 2, [0.6, 0.8, 0, 0]);
   const document = turn(documentIn(plain));
   for (const text of [plain.replace(',qw ,', ',w,'), plain.replace(',t,', ',moment,'), plain.replace('# between', 'x,11,1,0,0,0,0,0,0,0,0'), 'no table', '']) {
@@ -148,15 +149,22 @@ test('what the library reads otherwise than it was meant is not saved so', async
   assert.equal((await savedText(originalOf(plain, '10.5'), documentIn(plain), engine, documentIn(plain))).isWhole, true);
 });
 
-test('the comment that names the method is that of the curve, and stays while it is', async () => {
+test('the comment that names the method is that of the curve, and is put there where the file would open with another one', async () => {
   const stated = (method) => `# one\n# orispline: method=${method} signs=shortest\nt,qw,qx,qy,qz\n0,1,0,0,0\n1,0.8,0.6,0,0\n`;
   const first = { method: 'timed-c2', settings: { ends: 'rest', tension: 0.5 } };
   const same = (document) => document;
   const changed = (document) => ({ ...document, first });
-  assert.equal(await saved(stated('slerp'), '0', same, { first }), stated('slerp'));
+  assert.equal(await saved(stated('slerp'), '0', same, { first: { method: 'slerp', settings: {} } }), stated('slerp'));
+  assert.equal(await saved(stated('slerp'), '0', same, { first }), stated('timed-c2:ends=rest:tension=0.5'));
   assert.equal(await saved(stated('slerp'), '0', changed), stated('timed-c2:ends=rest:tension=0.5'));
   assert.equal(await saved(stated('timed-c2:tension=0.50:ends=rest'), '0', changed), stated('timed-c2:tension=0.50:ends=rest'));
-  assert.equal(await saved(plain, '10.5', changed), plain);
+  assert.equal(await saved(plain, '10.5', same), plain);
+  const line = '# orispline: method=timed-c2:ends=rest\r\n', resting = (document) => ({ ...document, first: { method: 'timed-c2', settings: { ends: 'rest' } } });
+  assert.equal(await saved(plain, '10.5', resting), plain.replace('\uFEFF', `\uFEFF${line}`));
+  const gaps = (words) => `# orispline: ${words}\nt,qw,qx,qy,qz\n0,1,0,0,0\n1,0.8,0.6,0,0\n`;
+  assert.equal(await saved(gaps('gap=0.5'), '0', resting), gaps('method=timed-c2:ends=rest gap=0.5'));
+  const tum = '1.5 0 0 0 0 0 0 1\n2.5  1 0 0 0 0 0.6 0.8\n';
+  assert.equal(await saved(tum, '1.5', resting, { name: 'walk.tum' }), `# orispline: method=timed-c2:ends=rest\n${tum}`);
 });
 
 test('a column that a setting stands above stays; values from a list in the method become one when they are changed', async () => {

@@ -167,7 +167,7 @@ test('thirty random walks of 200 edits: undo leads to the start, redo to the end
       store.edit(drawnEdit(store, random), gesture);
       const { document } = store.current();
       assert.ok(sound(document), `seed ${seed}, edit ${i}`);
-      assert.deepEqual(draftIn(draftText(document, 0), start), document, `seed ${seed}, edit ${i}`);
+      assert.deepEqual(draftIn(draftText(workOf(document), 0), start), workOf(document), `seed ${seed}, edit ${i}`);
     }
     const end = store.current().document;
     while (store.current().canUndo) store.undo();
@@ -219,6 +219,8 @@ function clockOf() {
   };
 }
 
+const workOf = (document) => ({ document, past: [], future: [], saved: document });
+
 const draftOf = (shelf, clock, more = {}) => {
   const told = [];
   return { told, draft: new Draft({ hash: 'abc', opened: four, shelf: () => shelf, tell: (sentence) => told.push(sentence), clock, ...more }) };
@@ -233,14 +235,51 @@ test('a draft is written now and then, and read back', () => {
   assert.equal(shelf.writings, 0);
   clock.pass(1000);
   assert.equal(shelf.writings, 1);
-  assert.deepEqual(draft.read(), store.current().document);
+  assert.deepEqual(draft.read(), store.work());
   turn(store, 0.1);
   draft.flush();
-  assert.deepEqual(draft.read(), store.current().document);
+  assert.deepEqual(draft.read(), store.work());
   assert.deepEqual(told, []);
 });
 
-test('what is as it was opened needs no draft', () => {
+test('steps back and forth come again with the draft, and whether it is saved', () => {
+  const [shelf, clock] = [shelfOf(), clockOf()];
+  const { draft } = draftOf(shelf, clock);
+  const store = createStore(four);
+  draft.follow(store);
+  const documents = [four];
+  for (let i = 0; i < 50; i++) {
+    turn(store, 0.01);
+    documents.push(store.current().document);
+    if (i === 20) store.tellSaved();
+  }
+  for (let i = 0; i < 7; i++) store.undo();
+  draft.flush();
+  const work = draft.read();
+  assert.deepEqual(work, store.work());
+  const again = createStore(work.document, work.saved, work);
+  for (let i = 0; i < 7; i++) again.redo();
+  for (const document of documents.toReversed()) {
+    assert.deepEqual(again.current().document, document);
+    assert.equal(again.current().isSaved, document === documents[21]);
+    again.undo();
+  }
+  assert.equal(again.current().canUndo, false);
+  assert.ok(shelf.getItem('orispline-studio:abc').length < 60 * 200, 'a step holds what it changed');
+});
+
+test('where there is no room for all steps the last ones are kept', () => {
+  const store = createStore(four);
+  for (let i = 0; i < 300; i++) turn(store, 0.01);
+  const { draft, told } = draftOf(shelfOf(draftText(store.work(), 1, 100).length + 50), clockOf());
+  draft.keep(store.work());
+  draft.flush();
+  assert.deepEqual(told, []);
+  assert.deepEqual(draft.read().past, store.work().past.slice(-100));
+  assert.deepEqual(draft.read().document, store.current().document);
+});
+
+test('what is as it was opened, without a step, needs no draft', () => {
   const [shelf, clock] = [shelfOf(), clockOf()];
   const { draft } = draftOf(shelf, clock);
   const store = createStore(four);
@@ -249,6 +288,9 @@ test('what is as it was opened needs no draft', () => {
   draft.flush();
   assert.equal(shelf.length, 1);
   store.undo();
+  draft.flush();
+  assert.deepEqual(draft.read(), store.work()); // what was undone can be done again
+  draft.keep(workOf(four));
   draft.flush();
   assert.equal(shelf.length, 0);
   turn(store, 0.1);
@@ -260,22 +302,23 @@ test('what is as it was opened needs no draft', () => {
 test('a draft holds free rates and the sign of 0', () => {
   const keys = keysOfAngles([0, 1], (i) => ({ q: [-0, 0, 0, 1], rates: [i ? [NaN, NaN, NaN] : [-0, 1, 2]] }));
   const document = documentOf(keys, { method: 'timed-c2', settings: { closed: true, ends: 'rest', tension: -0 } });
-  assert.deepEqual(draftIn(draftText(document, 5), document), document);
+  assert.deepEqual(draftIn(draftText(workOf(document), 5), document), workOf(document));
 });
 
 test('a draft that is damaged or of something else is none', () => {
-  const whole = JSON.parse(draftText(four, 7));
-  assert.deepEqual(draftIn(JSON.stringify(whole), four), four);
-  const key = whole.document.keys[1];
+  const whole = JSON.parse(draftText({ ...workOf(edit.turnedInWorld(four, 2, [0, 0, 1])), past: [four] }, 7));
+  assert.ok(draftIn(JSON.stringify(whole), four));
+  const key = whole.keys[1];
   const damages = [
-    (d) => (d.draft = 2), (d) => (d.document.version = 2), (d) => (d.document.keys = []), (d) => (d.document.keys = {}), (d) => d.document.keys.splice(0),
-    (d) => (d.document.keys[1].t = 0), (d) => (d.document.keys[1].t = '1'), (d) => (d.document.keys[1].t = null), (d) => (d.document.keys[1].id = 1),
-    (d) => (d.document.keys[1].id = -1), (d) => (d.document.keys[1].row = 0), (d) => (d.document.keys[3].row = 4), (d) => (d.document.keys[1].q = [1, 0, 0]),
-    (d) => (d.document.keys[1].q = [2, 0, 0, 0]), (d) => (d.document.keys[1].q = [null, 0, 0, 1]), (d) => (d.document.keys[1].p = [0, 0, 0]),
-    (d) => (d.document.keys[1].rates = [[0, 0, 0]]), (d) => (d.document.keys[1].own = { tension: 1 }), (d) => (d.document.keys[1].own = []),
-    (d) => (d.document.first = null), (d) => (d.document.first.method = 5), (d) => (d.document.first.method = 'x'.repeat(101)),
-    (d) => (d.document.second.settings = { ends: {} }), (d) => (d.document.second.settings = { ends: null }), (d) => (d.document = null),
-    (d) => (d.document.keys = Array.from({ length: 1001 }, (_, i) => ({ ...key, id: i, row: null, t: i }))),
+    (d) => (d.draft = 1), (d) => (d.keys = []), (d) => (d.keys = {}), (d) => d.keys.splice(0), (d) => (d.keys[1].t = 0), (d) => (d.keys[1].t = '1'), (d) => (d.keys[1].t = null),
+    (d) => (d.keys[1].id = 1), (d) => (d.keys[1].id = -1), (d) => (d.keys[1].row = 0), (d) => (d.keys[3].row = 4), (d) => (d.keys[1].q = [1, 0, 0]),
+    (d) => (d.keys[1].q = [2, 0, 0, 0]), (d) => (d.keys[1].q = [null, 0, 0, 1]), (d) => (d.keys[1].p = [0, 0, 0]),
+    (d) => (d.keys[1].rates = [[0, 0, 0]]), (d) => (d.keys[1].own = { tension: 1 }), (d) => (d.keys[1].own = []),
+    (d) => (d.choices[0] = null), (d) => (d.choices[0].method = 5), (d) => (d.choices[0].method = 'x'.repeat(101)),
+    (d) => (d.choices[1].settings = { ends: {} }), (d) => (d.choices[1].settings = { ends: null }), (d) => (d.steps = null), (d) => (d.steps[0] = null),
+    (d) => (d.steps[0].removed = 1), (d) => (d.steps[1].from = 9), (d) => d.steps[1].keys.push(99), (d) => (d.steps[1].first = 5), (d) => (d.steps[0].keys = []),
+    (d) => (d.now = 2), (d) => (d.now = -1), (d) => (d.saved = 2), (d) => (d.saved = 'x'),
+    (d) => ([d.keys, d.steps[0].keys, d.steps[1]] = [Array.from({ length: 1001 }, (_, i) => ({ ...key, id: i, row: null, t: i })), Array.from({ length: 1001 }, (_, i) => i), { ...d.steps[1], removed: 0, keys: [] }]),
   ];
   for (const damage of damages) {
     const damaged = structuredClone(whole);
@@ -291,7 +334,7 @@ test('the newest twenty drafts are kept, and nothing that is not a draft is touc
   const changed = edit.turnedInWorld(four, 2, [0, 0, 1]);
   for (let i = 0; i < 25; i++) {
     const { draft } = draftOf(shelf, clock, { hash: `file ${i}` });
-    draft.keep(changed);
+    draft.keep(workOf(changed));
     clock.pass(1000);
   }
   assert.equal(shelf.length, 21);
@@ -302,11 +345,11 @@ test('the newest twenty drafts are kept, and nothing that is not a draft is touc
 
 test('where the shelf is full older drafts go; where that is not enough one sentence says so, once', () => {
   const changed = edit.turnedInWorld(four, 2, [0, 0, 1]);
-  const size = draftText(changed, 1).length;
+  const size = draftText(workOf(changed), 1).length;
   const [shelf, clock] = [shelfOf(2.5 * size), clockOf()];
   for (const hash of ['one', 'two', 'three']) {
     const { draft, told } = draftOf(shelf, clock, { hash });
-    draft.keep(changed);
+    draft.keep(workOf(changed));
     clock.pass(1000);
     assert.deepEqual(told, []);
   }
@@ -314,7 +357,7 @@ test('where the shelf is full older drafts go; where that is not enough one sent
   const full = shelfOf(0.5 * size);
   const { draft, told } = draftOf(full, clock);
   for (let i = 0; i < 3; i++) {
-    draft.keep(changed);
+    draft.keep(workOf(changed));
     draft.flush();
   }
   assert.equal(told.length, 1);
@@ -328,7 +371,7 @@ test('a browser that keeps nothing is one sentence, never an exception', () => {
     },
   });
   assert.equal(draft.read(), null);
-  draft.keep(edit.turnedInWorld(four, 2, [0, 0, 1]));
+  draft.keep(workOf(edit.turnedInWorld(four, 2, [0, 0, 1])));
   draft.flush();
   draft.drop();
   assert.equal(told.length, 1);

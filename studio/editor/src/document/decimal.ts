@@ -34,6 +34,17 @@ export const sum = (one: Decimal, other: Decimal): Decimal => combined(one, othe
 export const difference = (one: Decimal, other: Decimal): Decimal => combined(one, other, (a, b) => a - b);
 export const equal = (one: Decimal, other: Decimal): boolean => difference(one, other).digits === 0n;
 
+export const times = (one: Decimal, other: Decimal): Decimal => ({ digits: one.digits * other.digits, exponent: one.exponent + other.exponent });
+
+/** With so many decimals, of which the last is rounded, halves away from zero. */
+export function quotient(one: Decimal, other: Decimal, decimals: number): Decimal {
+  const power = one.exponent - other.exponent + decimals;
+  const [over, under] = power >= 0 ? [one.digits * 10n ** BigInt(power), other.digits] : [one.digits, other.digits * 10n ** BigInt(-power)];
+  const size = (number: bigint): bigint => (number < 0n ? -number : number);
+  const digits = (2n * size(over) + size(under)) / (2n * size(under));
+  return { digits: over < 0n === under < 0n ? digits : -digits, exponent: -decimals };
+}
+
 /** Times a power of ten. */
 export const shifted = ({ digits, exponent }: Decimal, by: number): Decimal => ({ digits, exponent: exponent + by });
 

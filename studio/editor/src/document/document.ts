@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is edited: keys, and the two methods whose curves go through them. Plain data; nothing in it is ever changed.
+import type { Reading } from './reading';
 
 export type Quaternion = readonly [w: number, x: number, y: number, z: number]; // of norm 1
 export type Vector = readonly [x: number, y: number, z: number];
@@ -37,6 +38,7 @@ export interface Original {
   readonly text: string; // all of it; '' where it was no text
   readonly hash: string; // SHA-256 of its bytes, hexadecimal
   readonly epoch: string; // what times count from [s], exact
+  readonly reading?: Reading; // what the user has said of it
 }
 
 /** What the page calls the two curves. */

@@ -6,7 +6,7 @@ const sameNumbers = (some: readonly number[], others: readonly number[]): boolea
   some === others || (some.length === others.length && some.every((number, i) => Object.is(number, others[i])));
 
 /** Of numbers and words, in any order of their names. */
-function sameMembers(some: Readonly<Record<string, unknown>>, others: Readonly<Record<string, unknown>>): boolean {
+export function sameMembers(some: Readonly<Record<string, unknown>>, others: Readonly<Record<string, unknown>>): boolean {
   const names = Object.keys(some);
   return some === others || (names.length === Object.keys(others).length && names.every((name) => name in others && Object.is(some[name], others[name])));
 }

@@ -5,11 +5,11 @@ import type { StudioDocument } from '../document/document';
 import type { Redrawn } from './drawings';
 import { Latest } from './latest';
 import type { Answered, Asked } from './messages';
-import type { Curves, Drawn, Engine, Given, Name, Told, Trouble } from './protocol';
+import { stopped, type Curves, type Drawn, type Engine, type Given, type Name, type Told, type Trouble } from './protocol';
 import { troubleOf } from './trouble';
 
 type Listener = (curves: Curves, of: StudioDocument) => void;
-type Waiting = { resolve: (told: unknown) => void; reject: (trouble: Trouble) => void };
+type Waiting = { resolve: (told: unknown) => void; reject: (trouble: Trouble) => void; progress?: (share: number) => void };
 
 /** Samples that are drawn of so many keys. */
 const countFor = (keys: number): number => Math.max(600, 4 * keys + 1);
@@ -18,7 +18,7 @@ const without: Trouble = { message: `The library cannot be started here, since t
 const closed: Trouble = { message: 'The library was closed, so it answers no more; load the page again.' };
 
 export class WorkerEngine implements Engine {
-  private readonly worker: Worker | null;
+  private worker: Worker | null;
   private readonly waiting = new Map<number, Waiting>();
   private readonly listeners: Listener[] = [];
   private readonly drawings = new Latest<StudioDocument>((document) => this.drawn(document));
@@ -27,13 +27,16 @@ export class WorkerEngine implements Engine {
   private last = 0;
 
   /** `library`: the bytes of its .wasm, compressed by gzip and written as base64. */
-  constructor(start: () => Worker, library: string) {
-    this.worker = this.started(start);
+  constructor(
+    private readonly start: () => Worker,
+    private readonly library: string,
+  ) {
+    this.worker = this.started();
     this.post({ library });
   }
 
-  ask<N extends Exclude<Name, 'curves'>>(name: N, given: Given<N>): Promise<Told<N>> {
-    return this.asked(name, given) as Promise<Told<N>>;
+  ask<N extends Exclude<Name, 'curves'>>(name: N, given: Given<N>, progress?: (share: number) => void): Promise<Told<N>> {
+    return this.asked(name, given, progress) as Promise<Told<N>>;
   }
 
   draw(document: StudioDocument): void {
@@ -44,14 +47,23 @@ export class WorkerEngine implements Engine {
     this.listeners.push(listener);
   }
 
+  /** The library cannot be interrupted, so that its worker is ended and another one begins. */
+  stop(): void {
+    if (this.failed) return;
+    this.worker?.terminate();
+    this.refuse(stopped);
+    this.worker = this.started();
+    this.post({ library: this.library });
+  }
+
   close(): void {
     this.worker?.terminate();
     this.fail(closed);
   }
 
-  private started(start: () => Worker): Worker | null {
+  private started(): Worker | null {
     try {
-      const worker = start();
+      const worker = this.start();
       worker.addEventListener('message', ({ data }: MessageEvent<Answered>) => this.take(data));
       worker.addEventListener('error', (event) => {
         event.preventDefault();
@@ -68,16 +80,17 @@ export class WorkerEngine implements Engine {
     this.worker?.postMessage(asked);
   }
 
-  private asked(name: Name, given: Given<Name>): Promise<unknown> {
+  private asked(name: Name, given: Given<Name>, progress?: (share: number) => void): Promise<unknown> {
     return new Promise((resolve, reject) => {
       if (this.failed) return reject(this.failed);
-      this.waiting.set(++this.last, { resolve, reject });
+      this.waiting.set(++this.last, { resolve, reject, progress });
       this.post({ number: this.last, name, given });
     });
   }
 
   private take(answered: Answered): void {
     const waiting = this.waiting.get(answered.number);
+    if ('share' in answered) return waiting?.progress?.(answered.share);
     this.waiting.delete(answered.number);
     if ('trouble' in answered) waiting?.reject(answered.trouble);
     else waiting?.resolve(answered.told);
@@ -85,6 +98,10 @@ export class WorkerEngine implements Engine {
 
   private fail(trouble: Trouble): void {
     this.failed ??= trouble;
+    this.refuse(trouble);
+  }
+
+  private refuse(trouble: Trouble): void {
     for (const { reject } of this.waiting.values()) reject(trouble);
     this.waiting.clear();
   }
@@ -96,6 +113,7 @@ export class WorkerEngine implements Engine {
       const whole = (which: keyof Curves): Drawn => (told[which] === 'same' ? this.curves![which] : told[which]);
       curves = this.curves = { first: whole('first'), second: whole('second') };
     } catch (reason) {
+      if (reason === stopped) return this.drawn(document);
       const trouble = troubleOf(reason);
       curves = { first: { trouble }, second: { trouble } };
     }

@@ -1,23 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// The library's cures are options that the page has not: here they are those of the command.
+// The library's cures are options, which nobody can type on the page: it offers to do what they do, so that its sentences leave them out.
 
-const studio = 'orispline studio';
-const commands = { position_tolerance: 'orispline reduce' } as Readonly<Record<string, string>>;
+const ofSkeletons = /(?:it|glTF) is read with `input_format` (\w+), or without that option under a name that ends in \.\w+/;
+const skeleton = 'the studio edits one track; the command orispline studio makes a page of one joint of a skeleton';
 
-const nameOf = (option: string): string => `--${(option === 'representation' ? 'input_orientation' : option).replaceAll('_', '-')}`;
+/** What is said of options within sentences, and what stands there on the page. */
+const said: readonly [RegExp, string][] = [
+  [/, or `unwrap` if the clock came round/, ''],
+  [/; set `time_scale` if they are not/, ''],
+  [/; if they are microseconds, set `time_scale` to 1e-6/, '; they may be microseconds'],
+  [/(?:; | and )set `signs` to as-given to turn as the angles say/, ''],
+  [/; set `smoothing_time` for more or less/, ''],
+  [/; `normalise` takes the nearest rotation/, ''],
+  [/; add `position_tolerance` LENGTH to bound them/, ''],
+  [/, and read these with `fps` and `columns` .*/, ', and open these'],
+  [/; if another column has the rest of the time, name both, such as t=sec\+nanosec/, '; another column may have the rest of the time'],
+];
 
-/** Such as `--time-scale of orispline studio`. */
-const optionOf = (name: string): string => `${nameOf(name)} of ${commands[name] ?? studio}`;
+/** Words of the library for what mends a file, by the options that it names within a sentence. */
+const remedies: Readonly<Record<string, string>> = { normalise: 'norms', time_scale: 'time_scale' };
 
-const oneJoint = 'the studio edits one track, so take that of one joint: orispline convert walk.bvh --joint hips -o keys.csv';
-
-/** Files of skeletons, which this module does not read under any name; what else may be in such a file goes on behind it. */
-const ofSkeletons = /(?:it|glTF) is read with `input_format` \w+, or without that option under a name that ends in \.(\w+)/;
-
-/** What the library says, for whoever is at the page. `remedy`: the option that would mend it. */
-export function curedOnPage(message: string, remedy?: string): string {
-  const said = message
-    .replace(ofSkeletons, (_, extension) => (extension === 'gltf' ? 'where it is glTF, ' : '') + oneJoint.replace('bvh', extension))
-    .replace(/`([a-z]+(?:_[a-z]+)+)`/g, (_, name) => optionOf(name));
-  return remedy ? `${said.replace(/\.$/, '')}; ${studio} reads it with ${nameOf(remedy)}` : said;
+/** What the library says, for whoever is at the page. */
+export function curedOnPage(message: string): string {
+  const text = message.replace(ofSkeletons, (_, format) => (message.includes('glTF is') && format === 'gltf' ? `where it is glTF, ${skeleton}` : skeleton));
+  return said.reduce((one, [words, instead]) => one.replace(words, instead), text).replace(/`([a-z]+(?:_[a-z]+)*)`/g, (_, name) => name.replaceAll('_', ' '));
 }
+
+/** The word of the library for what would mend a file, where a sentence has it. */
+export const remedyIn = (message: string): string | undefined => remedies[/`(\w+)`/.exec(message)?.[1] ?? ''];

@@ -2,12 +2,15 @@
 // A file becomes a document.
 import type { KeyInfo, KeyTrack } from 'orispline/key_track';
 import type { Choice, Key, Original, StudioDocument } from '../document/document';
+import { methodText } from '../document/methodText';
+import { plainReading, pointed } from '../document/reading';
+import { sameChoice, sameMembers } from '../document/same';
 import { choiceOf, perKey } from './choices';
-import { curedOnPage } from './cures';
+import { curedOnPage, remedyIn } from './cures';
 import { sha256 } from './hash';
 import { keysIn } from './keys';
 import { type Library, used } from './library';
-import { mostKeys, type Given, type MethodInfo, type Opened, type TooMany } from './protocol';
+import { mostKeys, type Given, type MethodInfo, type Opened, type Source, type TooMany, type Warning } from './protocol';
 
 /** The text of a file; '' where it is none. */
 const textIn = (bytes: Uint8Array): string => {
@@ -18,7 +21,17 @@ const textIn = (bytes: Uint8Array): string => {
   }
 };
 
-const originalOf = (bytes: Uint8Array, name: string, { epoch }: KeyInfo): Original => ({ name, text: textIn(bytes), hash: sha256(bytes), epoch });
+const originalOf = ({ bytes, name, reading, hash = sha256(bytes) }: Source, { epoch }: KeyInfo): Original => ({ name, text: textIn(bytes), hash, epoch, ...(reading ? { reading } : {}) });
+
+/** The keys of a file as the user has said that it is read. */
+export const trackOf = (library: Library, { bytes, name, reading = plainReading }: Source): KeyTrack => library.read(reading.comma ? pointed(textIn(bytes)) : bytes, name, reading.options);
+
+/** What the library warns of, for the page. */
+export const warningsFrom = (warnings: readonly { message: string }[]): Warning[] =>
+  warnings.map(({ message }) => {
+    const remedy = remedyIn(message);
+    return { message: curedOnPage(message), ...(remedy ? { remedy } : {}) };
+  });
 
 const besideOf = ({ method }: Choice): Choice => ({ method: method === 'slerp' ? 'auto' : 'slerp', settings: {} });
 
@@ -45,26 +58,27 @@ export class Opening {
     this.methods = methods;
   }
 
-  open({ bytes, name, method, beside }: Given<'open'>): Opened | TooMany {
-    return used(this.library.read(bytes, name), (track) => {
-      const { info } = track, original = originalOf(bytes, name, info);
-      if (info.count > mostKeys) return { original, count: info.count };
+  open({ method, beside, ...source }: Given<'open'>): Opened | TooMany {
+    return used(trackOf(this.library, source), (track) => {
+      const { info } = track, original = originalOf(source, info);
+      if (info.count > mostKeys) return { original, count: info.count, hasPositions: info.columns.some(({ name }) => name === 'positions') };
       const keys = this.keysIn(track, true), warnings = this.warningsOf(info, keys), first = method ? this.choice(method) : this.choiceIn(info, warnings);
       const second = beside ? this.choice(beside) : besideOf(first);
       return { original, document: documentOf(keys, first, second, this.methods), warnings };
     });
   }
 
-  /** The keys that a recording needs are keys of a new file. */
-  reduce({ bytes, name, tolerance }: Given<'reduce'>): Opened {
-    const { tracks: [track], warnings } = used(this.library.read(bytes, name), (recording) => this.library.run('reduce', { recording }, { tolerance }));
-    return used(track, () => {
-      const { info } = track, original = { ...originalOf(bytes, name.replace(/(\.[^.]*)?$/, '_keys.csv'), info), text: '' };
-      if (info.count > mostKeys)
-        throw new Error(`The recording needs ${info.count} keys within ${tolerance}, and ${mostKeys} can be edited: state a larger tolerance.`);
-      const said = warnings.map(({ message }) => curedOnPage(message)), first = this.choiceIn(info, said);
-      return { original, document: documentOf(this.keysIn(track, false), first, besideOf(first), this.methods), warnings: said };
-    });
+  /** Keys that were made of a recording are those of a new file. */
+  made(track: KeyTrack, source: Source, said: Warning[]): Opened {
+    const { info } = track, name = source.name.replace(/(\.[^.]*)?$/, '_keys.csv'), original = { ...originalOf(source, info), name, text: '' }, first = this.choiceIn(info, said);
+    return { original, document: documentOf(this.keysIn(track, false), first, besideOf(first), this.methods), warnings: said };
+  }
+
+  reopens({ text, name, reading, choice, own }: Given<'reopens'>): boolean {
+    const opened = this.open({ bytes: new TextEncoder().encode(text), name, reading });
+    if (!('document' in opened)) return false;
+    const { first, keys } = opened.document;
+    return sameChoice(first, this.choice(methodText(choice))) && keys.length === own.length && keys.every((key, k) => sameMembers(key.own, own[k]));
   }
 
   keysIn(track: KeyTrack, isOriginal: boolean): Key[] {
@@ -78,21 +92,21 @@ export class Opening {
   }
 
   /** That which the file is for; one of its own cannot be had here. */
-  private choiceIn({ method }: KeyInfo, warnings: string[]): Choice {
+  private choiceIn({ method }: KeyInfo, warnings: Warning[]): Choice {
     try {
       return this.choice(method ?? 'auto');
     } catch (reason) {
-      warnings.push(`The file is for ${method}, which cannot be had here: ${(reason as Error).message}.`);
+      warnings.push({ message: `The file is for ${method}, which cannot be had here: ${(reason as Error).message}.` });
       return this.choice('auto');
     }
   }
 
-  private warningsOf({ warnings, count, columns }: KeyInfo, keys: readonly Key[]): string[] {
-    const said = ((warnings ?? []) as { message: string }[]).map(({ message }) => curedOnPage(message));
-    if (count === 1) said.push('The file has one key, and so the body rests; insert another key to see it turn.');
-    if (columns.some(({ name }) => name.startsWith('inner_'))) said.push('The file has inner quaternions, which the studio does not use.');
+  private warningsOf({ warnings, count, columns }: KeyInfo, keys: readonly Key[]): Warning[] {
+    const said = warningsFrom((warnings ?? []) as { message: string }[]), say = (message: string) => said.push({ message });
+    if (count === 1) say('The file has one key, and so the body rests; insert another key to see it turn.');
+    if (columns.some(({ name }) => name.startsWith('inner_'))) say('The file has inner quaternions, which the studio does not use.');
     if (keys.some(({ q }, k) => k > 0 && keys[k - 1].q.reduce((sum, x, i) => sum + x * q[i], 0) < 0))
-      said.push('The signs of the quaternions in the file say which way round the body turns; the studio turns it the short way.');
+      say('The signs of the quaternions in the file say which way round the body turns; the studio turns it the short way.');
     return said;
   }
 }

@@ -10,7 +10,7 @@ let answering: Promise<Answering>;
 
 async function answer({ number, name, given }: Exclude<Asked, { library: string }>): Promise<Answered> {
   try {
-    return { number, told: (await answering).answer(name, given) };
+    return { number, told: (await answering).answer(name, given, (share) => postMessage({ number, share } satisfies Answered)) };
   } catch (reason) {
     return { number, trouble: troubleOf(reason) };
   }

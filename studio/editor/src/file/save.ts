@@ -1,22 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 // The text of the file that keys are saved in.
 import type { Key, Original, StudioDocument } from '../document/document';
+import { alignment } from '../document/keys';
 import { sameChoice, sameContent, sameKey } from '../document/same';
 import { countedFromFirst } from '../document/times';
 import type { Engine } from '../engine/protocol';
 import { withRecipe } from './recipe';
-import { composed } from './rows';
+import { composed, type Exact } from './rows';
 
 export interface Saved {
   readonly text: string;
   readonly isWhole: boolean; // all rows are written anew, without the comments and further columns that there were
 }
 
-/** Whether a file holds these keys, bit by bit. Its times count from its first key on. */
-export function sameKeys(read: readonly Key[], keys: readonly Key[]): boolean {
-  const counted = countedFromFirst(keys);
-  return read.length === keys.length && read.every((key, i) => sameContent(key, counted[i]));
+const most = 8 * Number.EPSILON; // of a component, between a key and what is read of numbers of another form
+const mostOfTime = 2 * Number.EPSILON; // share of the whole, of times such as a third of a second
+
+/** Whether a file holds these keys: bit by bit, but for what it states in other forms, which is as near as rounding allows. Its times count from its first key on. */
+export function holdsKeys(read: readonly Key[], keys: readonly Key[], exact: Exact): boolean {
+  const counted = countedFromFirst(keys), span = counted.at(-1)?.t ?? 0;
+  const sign = !exact.orientations && read[0] && counted[0] && alignment(read[0].q, counted[0].q) < 0 ? -1 : 1; // one for all
+  const isNear = ({ t, q }: Key, wanted: Key): boolean =>
+    (exact.times || Math.abs(t - wanted.t) <= mostOfTime * span) && (exact.orientations || q.every((number, i) => Math.abs(sign * number - wanted.q[i]) <= most));
+  const like = (key: Key, wanted: Key): Key => ({ ...key, ...(exact.times ? {} : { t: wanted.t }), ...(exact.orientations ? {} : { q: wanted.q }) });
+  return read.length === keys.length && read.every((key, i) => isNear(key, counted[i]) && sameContent(like(key, counted[i]), counted[i]));
 }
+
+const whole: Exact = { orientations: true, times: true };
+
+export const sameKeys = (read: readonly Key[], keys: readonly Key[]): boolean => holdsKeys(read, keys, whole);
 
 const namesOf = (keys: readonly Key[]): string[] => Object.keys(keys[0]?.own ?? {});
 
@@ -44,29 +56,32 @@ const areSame = (some: readonly Key[], others: readonly Key[]): boolean => some.
 
 /**
  * The rows of the file with what was changed, where it is a simple one; those of any file where no key was. Null where there are none, or the
- * library reads something else out of them.
+ * library reads something else out of them, or another method for A.
  */
 async function changedRows(original: Original, document: StudioDocument, engine: Engine, opened: StudioDocument): Promise<string | null> {
-  const { name } = original;
+  const { name, reading } = original, choice = document.first;
+  const readOf = (text: string) => engine.ask('read', { text, name, reading });
+  const own = document.keys.map((key) => key.own);
+  const reopens = (text: string) => engine.ask('reopens', { text, name, reading, choice, own });
   try {
-    const read = await engine.ask('read', { text: original.text, name });
-    const isSameChoice = sameChoice(opened.first, document.first);
-    const { columns, values } = apart(read, document.keys, opened.keys, isSameChoice);
+    const read = await readOf(original.text);
+    const { columns, values } = apart(read, document.keys, opened.keys, sameChoice(opened.first, choice));
     const [before, keys] = [without(read, columns), without(document.keys, values)];
     const hasColumns = namesOf(keys).every((own) => namesOf(before).includes(own));
-    const rows = hasColumns && areSame(document.keys, opened.keys) ? original.text : composed(original, before, keys);
+    const isAsOpened = hasColumns && areSame(document.keys, opened.keys);
+    const rows = isAsOpened ? { text: original.text, exact: whole } : await composed(original, before, keys, engine);
     if (rows === null) return null;
-    const text = isSameChoice && hasColumns ? rows : withRecipe(rows, document.first);
-    return sameKeys(without(await engine.ask('read', { text, name }), columns), keys) ? text : null;
+    const text = (await reopens(rows.text)) ? rows.text : withRecipe(rows.text, choice);
+    return holdsKeys(without(await readOf(text), columns), keys, rows.exact) && (text === rows.text || (await reopens(text))) ? text : null;
   } catch {
     return null; // what cannot be read is written anew
   }
 }
 
-/** `opened`: the document as it was opened. The comment that names a method is left as it is while A is. */
-export async function savedText(original: Original, document: StudioDocument, engine: Engine, opened: StudioDocument): Promise<Saved> {
+/** `opened`: the document as it was opened. `wholeName`: of the file that all rows are written into where they cannot stay; its name says of which format. */
+export async function savedText(original: Original, document: StudioDocument, engine: Engine, opened: StudioDocument, wholeName = original.name): Promise<Saved> {
   const text = await changedRows(original, document, engine, opened);
   if (text !== null) return { text, isWhole: false };
-  const given = { keys: document.keys, epoch: original.epoch, name: original.name, choice: document.first };
+  const given = { keys: document.keys, epoch: original.epoch, name: wholeName, choice: document.first };
   return { text: await engine.ask('write', given), isWhole: true };
 }

@@ -34,6 +34,21 @@ export function ask(place: HTMLElement, title: string, content: (Node | string)[
   });
 }
 
+/** Shows how far some work is while it lasts, with a button that stops it. */
+export async function whileWaiting<Result>(place: HTMLElement, title: string, work: (progress: (share: number) => void) => Promise<Result>, stop: () => void): Promise<Result> {
+  const bar = element('progress', { max: 1, attributes: { 'aria-label': title } }); // without a value: it is under way
+  const answered = ask(place, `${title} …`, [bar], [{ label: 'Stop', isFirst: true }]);
+  const dialog = bar.closest('dialog')!;
+  let isDone = false;
+  void answered.then(() => !isDone && stop());
+  try {
+    return await work((share) => (bar.value = share));
+  } finally {
+    isDone = true;
+    dialog.close();
+  }
+}
+
 export const sentences = (...texts: string[]): HTMLElement[] => texts.map((text) => element('p', {}, text));
 
 /** A text to be taken, for the clipboard may be refused. */

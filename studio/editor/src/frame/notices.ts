@@ -12,20 +12,20 @@ export interface Action {
 export class Notices {
   readonly element = element('div', { className: 'notices', attributes: { role: 'status' } });
 
-  /** Trouble, and what can be answered, stays until it is closed. */
-  tell(sentence: string, { actions = [], isTrouble = false }: { actions?: Action[]; isTrouble?: boolean } = {}): void {
-    for (const old of [...this.element.children]) if (old.firstChild?.textContent === sentence) old.remove();
+  /** Trouble, and what can be answered, stays until it is closed. A refusal takes the place of the one before. */
+  tell(sentence: string, { actions = [], isTrouble = false, isRefusal = false }: { actions?: Action[]; isTrouble?: boolean; isRefusal?: boolean } = {}): void {
+    for (const old of [...this.element.children]) if (old.firstChild?.textContent === sentence || (isRefusal && old.classList.contains('refused'))) old.remove();
     const end = () => line.remove();
     const buttons = actions.map(({ label, chosen }) => {
       const answer = () => {
-        end();
+        if (!isRefusal) end(); // it stays until the file is opened
         chosen();
       };
       return element('button', { type: 'button', className: 'side', onclick: answer }, label);
     });
     const close = element('button', { type: 'button', className: 'close', onclick: end, attributes: { 'aria-label': 'Close this notice' } }, '✕');
-    const line = element('div', { className: isTrouble ? 'notice trouble' : 'notice' }, element('span', {}, sentence), ...buttons, close);
+    const line = element('div', { className: `notice${isTrouble || isRefusal ? ' trouble' : ''}${isRefusal ? ' refused' : ''}` }, element('span', {}, sentence), ...buttons, close);
     this.element.append(line);
-    if (!isTrouble && actions.length === 0) setTimeout(end, stay);
+    if (!isTrouble && !isRefusal && actions.length === 0) setTimeout(end, stay);
   }
 }

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a user opens: bytes with a name, from wherever they come.
 import { element } from 'orispline-viewer/look/element';
-import { sentence } from '../document/sentence';
+import type { Reading } from '../document/reading';
 import type { Looks } from '../document/templates';
-import { mostKeys, type Engine, type Opened, type TooMany, type Trouble } from '../engine/protocol';
-import { ask } from './dialog';
+import type { Engine, Opened, TooMany } from '../engine/protocol';
+import { Reducing } from './reducing';
 
 /** As browsers have it that give access to files of the disk. */
 export interface FileHandle {
   readonly name: string;
   getFile: () => Promise<Blob>;
+  isSameEntry?: (other: FileHandle) => Promise<boolean>;
   createWritable: () => Promise<{ write: (text: string | Uint8Array) => Promise<void>; close: () => Promise<void> }>;
 }
 
@@ -18,6 +19,8 @@ export interface Given {
   name: string;
   method?: string; // its text
   beside?: string;
+  reading?: Reading; // what the user has said of it
+  hash?: string; // of the file on the disk, where the bytes are what was made of it here
   looks?: Looks; // else those of a body that nothing is known of
   handle?: FileHandle; // where it can be written again
 }
@@ -68,6 +71,19 @@ async function fromTransfer({ items, files }: DataTransfer): Promise<Given | nul
 
 const isTypedInto = 'input, textarea, select, [contenteditable]';
 
+/** Ctrl+O, wherever the focus is, but while something is asked; what is typed there counts. */
+export function hearOpen(place: HTMLElement, open: () => void): void {
+  const hear = (event: KeyboardEvent) => {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.shiftKey || event.key.toLowerCase() !== 'o' || !place.isConnected) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (place.querySelector('dialog[open]')) return;
+    if ((event.target as Element).matches?.(isTypedInto)) event.target?.dispatchEvent(new Event('change', { bubbles: true }));
+    open();
+  };
+  place.ownerDocument.addEventListener('keydown', hear, { capture: true });
+}
+
 /** Files dropped anywhere, and text that is pasted where nothing else takes it. `front`: what is marked while a file is above it. */
 export function hearDrops(place: HTMLElement, front: () => HTMLElement, given: (given: Given) => void): void {
   const isAsking = () => !!place.querySelector('dialog[open]'); // what is asked comes first
@@ -93,34 +109,11 @@ export function hearDrops(place: HTMLElement, front: () => HTMLElement, given: (
   });
 }
 
-const usualTolerance = '0.1deg';
-
-/** Of a recording the keys that it needs, where the user wants them. */
-async function reduced(engine: Engine, place: HTMLElement, { bytes, name }: Given, count: number): Promise<Opened | null> {
-  let [tolerance, why] = [usualTolerance, ''];
-  for (;;) {
-    const field = element('input', { value: tolerance, spellcheck: false, attributes: { 'aria-label': 'Tolerance' } });
-    const content = [
-      element('p', {}, `${name} has ${count} keys; up to ${mostKeys} can be edited. Those that are needed can be found, so that the curve through them is nowhere farther from the recording than the tolerance.`),
-      element('label', { className: 'choice' }, element('span', {}, 'Tolerance'), field),
-      element('p', { className: 'trouble', attributes: { role: 'alert' } }, why),
-    ];
-    const answer = await ask(place, 'Too many keys to edit', content, [{ label: 'Reduce to keys', isFirst: true }, { label: 'Cancel' }]);
-    if (answer !== 'Reduce to keys') return null;
-    tolerance = field.value;
-    try {
-      return await engine.ask('reduce', { bytes, name, tolerance });
-    } catch (trouble) {
-      why = sentence((trouble as Trouble).message);
-    }
-  }
-}
-
 const isOpened = (told: Opened | TooMany): told is Opened => 'document' in told;
 
 /** A document; null where the user did not want it. Throws `Trouble`, a sentence. */
 export async function opened(engine: Engine, place: HTMLElement, given: Given): Promise<Opened | null> {
-  const { bytes, name, method, beside } = given;
-  const told = await engine.ask('open', { bytes, name, method, beside });
-  return isOpened(told) ? told : reduced(engine, place, given, told.count);
+  const { bytes, name, method, beside, reading, hash } = given, source = { bytes, name, reading, hash };
+  const told = await engine.ask('open', { ...source, method, beside });
+  return isOpened(told) ? told : new Reducing(engine, place, source, told).opened();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keys go back into the file that was opened, where the browser gives access to it; else into a file to download.
+import { element } from 'orispline-viewer/look/element';
 import type { StudioDocument } from '../document/document';
 import { sentence } from '../document/sentence';
 import { sha256 } from '../engine/hash';
@@ -14,7 +15,12 @@ import { bytesOf, type FileHandle } from './opening';
 type Picker = (options: { suggestedName: string }) => Promise<FileHandle>;
 const picker = () => (window as unknown as { showSaveFilePicker?: Picker }).showSaveFilePicker?.bind(window);
 
-const written = 'All rows were written anew, since the library could not keep those of the original; its comments and further columns are not in them.';
+/** Of a file whose rows cannot stay. */
+const anew = (name: string): string => name.replace(/(\.[^.]*)?$/, '_keys.csv');
+const why = (name: string): string[] => [
+  `The rows of ${name} cannot stay as they are with these changes. All of them can be written anew into another file: times in seconds, quaternions, positions, rates and values of parameters, below the method of A.`,
+  `Comments and further columns of ${name} are not in that file. ${name} itself stays as it is.`,
+];
 
 interface Place {
   notices: Notices;
@@ -24,6 +30,7 @@ interface Place {
 export class Saving {
   private hash: string; // of the file on the disk, as far as we know
   private isBusy = false;
+  private wholeName: string | null = null; // of the file that all rows go into, where the user has agreed to one
 
   constructor(
     private readonly studio: Studio,
@@ -40,8 +47,10 @@ export class Saving {
     try {
       const { store, original, engine } = this.studio;
       const { document } = store.current();
-      const saved = await savedText(original, document, engine, this.opened);
-      if (await this.put(saved)) this.told(document, saved);
+      const name = original.text === '' ? original.name : (this.wholeName ?? anew(original.name)); // what was reduced has a file of its own
+      const saved = await savedText(original, document, engine, this.opened, name);
+      const put = saved.isWhole && original.text !== '' ? await this.putApart(saved, name) : await this.put(saved);
+      if (put) this.told(document, put);
     } catch (reason) {
       const { message } = reason as Trouble;
       this.place().notices.tell(`The keys were not saved: ${sentence(message)}`, { isTrouble: true });
@@ -51,17 +60,34 @@ export class Saving {
   }
 
   /** What was edited meanwhile is not in the file. */
-  private told(document: StudioDocument, { isWhole }: Saved): void {
-    const { store, original } = this.studio;
+  private told(document: StudioDocument, name: string): void {
+    const { store } = this.studio;
     if (store.current().document === document) store.tellSaved();
-    const name = this.handle?.name ?? original.name;
-    this.place().notices.tell([`${name} is saved.`, ...(isWhole && original.text !== '' ? [written] : [])].join(' '));
+    this.place().notices.tell(`${name} is saved.`);
   }
 
-  private async put(saved: Saved): Promise<boolean> {
-    if (this.handle) return this.putIntoHandle(this.handle, saved);
-    download(this.studio.original.name, saved.text);
-    return true;
+  /** Under which name it was put; null: the user did not want it. */
+  private async put(saved: Saved): Promise<string | null> {
+    const { name } = this.studio.original;
+    if (this.handle) return (await this.putIntoHandle(this.handle, saved)) ? this.handle.name : null;
+    download(name, saved.text);
+    return name;
+  }
+
+  /** Never over the file that was opened. */
+  private async putApart(saved: Saved, proposed: string): Promise<string | null> {
+    if (this.wholeName !== null) return this.put(saved);
+    const input = element('input', { value: proposed, spellcheck: false, attributes: { 'aria-label': 'Name of the new file' } });
+    const { name } = this.studio.original, content = [...sentences(...why(name)), element('label', { className: 'choice' }, element('span', {}, 'Name of the new file'), input)];
+    for (;;) {
+      const answer = await ask(this.place().element, `${name} cannot keep its rows`, content, [{ label: 'Save as another file', isFirst: true }, { label: 'Cancel' }]);
+      if (answer !== 'Save as another file') return null;
+      const stem = input.value.trim(), other = /\.csv$/i.test(stem) ? stem : `${stem}.csv`;
+      if (stem === '' || other === name) continue;
+      if (this.handle) return (await this.putElsewhere(saved, other, true)) ? this.handle.name : null;
+      download(other, saved.text);
+      return other;
+    }
   }
 
   private async putIntoHandle(handle: FileHandle, saved: Saved): Promise<boolean> {
@@ -84,8 +110,7 @@ export class Saving {
     }
   }
 
-  private async putElsewhere(saved: Saved): Promise<boolean> {
-    const { name } = this.studio.original;
+  private async putElsewhere(saved: Saved, name = this.studio.original.name, isWhole = false): Promise<boolean> {
     const pick = picker();
     if (!pick) {
       download(name, saved.text);
@@ -93,8 +118,10 @@ export class Saving {
     }
     try {
       const handle = await pick({ suggestedName: name });
+      if (isWhole && (await this.handle?.isSameEntry?.(handle))) throw new Error(`found ${handle.name} itself, wanted another file`);
       await this.write(handle, saved);
       this.handle = handle;
+      if (isWhole) this.wholeName = handle.name;
       return true;
     } catch (reason) {
       if ((reason as Error).name === 'AbortError') return false;

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // One document that is open: its store, its view, its draft, and its curves as they come.
-import type { State as ViewState } from 'orispline-viewer/store/store';
 import { Store as ViewStore } from 'orispline-viewer/store/store';
 import { keyWith, type StudioDocument } from '../document/document';
+import { sameDocument } from '../document/same';
 import { sentence } from '../document/sentence';
-import type { Looks } from '../document/templates';
-import type { Curves, Engine, MethodInfo, Opened } from '../engine/protocol';
+import type { Curves, Engine, MethodInfo, Opened, Warning } from '../engine/protocol';
 import { Draft } from '../store/draft';
+import { looked, looksOf, type Looks } from '../store/kept';
 import { Shown } from '../store/shown';
-import { createStore } from '../store/store';
+import { createStore, type Work } from '../store/store';
 import type { Studio } from '../store/studio';
 import { copiesOf } from './copying';
 import { exportsOf } from './exporting';
+import type { Action } from './notices';
 import type { FileHandle, Given } from './opening';
 import { Saving } from './saving';
 import { Screen } from './screen';
@@ -19,11 +20,11 @@ import { Screen } from './screen';
 export interface Setting {
   engine: Engine;
   methods: readonly MethodInfo[];
-  theme: ViewState['theme'] | null; // that of the session before
-  looks?: Looks;
+  looks: Looks;
   handle?: FileHandle;
   open: () => void;
   begins?: (given: Given) => void; // where this is what the page opens with: takes what comes in its place
+  cures: (warning: Warning) => Action[]; // what the user may say of the file
 }
 
 export class Session {
@@ -36,24 +37,26 @@ export class Session {
   private chosen: { id: number | null; t: number } = { id: null, t: NaN };
 
   /** `curves`: those of the document that is shown first, which is the draft's where there is one. */
-  constructor({ original, document, warnings }: Opened, first: StudioDocument, curves: Curves, private readonly draft: Draft, { engine, methods, theme, looks, handle, open, begins }: Setting) {
-    const store = createStore(first, document);
+  constructor({ original, document, warnings }: Opened, work: Work | null, curves: Curves, private readonly draft: Draft, { engine, methods, looks, handle, open, begins, cures }: Setting) {
+    const first = work?.document ?? document;
+    const store = createStore(first, work?.saved ?? document, work ?? undefined);
     store.tellCurves(curves);
     const view = new ViewStore(this.shown.report(first, curves));
-    view.choose({ components: false, ...looks, ...(theme ? { theme } : {}) });
+    view.choose({ components: false, ...looks });
     this.studio = { store, view, engine, methods, original };
     const saving = new Saving(this.studio, document, handle, () => this.screen);
     const place = () => this.screen.element;
     const tell = (sentence: string) => this.screen.notices.tell(sentence);
     this.screen = new Screen(this.studio, { open, save: () => void saving.save(), copies: copiesOf(this.studio, place, tell), exports: exportsOf(this.studio, place, tell) }, begins && { open, given: begins });
     this.plays = begins !== undefined && first === document;
-    for (const warning of warnings) this.screen.notices.tell(sentence(warning), { isTrouble: true });
+    for (const warning of warnings) this.screen.notices.tell(sentence(warning.message), { isTrouble: true, actions: cures(warning) });
     this.follow();
     this.keep(document, first);
   }
 
-  get theme(): ViewState['theme'] {
-    return this.studio.view.current().theme;
+  /** Tells how things are looked at, now and whenever that is changed. */
+  onLooks(tell: (looks: Looks) => void): void {
+    this.studio.view.subscribe([...looked], (state) => tell(looksOf(state)));
   }
 
   /** The curves of a document that may be this session's. */
@@ -124,7 +127,7 @@ export class Session {
     const { store, original } = this.studio;
     addEventListener('pagehide', this.keepDraft);
     this.endings.push(draft.follow(store), this.keepDraft, () => removeEventListener('pagehide', this.keepDraft));
-    if (first === opened) return;
+    if (sameDocument(first, opened)) return;
     const discard = () => {
       store.edit(opened);
       draft.drop();

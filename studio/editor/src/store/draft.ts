@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The document that is edited, kept in the browser so that it survives a reload: under the hash of what was opened, since all files that
+// The document that is edited and its steps, kept in the browser so that they survive a reload: under the hash of what was opened, since all files that
 // are opened from a disk share one store. Keeping it never fails; where it cannot be kept, one sentence says so.
 import type { StudioDocument } from '../document/document';
 import { sameDocument } from '../document/same';
 import { draftIn, draftText, timeOf } from './draftText';
-import type { StudioStore } from './store';
+import type { StudioStore, Work } from './store';
 
 /** As `localStorage` is. */
 export type Shelf = Pick<Storage, 'getItem' | 'setItem' | 'removeItem' | 'key' | 'length'>;
@@ -15,7 +15,7 @@ export interface Clock {
 }
 
 export interface DraftSetting {
-  hash: string; // of what was opened
+  hash: string; // of what was opened, with what the user has said of it
   opened: StudioDocument;
   shelf: () => Shelf; // which may throw
   tell: (sentence: string) => void;
@@ -25,6 +25,7 @@ export interface DraftSetting {
 const prefix = 'orispline-studio:';
 const mostDrafts = 20;
 const delay = 400; // [ms] between two writings, at least
+const shorter = [100, 10, 0]; // steps that are kept where there is no room for all
 
 const browserClock: Clock = { now: () => Date.now(), later: (call, milliseconds) => void setTimeout(call, milliseconds) };
 
@@ -47,10 +48,20 @@ function put(shelf: Shelf, name: string, text: string): void {
     }
 }
 
+/** The first of some texts that there is room for. */
+function putFirst(shelf: Shelf, name: string, [text, ...others]: (() => string)[]): void {
+  try {
+    put(shelf, name, text());
+  } catch (error) {
+    if (others.length === 0) throw error;
+    putFirst(shelf, name, others);
+  }
+}
+
 export class Draft {
   private readonly name: string;
   private readonly clock: Clock;
-  private waiting: StudioDocument | null = null;
+  private waiting: Work | null = null;
   private isTimed = false;
   private hasTold = false;
 
@@ -60,7 +71,7 @@ export class Draft {
   }
 
   /** What was kept last; null where there is none, or where it is damaged or of another version. */
-  read(): StudioDocument | null {
+  read(): Work | null {
     try {
       return draftIn(this.setting.shelf().getItem(this.name), this.setting.opened);
     } catch {
@@ -71,14 +82,14 @@ export class Draft {
   /** Keeps each document of a store, until what it returns is called. */
   follow(store: StudioStore): () => void {
     let isFirst = true;
-    return store.subscribe(['document'], ({ document }) => {
-      if (!isFirst) this.keep(document);
+    return store.subscribe(['document', 'isSaved'], () => {
+      if (!isFirst) this.keep(store.work());
       isFirst = false;
     });
   }
 
-  keep(document: StudioDocument): void {
-    this.waiting = document;
+  keep(work: Work): void {
+    this.waiting = work;
     if (this.isTimed) return;
     this.isTimed = true;
     this.clock.later(() => {
@@ -89,9 +100,9 @@ export class Draft {
 
   /** Writes now what waits; for when the page is hidden. */
   flush(): void {
-    const document = this.waiting;
+    const work = this.waiting;
     this.waiting = null;
-    if (document) this.attempt((shelf) => this.write(shelf, document));
+    if (work) this.attempt((shelf) => this.write(shelf, work));
   }
 
   drop(): void {
@@ -99,9 +110,10 @@ export class Draft {
     this.attempt((shelf) => shelf.removeItem(this.name));
   }
 
-  private write(shelf: Shelf, document: StudioDocument): void {
-    if (sameDocument(document, this.setting.opened)) return shelf.removeItem(this.name);
-    put(shelf, this.name, draftText(document, this.clock.now()));
+  private write(shelf: Shelf, work: Work): void {
+    if (work.past.length + work.future.length === 0 && sameDocument(work.document, this.setting.opened)) return shelf.removeItem(this.name);
+    const time = this.clock.now();
+    putFirst(shelf, this.name, [Infinity, ...shorter.filter((most) => most < work.past.length)].map((most) => () => draftText(work, time, most)));
     for (const old of draftsOn(shelf).slice(mostDrafts)) shelf.removeItem(old);
   }
 

@@ -3,13 +3,26 @@
 import type { StudioDocument } from '../document/document';
 import { sameDocument } from '../document/same';
 
+export interface Steps {
+  readonly past: readonly StudioDocument[];
+  readonly future: readonly StudioDocument[];
+}
+
 export class History {
-  private readonly past: StudioDocument[] = [];
-  private future: StudioDocument[] = []; // the nearest one last
+  private readonly past: StudioDocument[];
+  private future: StudioDocument[]; // the nearest one last
   private gesture: object | undefined; // of which the last step is
   private undone: StudioDocument[] = []; // the future before that step
 
-  constructor(private document: StudioDocument) {}
+  constructor(private document: StudioDocument, steps: Steps = { past: [], future: [] }) {
+    this.past = [...steps.past];
+    this.future = [...steps.future];
+  }
+
+  /** What was, and what was undone, the nearest one last. */
+  get steps(): Steps {
+    return { past: this.past, future: this.future };
+  }
 
   get now(): StudioDocument {
     return this.document;

@@ -3,7 +3,7 @@
 import { keyWith, type StudioDocument, type Which } from '../document/document';
 import { sameDocument } from '../document/same';
 import type { Curves, Drawn, Trouble } from '../engine/protocol';
-import { History } from './history';
+import { History, type Steps } from './history';
 
 export interface State {
   document: StudioDocument;
@@ -29,6 +29,14 @@ export interface StudioStore {
   redo: () => void;
   tellCurves: (curves: Curves, of?: StudioDocument) => void;
   tellSaved: () => void;
+  /** All that is to survive a reload. */
+  work: () => Work;
+}
+
+/** What is edited, the steps before it and those that were undone, and what the file holds, as far as it is known. */
+export interface Work extends Steps {
+  readonly document: StudioDocument;
+  readonly saved: StudioDocument | null;
 }
 
 const troubleOf = (drawn: Drawn): Trouble | null => ('trouble' in drawn ? drawn.trouble : null);
@@ -36,16 +44,16 @@ const troubleOf = (drawn: Drawn): Trouble | null => ('trouble' in drawn ? drawn.
 const sameTroubles = (some: State['troubles'], others: State['troubles']): boolean =>
   (['first', 'second'] as const).every((which) => some[which]?.message === others[which]?.message && some[which]?.key === others[which]?.key);
 
-/** The store of a document; `saved`: what the file holds, where that is another one, such as before a draft. */
-export function createStore(opened: StudioDocument, saved: StudioDocument = opened): StudioStore {
-  const history = new History(opened);
+/** The store of a document; `saved`: what the file holds, where that is another one, such as before a draft, whose steps it may begin with. */
+export function createStore(opened: StudioDocument, saved: StudioDocument = opened, steps?: Steps): StudioStore {
+  const history = new History(opened, steps);
   const subscribers = new Set<{ fields: Field[]; update: (state: Readonly<State>) => void }>();
   let file = saved;
   let state: State = {
     document: opened,
     chosen: opened.keys[0]?.id ?? null,
-    canUndo: false,
-    canRedo: false,
+    canUndo: history.canUndo,
+    canRedo: history.canRedo,
     isSaved: sameDocument(opened, saved),
     curvesOf: null,
     curves: null,
@@ -98,6 +106,7 @@ export function createStore(opened: StudioDocument, saved: StudioDocument = open
       const troubles = { first: troubleOf(curves.first), second: troubleOf(curves.second) };
       change({ curves, curvesOf: of, troubles: sameTroubles(troubles, state.troubles) ? state.troubles : troubles });
     },
+    work: () => ({ document: history.now, saved: file, ...history.steps }),
     tellSaved() {
       file = state.document;
       change({ isSaved: true });
