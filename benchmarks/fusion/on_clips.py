@@ -83,12 +83,16 @@ def filtered(rotations, cutoff, interval):
     return turned
 
 
-def smoothed(command, folder, path, words):
+def smoothed_file(command, folder, path, words):
     out = folder / "out.bvh"
     done = subprocess.run([command, "smooth", path, "-o", out, *words], capture_output=True, text=True, check=False)
     if done.returncode:
         raise SystemExit(f"orispline smooth {' '.join(words)}: {done.stderr}")
-    return Clip(out).rotations()
+    return out
+
+
+def smoothed(command, folder, path, words):
+    return Clip(smoothed_file(command, folder, path, words)).rotations()
 
 
 def measured(command, clip, time, sigma, seed):
