@@ -55,6 +55,33 @@ TEST(ClipJob, NamesTheFileAndTheOptionOfWhatIsWrong) {
             "take.glb: root: found a joint whose way goes on, wanted `loop` or `append` too");
 }
 
+/// A clip of one key.
+Clip pose() {
+  Clip clip{.name = "pose"};
+  clip.rotations = {{.joint = 1, .times = {0.0}, .values = {turned(0.3, 0.0, 0.0)}}};
+  return clip;
+}
+
+TEST(ClipJob, LeavesClipsThatAnEditDoesNotFitAndSaysWhich) {
+  for (const ClipEdits& edits : {ClipEdits{.loop = true}, ClipEdits{.to = 0.5}}) {
+    const auto outcome =
+        clip({.file = file_with({named("pose", pose()), named("a", walk(1.0, 0.2, 0.0))}), .edits = edits}).value();
+    ASSERT_EQ(outcome.clips.size(), 2u);
+    EXPECT_EQ(outcome.clips[0].clip.rotations[0].size(), 1u);
+    EXPECT_EQ(outcome.clips[1].loop.has_value(), edits.loop);
+    ASSERT_EQ(outcome.warnings.size(), 1u);
+    EXPECT_EQ(outcome.warnings[0].code, "clips_left");
+    EXPECT_EQ(outcome.warnings[0].number("clips"), 1.0);
+    EXPECT_NE(outcome.warnings[0].message.find("1 of 2 clips stay as they are"), std::string::npos);
+    EXPECT_NE(outcome.warnings[0].message.find("'pose'"), std::string::npos);
+  }
+}
+
+TEST(ClipJob, RefusesWhatFitsNoClip) {
+  EXPECT_EQ(error_of({.file = file_with({named("pose", pose()), named("other", pose())}), .edits = {.loop = true}}),
+            "take.glb: clip 'pose': found keys at 1 time, wanted 3 at least for a loop");
+}
+
 TEST(ClipJob, WarnsOfValuesThatOnlyTheFormatKnows) {
   Clip with_weights = walk(1.0, 0.0, 0.0);
   with_weights.passed_on = Domain{0.0, 1.0};

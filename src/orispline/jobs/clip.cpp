@@ -184,6 +184,18 @@ Expected<std::string> made_root(ClipRequest& request) {
   return with_root(*request.appended).map([&](const std::string&) { return *name; });
 }
 
+/// Of several clips those that an edit does not fit, such as a pose that shall be a loop.
+Warning warning_of_left(const MotionFile& file, const std::vector<Clip>& left, const Error& first) {
+  const std::string option = first.option.empty() ? "" : formatted("`{}`: ", first.option);
+  return {
+      .code = "clips_left",
+      .message = formatted("{} of {} clips stay as they are, since an edit does not fit them: {}. Of the first one: "
+                           "{}{}; `clip` chooses which clips are edited and written",
+                           left.size(), file.clips.size(), names_of(left), option, first.message),
+      .where = {.file = file.name},
+      .numbers = {{"clips", static_cast<double>(left.size())}}};
+}
+
 Expected<ClipOutcome> edited_clips(ClipRequest request) {
   FirstError checked;
   const auto sound = check(request);
@@ -192,6 +204,7 @@ Expected<ClipOutcome> edited_clips(ClipRequest request) {
   if (!root) return tl::unexpected(root.error());
   const Clip* const second = checked(appended_clip(request));
   const EditedJoints joints = checked(joints_in(request));
+  if (auto named = std::move(checked).or_else(true); !named) return tl::unexpected(std::move(named.error()));
   const MotionFile& file = request.file;
   std::vector<Expected<ClipEdit>> edits(file.clips.size());
   parallel_for(edits.size(), request.threads, [&](std::size_t i) {
@@ -201,14 +214,25 @@ Expected<ClipOutcome> edited_clips(ClipRequest request) {
       edits[i] = edited(file.skeleton, file.clips[i], request.edits, joints, &appended);
     }
   });
+  const bool none_fits = std::ranges::none_of(edits, [](const auto& edit) { return edit.has_value(); });
+  if (none_fits) return tl::unexpected(std::move(edits.front().error()));
   ClipOutcome outcome{.request = std::move(request), .made_root = *root};
-  for (Expected<ClipEdit>& edit : edits) {
-    const ClipEdit& done = outcome.clips.emplace_back(checked(std::move(edit)));
+  std::vector<Clip> left;
+  std::optional<Error> why;
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    const Clip& before = outcome.request.file.clips[i];
+    if (!edits[i]) {
+      left.push_back(before);
+      if (!why) why = std::move(edits[i].error());
+      edits[i] = ClipEdit{.clip = before, .before = before.domain(), .part = before.domain()};
+    }
+    const ClipEdit& done = outcome.clips.emplace_back(*std::move(edits[i]));
     const bool keeps_way = done.loop && joints.in_place == no_parent && joints.extracted == no_parent;
     outcome.seams.push_back(keeps_way ? seam_of(done.clip, joints.root, done.loop->root_turn) : seam_of(done.clip));
   }
   outcome.warnings = warnings_of_values_beside(outcome.request.file);
-  return std::move(checked).or_else(std::move(outcome));
+  if (why) outcome.warnings.push_back(warning_of_left(outcome.request.file, left, *why));
+  return outcome;
 }
 
 }  // namespace
