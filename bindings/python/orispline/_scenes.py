@@ -266,7 +266,7 @@ def retime_scene(scene: Scene, *, method: Any = None, **options: Any) -> tuple[S
     ArgumentError
         Limits that are absent, not greater than 0 or cannot be met, a limit of lengths for a file without a unit.
     DataError
-        A clip in which nothing moves.
+        A clip that has no duration.
 
     Warns
     -----

@@ -142,8 +142,8 @@ class ClipSlowing {
   }
 
   [[nodiscard]] Expected<void> check() const {
-    if (groups_.empty() && cubics_.empty())
-      return failure(ErrorCode::bad_data, "found no channel of two keys that moves a joint, wanted one");
+    const Domain domain = clip_.domain();
+    if (!(domain.start < domain.end)) return failure(ErrorCode::bad_data, "found no channel of two keys, wanted one");
     const bool is_one_clock = groups_.size() == 1 && cubics_.empty();
     if (!is_one_clock && (options_.slowing != Slowing::uniform || options_.shorten_rests))
       return bad_option(options_.shorten_rests ? "shorten_rests" : "slowing",

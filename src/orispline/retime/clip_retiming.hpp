@@ -33,7 +33,7 @@ struct ClipRetiming {
 /// The motion of a linear channel, whose keys are samples, is the method's curve through them; that of a cubic is the
 /// cubic, whose peaks are measured at 17 places of each segment. Intervals by themselves, and rests cut, want linear
 /// channels with the same key times. Steps and single keys move nothing. Errors, which name the clip: those of retime()
-/// and check_for_clips(); bad_data for a clip in which nothing moves.
+/// and check_for_clips(); bad_data for a clip that has no duration.
 [[nodiscard]] ORISPLINE_EXPORT Expected<ClipRetiming> retime_clip(const Skeleton& skeleton, const Clip& clip,
                                                                   const Method& method, const RetimeOptions& options,
                                                                   const Progress& progress = {});
