@@ -178,8 +178,7 @@ report::PageClip clip_in_page(const ClipOf& before, const ClipOf& after, const C
   report::PageClip page{.name = before.clip.name, .start = comparison.times.front(), .end = comparison.times.back()};
   const ClipMotion first = motion_of(before), second = motion_of(after);
   ErrorLines lines(page, comparison);
-  for (const Neighbours& neighbours : neighbours_of(comparison))
-    lines.add(neighbours, first, second);
+  for (const Neighbours& neighbours : neighbours_of(comparison)) lines.add(neighbours, first, second);
   page.times = dense_times(page.error_times, comparison.most);
   add_positions(page, first, second, comparison.counterparts);
   count_keys(page, before.clip, after.clip, comparison.counterparts);

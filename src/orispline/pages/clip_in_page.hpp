@@ -23,7 +23,7 @@ struct ClipComparison {
   std::span<const std::size_t> counterparts;  ///< of the joints before: the same ones after, or `no_parent`
   std::span<const double> times;              ///< [s], increasing, one at least
   double shell = default_shell;
-  std::size_t most = 600;           ///< times that are shown, at least 3
+  std::size_t most = 600;          ///< times that are shown, at least 3
   std::span<const double> keys{};  ///< some of the times, with the first: each stands for those up to the next
 };
 
