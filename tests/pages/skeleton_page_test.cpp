@@ -202,7 +202,8 @@ TEST(ReducedClipsPage, HasTheTolerancesAndTheClipThatIsFarthestOffFirst) {
                    reductions[1].distance.largest.value * 1000.0);
   EXPECT_EQ(page.notes.front(),
             "Both motions are compared at every key of the input, in 8 places between two of them, and where they are "
-            "farthest apart. Between its keys the input is what its file says.");
+            "farthest apart; a key shows the largest error up to the next. Between its keys the input is what its file "
+            "says.");
 }
 
 }}  // namespace orispline

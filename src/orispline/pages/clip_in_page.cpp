@@ -24,6 +24,7 @@ void take(report::PageLargest& largest, double value, double time) {
 /// Times that are shown as one, by their places.
 struct Neighbours {
   std::size_t first = 0, end = 0;
+  bool is_key_first = false;  ///< which is then shown, else that where the distance is the largest
 };
 
 /// All times in at most so many groups: both ends alone, all else in equal parts.
@@ -37,6 +38,19 @@ std::vector<Neighbours> neighbours_in(std::size_t times, std::size_t most) {
   groups.push_back({0, 1});
   for (std::size_t i = 0; i < parts; ++i) groups.push_back({1 + i * inner / parts, 1 + (i + 1) * inner / parts});
   groups.push_back({times - 1, times});
+  return groups;
+}
+
+/// Each key with the times up to the next, or all times by `most`.
+std::vector<Neighbours> neighbours_of(const ClipComparison& comparison) {
+  const auto& [counterparts, times, shell, most, keys] = comparison;
+  if (keys.empty() || keys.size() > most) return neighbours_in(times.size(), most);
+  std::vector<Neighbours> groups;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const bool is_key = groups.size() < keys.size() && times[i] == keys[groups.size()];
+    if (is_key || groups.empty()) groups.push_back({i, i, true});
+    groups.back().end = i + 1;
+  }
   return groups;
 }
 
@@ -65,7 +79,7 @@ class ErrorLines {
       const Differences found =
           differences(before, after, comparison_.counterparts, comparison_.times.subspan(i, 1), comparison_.shell);
       take_all(found, comparison_.times[i]);
-      if (const double distance = shell_distance_of(found); distance > farthest)
+      if (const double distance = shell_distance_of(found); distance > farthest && !neighbours.is_key_first)
         farthest = distance, shown = comparison_.times[i];
     }
     clip_.error_times.push_back(shown);
@@ -164,8 +178,7 @@ report::PageClip clip_in_page(const ClipOf& before, const ClipOf& after, const C
   report::PageClip page{.name = before.clip.name, .start = comparison.times.front(), .end = comparison.times.back()};
   const ClipMotion first = motion_of(before), second = motion_of(after);
   ErrorLines lines(page, comparison);
-  for (const Neighbours& neighbours : neighbours_in(comparison.times.size(), comparison.most))
-    lines.add(neighbours, first, second);
+  for (const Neighbours& neighbours : neighbours_of(comparison)) lines.add(neighbours, first, second);
   page.times = dense_times(page.error_times, comparison.most);
   add_positions(page, first, second, comparison.counterparts);
   count_keys(page, before.clip, after.clip, comparison.counterparts);

@@ -183,7 +183,7 @@ std::vector<double> times_of(const TakenClip& taken, const ClipReduction& reduct
 std::string compared_between_keys(BetweenSamples between) {
   return formatted(
       "Both motions are compared at every key of the input, in {} places between two of them, and where they are "
-      "farthest apart. Between its keys the input is {}.",
+      "farthest apart; a key shows the largest error up to the next. Between its keys the input is {}.",
       looks_between, between == BetweenSamples::smooth ? "the curve auto through them" : "what its file says");
 }
 
@@ -325,6 +325,7 @@ report::SkeletonPage smoothed_clips_page(const NamedClips& before, std::string a
 report::SkeletonPage reduced_clips_page(const NamedClips& before, std::string after,
                                         std::span<const ClipReduction> reductions, const ClipReduceOptions& options,
                                         const PageLengths& lengths, const PageHead& head, unsigned threads) {
+  const std::vector<ClipPair> at_keys = pairs_at_keys(before.clips);
   std::vector<TakenClip> taken;
   std::vector<ClipPair> pairs;
   for (std::size_t i = 0; i < reductions.size(); ++i) {
@@ -333,7 +334,8 @@ report::SkeletonPage reduced_clips_page(const NamedClips& before, std::string af
   }
   report::SkeletonPage page = begun_skeleton_page("", before.name, after, lengths, head);
   add_clips(page, before.skeleton, own_joints(before.skeleton), pairs, threads,
-            [&](const ClipPair& pair, const ClipComparison& comparison) {
+            [&](const ClipPair& pair, ClipComparison comparison) {
+              comparison.keys = at_keys[pair.before].times;
               const Clip fewer = as_stored(reductions[pair.after].clip, options);
               const ClipMotion motion = taken[pair.before].beside(before.skeleton, fewer);
               return clip_in_page({before.skeleton, before.clips[pair.before], &motion}, {before.skeleton, fewer},
@@ -345,7 +347,7 @@ report::SkeletonPage reduced_clips_page(const NamedClips& before, std::string af
   page.notes.insert(page.notes.begin(), compared_between_keys(options.between));
   if (std::isfinite(options.tolerance)) page.angle_limit = options.tolerance * degrees;
   if (std::isfinite(options.world_tolerance)) page.distance_limit = options.world_tolerance;
-  return finished(std::move(page), pairs, lengths);
+  return finished(std::move(page), at_keys, lengths);
 }
 
 }}}  // namespace orispline::pages

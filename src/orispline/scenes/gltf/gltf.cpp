@@ -74,8 +74,10 @@ RotationChannel with_bits_of_file(RotationChannel channel, const RotationOfFile&
     const auto found = std::ranges::lower_bound(times, channel.times[i]);
     if (found == times.end() || *found != channel.times[i]) continue;
     const auto k = static_cast<std::size_t>(found - times.begin());
-    const double sign = same_sign(channel.values[i], file.read.values[k]);
-    if (sign == 0.0) continue;
+    const bool is_same = channel.values[i].coeffs() == file.read.values[k].coeffs();
+    const double sign = is_same ? 1.0 : same_sign(channel.values[i], file.read.values[k]);
+    // One key at rest has the same bits in every clip, which are then stored once.
+    if (sign == 0.0 || (channel.size() == 1 && !is_same)) continue;
     channel.values[i].coeffs() = sign * file.raw.values[k].coeffs();
     if (!is_spline) continue;
     // Readers divide tangents by what they divide the value by.
