@@ -72,14 +72,15 @@ bench-python: build
 NOISY_CLIPS = examples/data/walking.bvh $(wildcard ../shared/cases/clips/20_mocap_true.bvh) \
   $(foreach part,300:500 1100:500 1900:500,$(addsuffix :$(part),$(wildcard ../shared/data/mocap/cmu_01_01_fairmotion.bvh)))
 
-# A gyro beside the least error that is possible, and VQF, and clips beside the best low-pass; fills the tables of docs/gyro.md
-# and docs/smooth.md. An hour of one core.
+# A gyro beside the least error that is possible, and VQF, and clips beside the best low-pass; fills the tables of docs/gyro.md,
+# docs/smooth.md and docs/skeletons.md. Two hours of one core.
 bench-fusion: build
 	tools/setup.sh build python
 	python3 -m venv build/fusion/venv
 	build/fusion/venv/bin/python -m pip install --quiet numpy scipy vqf
 	build/fusion/venv/bin/python benchmarks/fusion/run.py build/release/orispline --jobs $(JOBS) --document docs/gyro.md
 	build/fusion/venv/bin/python benchmarks/fusion/on_clips.py build/release/orispline $(NOISY_CLIPS) --document docs/smooth.md
+	build/fusion/venv/bin/python benchmarks/fusion/cleaned_clips.py build/release/orispline $(NOISY_CLIPS) --jobs $(JOBS) --document docs/skeletons.md
 
 # Each part that passes leaves the stamp that a release of this commit asks for; a part that has it is not run again.
 check:

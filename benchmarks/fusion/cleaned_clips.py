@@ -3,8 +3,8 @@
 """Motion capture that is cleaned: cleaned_clips.py COMMAND WALK.bvh [CLIP.bvh:FIRST:COUNT]... [--seeds FIRST COUNT] [--jobs N] [--document PAGE]
 
 `orispline smooth`, as it is and with `--keep-contacts auto`, stands beside Butterworth's filter, Savitzky and Golay's and the One-Euro filter,
-where arms are swapped with and without Hampel's filter before them. Each has, in each cell, the one setting for all joints and the root that brings all joints nearest to their
-true places in the world. The noise is 1° of each joint that moves and 5 mm of the root, white or correlated, with the arms swapped for 8 to 12
+where arms are swapped with and without Hampel's filter before them. Each has, in each cell, the one setting for all joints and the root that
+brings all joints nearest to their true places in the world. The noise is 1° of each joint that moves and 5 mm of the root, white or correlated, with the arms swapped for 8 to 12
 frames, twice in a clip, or without. WALK is the bundled walk, whose truth is the motion that it was made from; one unit of other clips is that of the CMU
 library, 0.0254/0.45 m. With PAGE the table between the markers there is filled.
 """
@@ -52,9 +52,10 @@ class Truth:
         self.slide = figures.slide(figure, self.world, self.standing)
 
     def errors(self, rotations, place):
-        """Root mean squares of joints [°], without frames in which a marker of the clip itself is a fault, and of their places in the world [mm], and the slide of feet that stand [mm/s]."""
+        """Root mean squares of joints [°] and of their places in the world [mm], and the slide of feet that stand [mm/s]. Angles are without
+        frames in which a marker of the clip itself is a fault."""
         world = self.figure.world(rotations, place)
-        angles = np.concatenate([(a.inv() * b).magnitude()[sound] for a, b, sound in zip(rotations, self.rotations, self.sound)])
+        angles = np.concatenate([(a.inv() * b).magnitude()[good] for a, b, good in zip(rotations, self.rotations, self.sound)])
         away = ((world - self.world) ** 2).sum(-1)
         return np.degrees(np.sqrt((angles**2).mean())), 1e3 * np.sqrt(away.mean()), figures.slide(self.figure, world, self.standing)
 

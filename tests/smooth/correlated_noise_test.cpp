@@ -2,13 +2,13 @@
 // Noise that correlates, without a gyro: stated, and found over several tracks. The noise is made here, and what is
 // found is compared with it.
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include <orispline/smooth/clip_smoothing.hpp>
 #include <orispline/smooth/correlated_fit.hpp>
-#include <orispline/smooth/shared_noise_time.hpp>
 
 #include "smooth/noisy_motion.hpp"
 
@@ -61,36 +61,48 @@ TEST(CorrelatedNoise, IsKnownToTheStandardDeviations) {
   EXPECT_LT(said, 1.6 * off);
 }
 
-TEST(CorrelatedNoise, OfSeveralTracksIsFoundBesideOneThatRestsOrTurnsEvenly) {
-  std::vector<Keyframes> tracks;
-  for (std::uint64_t seed = 1; seed <= 6; ++seed)
-    tracks.push_back(Keyframes::make(recorded_with(0.05, seed, 1200).noisy).value());
-  const auto without = shared_noise_time(tracks, 1);
-  ASSERT_TRUE(without);
-  for (const double rate : {0.0, 0.3}) {
-    Recording quiet = recorded(1200, 0.3 * sigma, 7);  // of which samples at either end show noise
-    auto& orientations = quiet.noisy.orientations;
-    for (std::size_t i = 90; i < 1110; ++i)
-      orientations[i] =
-          orientations[89] * exp<double>(rate * interval * static_cast<double>(i) * Eigen::Vector3d::UnitX());
-    std::vector<Keyframes> with = tracks;
-    with.push_back(Keyframes::make(quiet.noisy).value());
-    EXPECT_EQ(shared_noise_time(with, 1), without) << rate;
+/// The time within which the noise of joints of a clip correlates [s]; absent where it is white.
+std::optional<double> time_of_joints(const std::vector<KeyframeData>& tracks) {
+  std::vector<Joint> joints;
+  Clip clip{.name = "walk"};
+  for (const KeyframeData& track : tracks) {
+    clip.rotations.push_back({.joint = joints.size(), .times = track.times, .values = track.orientations});
+    joints.push_back({.name = std::to_string(joints.size())});
   }
+  const auto found = smooth_clips(Skeleton::make(joints).value(), std::vector{clip}, {}, 1).value();
+  const auto& noise = found.front().joints.front().smoothing.correlated_noise;
+  return noise ? std::optional(noise->time) : std::nullopt;
 }
 
-TEST(CorrelatedNoise, OfSeveralTracksIsFoundAndWhiteNoiseIsNot) {
+TEST(CorrelatedNoise, OfJointsIsFoundAndWhiteNoiseIsNot) {
   for (const double time : {0.0, 0.05}) {
     SCOPED_TRACE(time);
-    std::vector<Keyframes> tracks;
-    for (std::uint64_t seed = 1; seed <= 6; ++seed)
-      tracks.push_back(Keyframes::make(recorded_with(time, seed).noisy).value());
-    const auto found = shared_noise_time(tracks, 1);
+    std::vector<KeyframeData> tracks;
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) tracks.push_back(recorded_with(time, seed).noisy);
+    const auto found = time_of_joints(tracks);
     ASSERT_EQ(found.has_value(), time > 0.0);
-    EXPECT_FALSE(shared_noise_time(std::span(tracks).first(1), 1)) << "one track does not tell";
+    EXPECT_FALSE(time_of_joints({tracks.front()})) << "one track does not tell";
     if (!found) continue;
     EXPECT_LT(*found, 1.5 * time);
     EXPECT_GT(*found, 0.3 * time) << "rather too short than too long";
+  }
+}
+
+TEST(CorrelatedNoise, OfJointsIsFoundBesideOneThatRests) {
+  std::vector<KeyframeData> tracks;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) tracks.push_back(recorded_with(0.05, seed).noisy);
+  for (const double rate : {0.0, 0.3}) {
+    Recording quiet = recorded(600, 0.3 * sigma, 7);  // of which samples at either end show noise
+    auto& orientations = quiet.noisy.orientations;
+    for (std::size_t i = 90; i < 510; ++i)
+      orientations[i] =
+          orientations[89] * exp<double>(rate * interval * static_cast<double>(i) * Eigen::Vector3d::UnitX());
+    std::vector<KeyframeData> with = tracks;
+    with.push_back(quiet.noisy);
+    const auto found = time_of_joints(with);
+    ASSERT_TRUE(found) << rate;
+    EXPECT_LT(*found, 0.075) << rate;
+    EXPECT_GT(*found, 0.015) << rate;
   }
 }
 

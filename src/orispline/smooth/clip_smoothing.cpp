@@ -9,7 +9,7 @@
 #include <orispline/clip/clip_motion.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/smooth/correlated_fit.hpp>
-#include <orispline/smooth/shared_noise_time.hpp>
+#include <orispline/smooth/joints_together.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -80,6 +80,7 @@ void bridge(Clip& clip, const std::vector<WrongRun>& runs, const SmoothOptions& 
 /// A rotation of a clip, and where it stands there.
 struct Piece {
   std::size_t clip, rotation;
+  bool is_together = false;  ///< it is smoothed once more with others: its own motion need not adapt
   Expected<Smoothing> found{};
 };
 
@@ -103,15 +104,39 @@ std::optional<double> shared_noise(const std::vector<Piece>& pieces) {
   return std::clamp(*quartile, least_noise, largest_noise);
 }
 
-/// That of their noise, if it correlates.
-std::optional<double> shared_time(std::span<const Clip> clips, const std::vector<Piece>& pieces, unsigned threads) {
-  std::vector<Keyframes> tracks;
-  for (const Piece& piece : pieces) {
-    const RotationChannel& rotation = clips[piece.clip].rotations[piece.rotation];
-    if (auto keys = Keyframes::make({.times = rotation.times, .orientations = rotation.values}))
-      tracks.push_back(*std::move(keys));
+/// Pieces of one clip that have the same key times.
+using Together = std::vector<Piece*>;
+
+const RotationChannel& rotation_of(std::span<const Clip> clips, const Piece& piece) {
+  return clips[piece.clip].rotations[piece.rotation];
+}
+
+/// Those that can be smoothed together.
+std::vector<Together> pieces_together(std::span<const Clip> clips, std::vector<Piece>& pieces) {
+  std::vector<Together> all;
+  for (Piece& piece : pieces) {
+    const auto& times = rotation_of(clips, piece).times;
+    auto those = std::ranges::find_if(all, [&](const Together& other) {
+      return other.front()->clip == piece.clip && rotation_of(clips, *other.front()).times == times;
+    });
+    if (those == all.end()) those = all.insert(all.end(), Together());
+    those->push_back(&piece);
   }
-  return shared_noise_time(tracks, threads);
+  std::erase_if(all, [&](const Together& some) {
+    return !can_be_smoothed_together(some.size(), rotation_of(clips, *some.front()).times);
+  });
+  return all;
+}
+
+void smooth_together(std::span<const Clip> clips, const std::vector<Together>& all, const SmoothOptions& options,
+                     unsigned threads) {
+  parallel_for(all.size(), threads, [&](std::size_t i) {
+    std::vector<SmoothedJoint> joints;
+    for (Piece* piece : all[i])
+      if (const RotationChannel& rotation = rotation_of(clips, *piece); piece->found)
+        joints.push_back({&rotation, translation_beside(clips[piece->clip].translations, rotation), &*piece->found});
+    smooth_together(joints, options);
+  });
 }
 
 /// What was found of a joint, and where its rotation changed most.
@@ -132,9 +157,9 @@ void take(Clip& clip, std::size_t rotation, const Keyframes& keys) {
 }
 
 Expected<std::vector<ClipSmoothing>> with_contacts(const Skeleton& skeleton, std::vector<ClipSmoothing> smoothings,
-                                                   const std::vector<std::string>& joints) {
+                                                   const SmoothOptions& options) {
   for (ClipSmoothing& smoothing : smoothings) {
-    auto held = held_contacts(skeleton, smoothing.clip, joints);
+    auto held = held_contacts(skeleton, smoothing.clip, options.keep_contacts);
     if (!held) return tl::unexpected(std::move(held.error()));
     smoothing.clip = std::move(held->clip);
     smoothing.contacts = std::move(held->contacts);
@@ -173,17 +198,21 @@ Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton, std:
     parallel_for(pieces.size(), threads, [&](std::size_t i) {
       const Clip& clip = bridged[pieces[i].clip];
       const RotationChannel& rotation = clip.rotations[pieces[i].rotation];
-      pieces[i].found = smoothed(rotation, translation_beside(clip.translations, rotation), with);
+      SmoothOptions suited = with;
+      suited.adapt = with.adapt && !pieces[i].is_together;
+      pieces[i].found = smoothed(rotation, translation_beside(clip.translations, rotation), suited);
     });
   };
-  SmoothOptions shared = options;
-  if (!options.noise_time && !options.noise && !options.smoothing_time)
-    shared.noise_time = shared_time(bridged, pieces, threads);
-  smooth_all(shared);
-  if (shared.noise_time && !options.noise) {
+  const auto together = are_smoothed_together(options) ? pieces_together(bridged, pieces) : std::vector<Together>();
+  for (const Together& some : together)
+    for (Piece* piece : some) piece->is_together = true;
+  smooth_all(options);
+  if (options.noise_time && !options.noise) {
+    SmoothOptions shared = options;
     shared.noise = shared_noise(pieces);
     if (shared.noise) smooth_all(shared);
   }
+  smooth_together(bridged, together, options, threads);
   for (Piece& piece : pieces) {
     ClipSmoothing& smoothing = smoothings[piece.clip];
     const std::size_t joint = smoothing.clip.rotations[piece.rotation].joint;
@@ -198,7 +227,7 @@ Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton, std:
     smoothing.joints.push_back(found_of(clips[piece.clip].rotations[piece.rotation], *std::move(piece.found)));
   }
   if (options.keep_contacts.empty()) return smoothings;
-  return with_contacts(skeleton, std::move(smoothings), options.keep_contacts);
+  return with_contacts(skeleton, std::move(smoothings), options);
 }
 
 }}  // namespace orispline

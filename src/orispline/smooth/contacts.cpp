@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -22,11 +23,12 @@ constexpr double shortest_contact = 0.1;  // [s]
 constexpr double coming = 0.1;            // before and behind a contact [s]
 constexpr std::size_t most_turning = 3;   // joints of a leg
 constexpr double usual_lowest = 0.05;     // share of frames that are below the ground's height
-constexpr double stiffest = 30.0;         // of a hold beside the smallness of the turns; some tenth of a slide is left
-constexpr double low = 0.1;               // heights of the figure, for ends of legs
-constexpr double at_rest = 1e-6;          // [rad]
+constexpr double stiffest = 10.0;  // of a hold beside the smallness of the turns; some seventh of a slide is left
+constexpr double low = 0.1;        // heights of the figure, for ends of legs
+constexpr double at_rest = 1e-6;   // [rad]
 constexpr int iterations = 6;
-constexpr Eigen::Index up = 1;
+constexpr double clearly_taller = 1.5;  // along z than along y, of a figure whose world has z up
+constexpr int looks = 200;              // at a clip, for what is usual in it
 
 /// From 0 to 1 with two derivatives that are 0 at both ends.
 double eased(double s) {
@@ -102,6 +104,29 @@ std::vector<Leg> legs_of(const Skeleton& skeleton, const Clip& clip, const std::
   return legs;
 }
 
+/// Evenly over a clip.
+std::vector<double> looks_at(const Clip& clip) {
+  const Domain domain = clip.domain();
+  std::vector<double> times;
+  for (int i = 0; i <= looks; ++i) times.push_back(domain.start + (domain.end - domain.start) * i / looks);
+  return times;
+}
+
+/// y, or z where the figure is usually far taller along z.
+Eigen::Vector3d up_of(const Skeleton& skeleton, const Clip& clip) {
+  const ClipMotion motion(skeleton, clip);
+  Eigen::Vector3d extents = Eigen::Vector3d::Zero();
+  for (const double t : looks_at(clip)) {
+    Eigen::Vector3d lowest = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), highest = -lowest;
+    for (std::size_t j = 0; j < skeleton.size(); ++j) {
+      const Eigen::Vector3d place = motion.world_pose(j, t).translation();
+      lowest = lowest.cwiseMin(place), highest = highest.cwiseMax(place);
+    }
+    extents += highest - lowest;
+  }
+  return extents.z() > clearly_taller * extents.y() ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
+}
+
 /// Where a joint is at the frames.
 std::vector<Eigen::Vector3d> places_of(const ClipMotion& motion, std::size_t joint, std::span<const double> times) {
   std::vector<Eigen::Vector3d> places;
@@ -109,9 +134,9 @@ std::vector<Eigen::Vector3d> places_of(const ClipMotion& motion, std::size_t joi
   return places;
 }
 
-double ground_below(std::span<const Eigen::Vector3d> places) {
+double ground_below(std::span<const Eigen::Vector3d> places, const Eigen::Vector3d& up) {
   std::vector<double> heights;
-  for (const Eigen::Vector3d& place : places) heights.push_back(place[up]);
+  for (const Eigen::Vector3d& place : places) heights.push_back(up.dot(place));
   const auto lowest = heights.begin() + static_cast<std::ptrdiff_t>(usual_lowest * static_cast<double>(heights.size()));
   std::ranges::nth_element(heights, lowest);
   return *lowest;
@@ -133,13 +158,13 @@ double slide_of(const Contact& contact, std::span<const Eigen::Vector3d> places)
 }
 
 std::vector<Contact> contacts_of(std::size_t joint, double leg, std::span<const Eigen::Vector3d> places,
-                                 std::span<const double> times) {
+                                 std::span<const double> times, const Eigen::Vector3d& up) {
   std::vector<Contact> contacts;
-  const double ground = ground_below(places);
+  const double ground = ground_below(places, up);
   std::size_t first = times.size();  // of a contact that has begun
   for (std::size_t k = 0; k <= times.size(); ++k) {
     const bool stands =
-        k < times.size() && places[k][up] - ground <= near_ground * leg && speed_at(k, places, times) <= slow * leg;
+        k < times.size() && up.dot(places[k]) - ground <= near_ground * leg && speed_at(k, places, times) <= slow * leg;
     if (stands) first = std::min(first, k);
     if (stands || first >= k) continue;
     if (times[k - 1] - times[first] >= shortest_contact) {
@@ -251,7 +276,7 @@ class Pose {
 };
 
 /// Holds the contacts of one leg.
-void hold(const Skeleton& skeleton, Clip& clip, const Leg& leg, std::vector<Contact>& all) {
+void hold(const Skeleton& skeleton, Clip& clip, const Leg& leg, const Eigen::Vector3d& up, std::vector<Contact>& all) {
   const Clip before = clip;
   const ClipMotion motion(skeleton, before);
   const SharedList<double> times = turning_channel(before, leg.turning.back())->times;
@@ -259,7 +284,7 @@ void hold(const Skeleton& skeleton, Clip& clip, const Leg& leg, std::vector<Cont
   std::vector<Contact> found;
   for (const std::size_t joint : leg.holds) {
     const auto places = places_of(motion, joint, times);
-    const auto contacts = contacts_of(joint, leg.length, places, times);
+    const auto contacts = contacts_of(joint, leg.length, places, times, up);
     if (!contacts.empty()) holds.push_back(holds_of(contacts, places, times));
     found.insert(found.end(), contacts.begin(), contacts.end());
   }
@@ -296,14 +321,11 @@ Expected<std::vector<std::size_t>> joints_named(const Skeleton& skeleton, std::s
 }
 
 /// Those that turn, have two joints above them that turn, and come as low as any.
-std::vector<std::size_t> ends_of_legs(const Skeleton& skeleton, const Clip& clip) {
+std::vector<std::size_t> ends_of_legs(const Skeleton& skeleton, const Clip& clip, const Eigen::Vector3d& up) {
   const ClipMotion motion(skeleton, clip);
-  const Domain domain = clip.domain();
+  const std::vector<double> times = looks_at(clip);
   std::vector<double> grounds(skeleton.size());
-  std::vector<double> times;
-  constexpr int looks = 200;
-  for (int i = 0; i <= looks; ++i) times.push_back(domain.start + (domain.end - domain.start) * i / looks);
-  for (std::size_t j = 0; j < skeleton.size(); ++j) grounds[j] = ground_below(places_of(motion, j, times));
+  for (std::size_t j = 0; j < skeleton.size(); ++j) grounds[j] = ground_below(places_of(motion, j, times), up);
   const auto [lowest, highest] = std::ranges::minmax(grounds);
   std::vector<std::size_t> ends;
   for (std::size_t j = 0; j < skeleton.size(); ++j)
@@ -316,13 +338,14 @@ std::vector<std::size_t> ends_of_legs(const Skeleton& skeleton, const Clip& clip
 }  // namespace
 
 Expected<HeldContacts> held_contacts(const Skeleton& skeleton, const Clip& clip, std::span<const std::string> names) {
+  const Eigen::Vector3d up = up_of(skeleton, clip);
   const bool are_all = names.size() == 1 && names.front() == all_legs && !skeleton.find(all_legs);
   const auto joints =
-      are_all ? Expected<std::vector<std::size_t>>(ends_of_legs(skeleton, clip)) : joints_named(skeleton, names);
+      are_all ? Expected<std::vector<std::size_t>>(ends_of_legs(skeleton, clip, up)) : joints_named(skeleton, names);
   if (!joints) return tl::unexpected(joints.error());
   HeldContacts held{.clip = clip};
   for (const Leg& leg : legs_of(skeleton, clip, *joints)) {
-    if (!leg.turning.empty() && leg.length > 0.0) hold(skeleton, held.clip, leg, held.contacts);
+    if (!leg.turning.empty() && leg.length > 0.0) hold(skeleton, held.clip, leg, up, held.contacts);
   }
   return held;
 }

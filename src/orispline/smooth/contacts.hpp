@@ -30,13 +30,14 @@ inline constexpr std::string_view all_legs = "auto";
 
 /// Holds joints where they stand on the ground, by small turns of the joints above them.
 ///
-/// A joint stands where it is no more than 0.04 leg lengths above the height that 5 % of its frames are below, y being
-/// up, and goes no faster than 0.4 leg lengths in a second, from 0.1 s before to 0.1 s behind; for 0.1 s at least. A
-/// leg is what is above the joint: three joints that turn at most, and none of those that the other legs are below too.
-/// In a contact the joint is drawn to the mean of its places: of the turns of its leg ψ [rad] those that make Σ|ψ|² +
-/// 30 Σ|d|² the least, where d is how far the joints are from there, in leg lengths, all contacts of a leg together.
-/// Within 0.1 s before and behind the second sum comes and goes with two derivatives that are 0 at the ends. `auto`:
-/// the joints that turn, have two above them that turn, and come within a tenth of the figure's height of its lowest.
+/// A joint stands where it is no more than 0.04 leg lengths above the height that 5 % of its frames are below (up is
+/// y, or z where the figure is usually 1.5 times as tall along z as along y), and goes no faster than 0.4 leg lengths
+/// in a second, from 0.1 s before to 0.1 s behind; for 0.1 s at least. A leg is what is above the joint: three joints
+/// that turn at most, and none of those that the other legs are below too. In a contact the joint is drawn to the mean
+/// of its places: of the turns of its leg ψ [rad] those that make Σ|ψ|² + 10 Σ|d|² the least, where d is how far the
+/// joints are from there, in leg lengths, all contacts of a leg together. Within 0.1 s before and behind the second sum
+/// comes and goes with two derivatives that are 0 at the ends. `auto`: the joints that turn, have two above them that
+/// turn, and come within a tenth of the figure's height of its lowest.
 ///
 /// Where a leg does not turn there are no contacts. Errors (bad_argument, `keep_contacts`): a joint that is not there,
 /// or that has nothing but the root above it.
