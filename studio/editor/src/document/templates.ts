@@ -23,27 +23,25 @@ export interface Template {
 
 const paperTensions = [0.1, 0.6, 0, 0.6, 0.1]; // of figure 3 of Tan et al. 2018
 
-/** Some rows of a file, each made anew, below a comment of their own and its units. */
-function excerpt(text: string, comment: string, column: string, row: (row: string, index: number) => string | null): string {
+/** The rows of a file, each made anew, below a comment of their own and its units. */
+function remade(text: string, comment: string, column: string, row: (row: string, index: number) => string): string {
   const lines = text.split('\n').filter((line) => line !== '' && !line.startsWith('#'));
   const units = text.split('\n').filter((line) => line.startsWith('# Units'));
   const [header, ...rows] = lines;
-  return `${[`# ${comment}`, ...units, header + column, ...rows.flatMap((line, i) => row(line, i) ?? [])].join('\n')}\n`;
+  return `${[`# ${comment}`, ...units, header + column, ...rows.map(row)].join('\n')}\n`;
 }
 
 const evenly = (row: string, i: number) => `${i}${row.slice(row.indexOf(','))}`;
 
 /** The paper's own orientations are not published. */
-const withPaperTensions = excerpt(five, 'Five keyframes at the times and with the tensions of figure 3 of Tan et al. 2018, for the method quintic.', ',tension', (row, i) => `${evenly(row, i)},${paperTensions[i]}`);
-
-const loopAndRoll = [9, 11, 13, 15, 16, 18, 19, 20, 21, 22, 23, 24]; // rows of the flight: fewer in the loop, where it turns evenly
+const withPaperTensions = remade(five, 'Five keyframes at the times and with the tensions of figure 3 of Tan et al. 2018, for the method quintic.', ',tension', (row, i) => `${evenly(row, i)},${paperTensions[i]}`);
 
 /** What the page opens with. */
 export const motion: Template = {
-  title: 'A loop and a roll',
-  sentence: 'A part of the flight, with some of its keys.',
-  name: 'loop_and_roll.csv',
-  text: excerpt(flight, 'A loop and a roll: some keys of flight_keys.csv.', '', (row, i) => (loopAndRoll.includes(i) ? row : null)),
+  title: 'An aircraft',
+  sentence: 'An aircraft at five orientations, a second apart.',
+  name: 'aircraft_keys.csv',
+  text: remade(five, 'Five keyframes of an aircraft, a second apart.', '', evenly),
   first: 'auto',
   second: 'slerp',
   looks: { up: 'z', body: 'aircraft', axis: 'x' },
@@ -54,7 +52,7 @@ export const templates: readonly Template[] = [
     title: 'Five keys',
     sentence: 'Five orientations, a second apart.',
     name: 'five_keys.csv',
-    text: excerpt(five, 'Five keyframes, a second apart.', '', evenly),
+    text: remade(five, 'Five keyframes, a second apart.', '', evenly),
     first: 'auto',
     second: 'slerp',
   },

@@ -123,7 +123,7 @@ export class KeyTable {
       ...form.names.map((name) => unit(name.split(',')[0], form.unit)),
       ...own.map(({ info }) => [info.name]),
       ...(hasPositions ? ['x', 'y', 'z'].map((axis) => unit(axis, 'm')) : []),
-      ['A at the key'],
+      ['Curve at the key'],
     ];
     const made = [form.id, hasPositions, ...own.map(({ which, info }) => `${which}:${info.name}`)].join();
     if (made === this.made) return;
