@@ -17,8 +17,8 @@ const said: readonly [RegExp, string][] = [
   [/; if another column has the rest of the time, name both, such as t=sec\+nanosec/, '; another column may have the rest of the time'],
 ];
 
-/** Words of the library for what mends a file, by the options that it names within a sentence. */
-const remedies: Readonly<Record<string, string>> = { normalise: 'norms', time_scale: 'time_scale' };
+/** What mends a file, of the options that the library names within a sentence. */
+const remedies = ['normalise', 'time_scale'];
 
 /** What the library says, for whoever is at the page. */
 export function curedOnPage(message: string): string {
@@ -27,4 +27,4 @@ export function curedOnPage(message: string): string {
 }
 
 /** The word of the library for what would mend a file, where a sentence has it. */
-export const remedyIn = (message: string): string | undefined => remedies[/`(\w+)`/.exec(message)?.[1] ?? ''];
+export const remedyIn = (message: string): string | undefined => remedies.find((option) => message.includes(`\`${option}\``));
