@@ -48,7 +48,7 @@ export class App {
   /** With what was open when this page was loaded before, else with what is given. */
   async begin(given: Given | null): Promise<void> {
     this.place.append(this.start.element);
-    this.page = `${location.pathname} ${given ? sha256(given.bytes) : ''}`;
+    this.page = [location.pathname, ...(given ? [sha256(given.bytes), given.method, given.beside] : [])].join(' ');
     try {
       this.methods = await this.engine.ask('methods', null);
       const kept = keptOpen(() => sessionStorage, this.page);
@@ -63,7 +63,8 @@ export class App {
   async open(given: Given): Promise<void> {
     try {
       const opened = await openedOf(this.engine, this.front, given);
-      if (opened) await this.show(opened, { ...keptLooks(() => localStorage), ...given.looks }, given);
+      const looks = this.session?.looks ?? keptLooks(() => localStorage);
+      if (opened) await this.show(opened, { ...looks, ...given.looks }, given);
     } catch (reason) {
       const { message, line } = reason as Trouble;
       this.tell(`${given.name}${line === undefined ? '' : `:${line}`}: ${sentence(message)}`, curesOf(reason as Trouble, given, () => this.front, (changed) => void this.open(changed)));

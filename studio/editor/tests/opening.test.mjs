@@ -163,7 +163,7 @@ test('where rows cannot stay the page asks first, for another name', async () =>
   assert.equal(await state('({ isSaved }) => isSaved'), false);
   await button('Save').click();
   const name = question.getByRole('textbox', { name: 'Name of the new file' });
-  assert.equal(await name.inputValue(), 'keys_keys.csv');
+  assert.equal(await name.inputValue(), 'keys_quaternions.csv');
   await name.fill('keys.csv');
   await question.getByRole('button', { name: 'Save as another file' }).click();
   await question.waitFor(); // not over itself
