@@ -219,12 +219,3 @@ test('where the library names an option the page says what can be done, and open
   for (const [text, name] of [['HIERARCHY\nROOT hips\n', 'walk.bvh'], ['HIERARCHY\nROOT hips\n', 'keys.csv'], ['glTF\x02', 'walk.glb'], ['{"asset":{}}', 'walk.gltf'], ['{"asset":{}}', 'keys.json'], ['hello', 'keys.csv'], ['', 'keys.csv']])
     assert.doesNotMatch(saidOf(text, name).message, /`|--|input_format/, name);
 });
-
-test('what is said of options within sentences of the library is left out', () => {
-  for (const [said, wanted] of [
-    ['positions are kept but not checked; add `position_tolerance` LENGTH to bound them', 'positions are kept but not checked'],
-    ['a second recording begins, wanted one, or `unwrap` if the clock came round', 'a second recording begins, wanted one'],
-    ['2 steps are turned the short way; set `signs` to as-given to turn as the angles say', '2 steps are turned the short way'],
-    ['it says `some_thing` else', 'it says some thing else'],
-  ]) assert.equal(engine.troubleOf({ message: said }).message, wanted);
-});

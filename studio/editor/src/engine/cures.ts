@@ -7,10 +7,9 @@ const skeleton = 'the studio edits one track; the command orispline studio makes
 /** What is said of options within sentences, and what stands there on the page. */
 const said: readonly [RegExp, string][] = [
   [/, or `unwrap` if the clock came round/, ''],
-  [/; set `time_scale` if they are not/, ''],
   [/; if they are microseconds, set `time_scale` to 1e-6/, '; they may be microseconds'],
-  [/(?:; | and )set `signs` to as-given to turn as the angles say/, ''],
-  [/; set `smoothing_time` for more or less/, ''],
+  [/(?:; (?:if [^;]*, )?| and )set `\w+`[^;:]*/g, ''],
+  [/,? or because `noise` is too small/, ''],
   [/; `normalise` takes the nearest rotation/, ''],
   [/; add `position_tolerance` LENGTH to bound them/, ''],
   [/, and read these with `fps` and `columns` .*/, ', and open these'],
