@@ -50,7 +50,7 @@ export class App {
   /** With what was open when this page was loaded before, else with what is given. */
   async begin(given: Given | null): Promise<void> {
     this.place.append(this.start.element);
-    this.page = `${location.pathname} ${given ? sha256(given.bytes) : ''}`;
+    this.page = [location.pathname, ...(given ? [sha256(given.bytes), given.method, given.beside] : [])].join(' ');
     try {
       this.methods = await this.engine.ask('methods', null);
       const kept = keptOpen(() => sessionStorage, this.page);
@@ -67,7 +67,8 @@ export class App {
     const asked = ++this.asked;
     try {
       const opened = await openedOf(this.engine, this.front, given);
-      if (opened && !(isOpening && asked !== this.asked)) await this.show(opened, { ...keptLooks(() => localStorage), ...given.looks }, given, isOpening);
+      const looks = this.session?.looks ?? keptLooks(() => localStorage);
+      if (opened && !(isOpening && asked !== this.asked)) await this.show(opened, { ...looks, ...given.looks }, given, isOpening);
     } catch (reason) {
       const { message, line } = reason as Trouble;
       this.tell(`${given.name}${line === undefined ? '' : `:${line}`}: ${sentence(message)}`, curesOf(reason as Trouble, given, () => this.front, (changed) => void this.open(changed)));

@@ -33,6 +33,21 @@ test('the worker is given the library, then questions', async () => {
   await assert.rejects(refused, { message: 'No.', key: 3 });
 });
 
+test('how far a task is is told, and to stop it another worker begins', async () => {
+  const workers = [], shares = [], client = new engine.WorkerEngine(() => workers[workers.push(new Puppet()) - 1], 'text'), curves = [];
+  client.onCurves((found, { name }) => curves.push(name));
+  const reduced = client.ask('reduce', {}, (share) => shares.push(share)), drawn = documentOf('a');
+  await workers[0].answer({ share: 0.25 });
+  await workers[0].answer({ share: 0.5 });
+  client.draw(drawn);
+  client.stop();
+  await assert.rejects(reduced, engine.stopped);
+  await new Promise(setImmediate);
+  assert.deepEqual([shares, workers.length, workers[1].asked.map(({ name, library }) => name ?? library)], [[0.25, 0.5], 2, ['text', 'curves']]);
+  await workers[1].answer({ told: { first: { t: 1 }, second: { t: 2 } } });
+  assert.deepEqual(curves, ['a']);
+});
+
 test('of documents that are drawn the newest is next, and no other waits', async () => {
   const { worker, client, curves } = begun(), names = () => worker.asked.slice(1).map(({ given }) => given.document.name);
   for (const name of ['a', 'b', 'c', 'd']) client.draw(documentOf(name));

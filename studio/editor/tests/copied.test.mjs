@@ -9,7 +9,7 @@ import { after, test } from 'node:test';
 import { keysIn } from './library.mjs';
 import { moduleOf, shoemake, timedC2 } from './modules.mjs';
 
-const { copiedCode, languages, samplesText, libraryText, templates } = await moduleOf('file/code.ts', 'file/exports.ts', 'document/templates.ts');
+const { copiedCode, languagesFor, samplesText, libraryText, templates } = await moduleOf('file/code.ts', 'file/exports.ts', 'document/templates.ts');
 
 const folder = mkdtempSync(join(tmpdir(), 'orispline-copied-'));
 after(() => rmSync(folder, { recursive: true }));
@@ -48,8 +48,10 @@ test('programs name what the method reads of the keys', () => {
   assert.match(copiedCode('JavaScript', wantedOf({ keys: withTensions })), /, keys, \{ tension: \[0\.1, 0\.6, 0, 0\.6, 0\.1\] \}\);/);
   assert.doesNotMatch(copiedCode('JavaScript', wantedOf({ keys: withTensions, choice: { method: 'shoemake', settings: {} }, method: shoemake })), /tension/);
   for (const line of copiedCode('C++', wantedOf()).split('\n')) assert.equal(line.replace(/\\./g, '').split('"').length % 2, 1, line);
-  assert.deepEqual(languages, ['command', 'C++', 'Python', 'JavaScript']);
-  for (const language of languages) assert.ok(copiedCode(language, wantedOf()).endsWith('\n'));
+  assert.deepEqual(languagesFor(), ['command', 'C++', 'Python', 'JavaScript']);
+  assert.deepEqual(languagesFor({ options: {}, comma: true }), ['JavaScript']);
+  assert.deepEqual(languagesFor({ options: { fps: '24' }, comma: false }), ['command', 'Python', 'JavaScript']);
+  for (const language of languagesFor()) assert.ok(copiedCode(language, wantedOf()).endsWith('\n'));
 });
 
 /** Rows of the file that the command writes, by the columns. */
@@ -64,6 +66,12 @@ const cases = [
   ['camera', wantedOf({ name: `"it's" a\ncamera.csv` }), cameraText],
   ['five', wantedOf({ name: 'five.csv', keys: withTensions, choice: { method: 'timed-c2', settings: { tension2: 0.9 } } }), tensions],
 ];
+
+test('what the user has said of a file is in what is copied', () => {
+  const reading = { options: { fps: '30000/1001', columns: 't=moment,qw=w', normalise: true }, comma: false }, wanted = { ...wantedOf(), reading };
+  assert.match(copiedCode('command', wanted), / --fps 30000\/1001 --columns t=moment,qw=w --normalise --method /);
+  assert.match(copiedCode('Python', wanted), /, fps="30000\/1001", columns=\{"t": "moment", "qw": "w"\}, normalise=True, scalar_first=True\)/);
+});
 
 test('the command that is copied writes so many samples', needsCommand, () => {
   for (const [, wanted, text] of cases) assert.equal(commanded(wanted, text).length, 102);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the engine answers, beside the command.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -119,8 +118,8 @@ test('bad files are refused with the sentence of the library and its place', () 
   assert.match(troubleOf(() => ask.open({ bytes: wide, name: 'keys.csv' })).message, /UTF-16/);
   assert.ok(troubleOf(() => ask.open({ bytes: Uint8Array.from({ length: 500 }, (_, k) => (k * 7919) % 256), name: 'keys.csv' })).message);
   assert.match(troubleOf(() => opened('five_keys.csv', { method: 'slurp' })).message, /did you mean 'slerp'/);
-  assert.match(openedText('t,qw,qx,qy,qz\n0,1,0,0,0\n').warnings[0], /one key/);
-  assert.match(openedText('# orispline: method=slerp signs=as-given\nt,qw,qx,qy,qz\n0,1,0,0,0\n1,-0.8,0.6,0,0\n').warnings[0], /short way/);
+  assert.match(openedText('t,qw,qx,qy,qz\n0,1,0,0,0\n').warnings[0].message, /one key/);
+  assert.match(openedText('# orispline: method=slerp signs=as-given\nt,qw,qx,qy,qz\n0,1,0,0,0\n1,-0.8,0.6,0,0\n').warnings[0].message, /short way/);
 });
 
 test('a method that refuses the keys says why, and the other one is drawn', () => {
@@ -132,13 +131,29 @@ test('a method that refuses the keys says why, and the other one is drawn', () =
 });
 
 test('a recording with too many rows says so, and is reduced', () => {
-  const bytes = readFileSync(example('flight_truth.csv')), found = ask.open({ bytes, name: 'flight_truth.csv' });
-  assert.ok(found.count > 1000 && !found.document && found.original.text);
-  const { document, original } = ask.reduce({ bytes, name: 'flight_truth.csv', tolerance: '0.5deg' });
-  assert.deepEqual([original.name, original.text, document.keys[3].row], ['flight_truth_keys.csv', '', null]);
-  assert.ok(document.keys.length > 10 && document.keys.length < 500);
+  const bytes = readFileSync(example('flight_truth.csv')), name = 'flight_truth.csv', found = ask.open({ bytes, name });
+  assert.ok(found.count > 1000 && !found.document && found.original.text && found.hasPositions);
+  const shares = [], reduced = ask.reduce({ bytes, name, tolerance: '0.5deg' }, (share) => shares.push(share)), { original, document, warnings } = reduced.opened;
+  assert.deepEqual([original.name, original.text, document.keys[3].row, warnings], ['flight_truth_keys.csv', '', null, []]);
+  assert.ok(shares.length > 0 && shares.every((share) => share >= 0 && share <= 1), String(shares));
+  const wanted = JSON.parse(command('reduce', example(name), '--tolerance', '0.5deg', '--json', '--quiet', '-o', join(folder, 'reduced.csv')));
+  assert.deepEqual([reduced.count, reduced.method, reduced.furthest, reduced.furthestPosition], [wanted.keys, wanted.method, wanted.error_max_deg, wanted.position_error_max_m]);
+  assert.deepEqual(reduced.others.map(({ method, count }) => [method, count]), wanted.methods.filter(({ method }) => method !== wanted.method).map(({ method, keys }) => [method, keys]));
   assert.ok(answers().curves({ document, count: 100 }).first.t);
-  assert.match(troubleOf(() => ask.reduce({ bytes, name: 'flight_truth.csv', tolerance: '0.5' })).message, /0\.5/);
+  assert.match(troubleOf(() => ask.reduce({ bytes, name, tolerance: '0.5' })).message, /0\.5/);
+});
+
+test('noise is named, and smoothed first where that is asked for', () => {
+  let state = 1;
+  const noise = () => ((state = (state * 16807) % 2147483647) / 2147483647 - 0.5) * 0.02;
+  const rows = Array.from({ length: 1500 }, (_, i) => `${i / 100},${Math.cos(i / 500)},${noise()},${noise()},${Math.sin(i / 500)}`);
+  const given = { bytes: bytesOf(`t,qw,qx,qy,qz\n${rows.join('\n')}\n`), name: 'noisy.csv', tolerance: '0.3deg' };
+  const raw = ask.reduce(given), smoothed = ask.reduce({ ...given, smooth: true });
+  assert.equal(raw.smoothed, null);
+  assert.ok(smoothed.count < raw.count / 5, `${smoothed.count} of ${raw.count}`);
+  const sigma = ((0.02 / Math.sqrt(12)) * 2 * 180) / Math.PI; // of the rotation vector, of which the quaternion has half
+  assert.ok(smoothed.smoothed.noise > 0.5 * sigma && smoothed.smoothed.noise < 1.5 * sigma, `${smoothed.smoothed.noise}, ${sigma}`);
+  assert.equal(ask.reduce({ ...given, smooth: true, methods: 'auto,timed-c2' }).others.some(({ method }) => method === 'slerp'), false);
 });
 
 test('keys that are written are read again, with the epoch and the method', () => {
@@ -170,28 +185,37 @@ test('one time, and what is baked', () => {
   assert.equal(JSON.parse(ask.bake({ keys, choice, tolerance: 1e-4 })).orispline, 'baked');
 });
 
-test('where the library names an option the page names the command that has it', () => {
-  const said = (text, name = 'keys.csv') => {
-    try {
-      return ask.open({ bytes: bytesOf(text), name }).warnings.join();
-    } catch (reason) {
-      return engine.troubleOf(reason).message;
-    }
-  };
-  const joint = (extension) => `the studio edits one track, so take that of one joint: orispline convert walk.${extension} --joint hips -o keys.csv`;
-  for (const name of ['walk.bvh', 'keys.csv']) assert.equal(said('HIERARCHY\nROOT hips\n', name), `found a BVH file, which is not read as rows; ${joint('bvh')}`);
-  assert.equal(said('glTF\x02', 'walk.glb'), `found a glTF file, which is not read as rows; ${joint('glb')}`);
-  for (const name of ['walk.gltf', 'keys.json']) assert.match(said('{"asset":{}}', name), /^found a JSON file, which is not read as rows; where it is glTF, the studio .* walk\.gltf --joint .*; of other JSON write the keys as rows below a header, t,qw,qx,qy,qz$/);
+/** What is said of a text, and what would mend it. */
+function saidOf(text, name = 'keys.csv', reading) {
+  try {
+    const { warnings } = ask.open({ bytes: bytesOf(text), name, ...(reading ? { reading } : {}) });
+    return { message: warnings.map(({ message }) => message).join(), remedy: warnings.find(({ remedy }) => remedy)?.remedy };
+  } catch (reason) {
+    return engine.troubleOf(reason);
+  }
+}
+
+test('where the library names an option the page says what can be done, and opens the file so', () => {
   const row = 't,qw,qx,qy,qz\n';
   const cures = [
-    ['0,1,0,0,0\n1,1,0,0,0\n', '--order'], ['t,roll,pitch,yaw\n1,1,0,0\n2,1,0,0\n', '--angle-unit'], ['frame,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n', '--fps'], ['a,b\n0,1\n', '--columns'],
-    [`${row}1,1,0,0,0\n0,1,0,0,0\n`, '--sort'], [`${row}1,1,0,0,0\n1,1,0,0,0\n`, '--drop-duplicates'], [`${row}0,1,0,0,3\n1,1,0,0,0\n`, '--normalise'], [`${row}0,1,0,0,0\n1,nan,0,0,0\n`, '--drop-invalid'],
+    ['0,1,0,0,0\n1,1,0,0,0\n', 'order', { order: 'wxyz' }], ['t,roll,pitch,yaw\n1,1,0,0\n2,1,0,0\n', 'angle_unit', { angle_unit: 'deg' }],
+    ['t,e1_deg,e2_deg,e3_deg\n1,1,0,0\n2,1,0,0\n', 'euler', { euler: 'ZXZ' }], ['frame,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n', 'fps', { fps: '24' }],
+    ['moment,w,x,y,z\n0,1,0,0,0\n1,1,0,0,0\n', 'columns', { columns: 't=moment,qw=w,qx=x,qy=y,qz=z' }], [`${row}1,1,0,0,0\n0,1,0,0,0\n`, 'sort', { sort: true }],
+    [`${row}1,1,0,0,0\n1,1,0,0,0\n`, 'drop_duplicates', { drop_duplicates: true }], [`${row}0,1,0,0,3\n1,1,0,0,0\n`, 'normalise', { normalise: true }],
+    [`${row}0,1,0,0,0\n1,nan,0,0,0\n`, 'drop_invalid', { drop_invalid: true }], ['t,roll_deg,pitch_deg,yaw_deg,rx,ry,rz\n1,0,0,0,0,0,0\n2,0,0,0,0,0,0\n', 'input_orientation', { input_orientation: 'rotvec' }],
+    [`# orispline: method\n${row}0,1,0,0,0\n1,1,0,0,0\n`, 'ignore_recipe', { ignore_recipe: true }],
   ];
-  const options = execFileSync(process.env.ORISPLINE_COMMAND, ['help', 'studio', '--all'], { encoding: 'utf8' });
-  for (const [text, option] of cures) {
-    assert.ok(said(text).endsWith(`; orispline studio reads it with ${option}`), said(text));
-    assert.ok(options.includes(option), option);
+  for (const [text, wanted, options] of cures) {
+    const { message, remedy } = saidOf(text);
+    assert.equal(remedy, wanted, message);
+    assert.doesNotMatch(message, /`|--|orispline studio/, message);
+    assert.ok(ask.open({ bytes: bytesOf(text), name: 'keys.csv', reading: { options, comma: false } }).document.keys.length > 0, wanted);
   }
-  assert.match(said(`${row}1700000000000,1,0,0,0\n1700000001000,1,0,0,0\n`), /; set --time-scale of orispline studio if they are not$/);
-  for (const text of ['hello', '', ...cures.map(([one]) => one)]) assert.doesNotMatch(said(text), /`|input_format/);
+  const large = saidOf(`${row}1700000000000,1,0,0,0\n1700000001000,1,0,0,0\n`);
+  assert.deepEqual([large.message, large.remedy], ['the times are taken as milliseconds, for the first one is 1700000000000', 'time_scale']);
+  const commas = 't;qw;qx;qy;qz\n0;1;0;0;0\n1;0,8;0,6;0;0\n';
+  assert.match(saidOf(commas).message, /0,8/);
+  assert.deepEqual(ask.open({ bytes: bytesOf(commas), name: 'keys.csv', reading: { options: {}, comma: true } }).document.keys[1].q, [0.8, 0.6, 0, 0]);
+  for (const [text, name] of [['HIERARCHY\nROOT hips\n', 'walk.bvh'], ['HIERARCHY\nROOT hips\n', 'keys.csv'], ['glTF\x02', 'walk.glb'], ['{"asset":{}}', 'walk.gltf'], ['{"asset":{}}', 'keys.json'], ['hello', 'keys.csv'], ['', 'keys.csv']])
+    assert.doesNotMatch(saidOf(text, name).message, /`|--|input_format/, name);
 });

@@ -6,5 +6,6 @@ export * from '../src/engine/hash';
 export * from '../src/engine/latest';
 export * from '../src/engine/library';
 export * from '../src/engine/module';
+export { stopped } from '../src/engine/protocol';
 export * from '../src/engine/times';
 export * from '../src/engine/trouble';

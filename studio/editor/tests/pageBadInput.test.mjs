@@ -53,19 +53,21 @@ test('what cannot be opened is told in a sentence; what is open stays, with its 
   await studio.finish();
 });
 
-test('above the motion that the page opens with it is told too, and the next file opens', async () => {
+test('above the motion that the page opens with it is told too, one refusal in the place of the other, and the next file opens', async () => {
   const studio = await studioWith();
+  const notice = studio.page.locator('.notice');
   for (const [what, [content, pattern]] of Object.entries(refused)) {
-    await dropped(studio, 'bad.csv', content);
-    const notice = studio.page.locator('.notice.trouble');
-    await notice.waitFor();
+    await dropped(studio, `${what}.csv`, content);
+    await studio.page.waitForFunction((what) => document.querySelector('.notice span')?.textContent.startsWith(what), what);
     const text = await notice.locator('span').first().textContent();
     assert.match(text, wholeSentence, what);
     assert.match(text, pattern, what);
-    await notice.getByRole('button', { name: 'Close this notice' }).click();
+    assert.doesNotMatch(text, /--|`/, what);
+    assert.equal(await notice.count(), 1);
   }
   await studio.drop('good.csv', five);
   await studio.isOpen('good.csv');
+  assert.equal(await notice.count(), 0);
   await studio.finish();
 });
 
@@ -191,13 +193,14 @@ function withoutInstructions() {
 
 test('a browser whose WebAssembly has no SIMD is told which ones have', async () => {
   const studio = await studioWith({}, { first: withoutInstructions });
-  await studio.page.waitForFunction(() => document.querySelector('.trouble').textContent !== '');
-  const text = await studio.page.locator('.trouble').textContent();
+  const said = studio.page.locator('.notice span');
+  await said.waitFor();
+  const text = await said.textContent();
   assert.match(text, wholeSentence);
   assert.match(text, /SIMD/);
   assert.ok(text.includes(wanted), text);
   await studio.page.getByRole('button', { name: 'Five keys' }).click();
-  await studio.page.waitForFunction(() => document.querySelector('.trouble').textContent.startsWith('five_keys.csv: found no WebAssembly with SIMD'));
+  await studio.page.waitForFunction(() => document.querySelector('.notice span').textContent.startsWith('five_keys.csv: found no WebAssembly with SIMD'));
   await studio.finish();
 });
 

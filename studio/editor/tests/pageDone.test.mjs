@@ -32,17 +32,29 @@ test('a key is dragged, its tension pulled, undone, saved: only its line is anot
   await studio.finish();
 });
 
-test('a file of Euler angles is saved byte for byte while no key is changed, and the page says what it writes else', async () => {
-  const text = '# orispline: method=squad\n# degrees\nt,yaw_deg,pitch_deg,roll_deg,mark\n5,0,0,0,a\n6,30,0,0,b\n7.25,30,20,0,c\n';
+test('a file of Euler angles with dates, comments and further columns keeps all of them', async () => {
+  const text = '# orispline: method=squad\n# degrees\ndate,yaw_deg,pitch_deg,roll_deg,speed,label\n2026-03-01T12:00:05+01:00,0,0,0,1.50,a\n2026-03-01T12:00:06+01:00,30,0,0,2,"b, c"\n2026-03-01T12:00:07.25+01:00,370,20,0,3,c\n'.replace('date,', 't,').replace('"b, c"', 'b');
   const studio = await studioWith({ text });
   assert.equal((await save(studio)).text, text);
   await studio.notice(/^keys\.csv is saved\.$/).waitFor();
   await studio.method('Curve').selectOption('timed-c2');
   await studio.drawn();
-  assert.equal((await save(studio)).text, text.replace('=squad', '=timed-c2'));
-  await studio.dragBy(studio.dot(2), 9, 0);
-  assert.match((await save(studio)).text, /qw,qx,qy,qz/);
-  await studio.notice(/All rows were written anew/).waitFor();
+  const named = text.replace('=squad', '=timed-c2');
+  assert.equal((await save(studio)).text, named);
+  await studio.dot(2).focus();
+  await studio.keyboard.press('ArrowRight');
+  await studio.drawn();
+  const moved = (await save(studio)).text.split('\n');
+  assert.deepEqual(moved.toSpliced(4, 1), named.split('\n').toSpliced(4, 1));
+  assert.match(moved[4], /^2026-03-01T12:00:06\.\d+\+01:00,30,0,0,2,b$/);
+  await studio.dot(3).click();
+  await studio.type(studio.field('X, third turn'), '12.5');
+  await studio.drawn();
+  const turned = (await save(studio)).text.split('\n');
+  assert.deepEqual(turned.toSpliced(5, 1), moved.toSpliced(5, 1));
+  assert.equal(turned[5], '2026-03-01T12:00:07.25+01:00,370,20,12.5,3,c');
+  await studio.stepsBack();
+  assert.equal((await save(studio)).text, text);
   await studio.finish();
 });
 

@@ -41,26 +41,41 @@ function stub() {
   const trouble = (message) => Promise.reject({ message });
   const listeners = [];
   const asked = [];
-  const open = ({ bytes, name, method = 'auto', beside = 'slerp' }) => {
+  const stops = [];
+  const refusedFor = (remedy, message, line) => Promise.reject({ remedy, message, line });
+  const open = ({ bytes, name, method = 'auto', beside = 'slerp', reading, hash }) => {
     const text = new TextDecoder().decode(bytes);
-    const [head, ...rows] = text.trim().split('\n').filter((line) => !line.startsWith('#')).map((line) => line.split(','));
+    const [head, ...rows] = (reading?.comma ? text.replaceAll(',', '.').replaceAll(';', ',') : text).trim().split('\n').filter((line) => !line.startsWith('#')).map((line) => line.split(','));
+    if (head[0] === 'frame' && !reading?.options.fps) return refusedFor('fps', "the column 'frame' counts frames, wanted how many there are in a second", 1);
+    if (head[0] === 'frame') head[0] = 't';
+    if (head[0] === 'moment' && reading?.options.columns?.startsWith('t=moment')) head[0] = 't';
+    if (head[0] === 'moment') return refusedFor('columns', "no column t, found 'moment,qw,qx,qy,qz'");
+    const twice = rows.findIndex((row, i) => i > 0 && row[0] === rows[i - 1][0]);
+    if (twice >= 0) return refusedFor('drop_duplicates', `duplicate time ${rows[twice][0]}, as in line ${twice + 1}, wanted increasing times`, twice + 2);
     if (head[0] !== 't') return trouble(`found no header, wanted one such as t,qw,qx,qy,qz`);
     const keys = rows.map((row, i) => ({ id: i + 1, row: i, t: Number(row[0]), q: row.slice(1, 5).map(Number), p: row.length > 5 ? row.slice(5, 8).map(Number) : null, rates: [], own: {} }));
-    const original = { name, text, hash: `${name}-${text.length}`, epoch: '0' };
-    if (keys.length > 1000) return Promise.resolve({ original, count: keys.length });
+    const original = { name, text, hash: hash ?? `${name}-${text.length}`, epoch: '0', ...(reading ? { reading } : {}) };
+    if (keys.length > 1000) return Promise.resolve({ original, count: keys.length, hasPositions: keys[0].p !== null });
     return Promise.resolve({ original, document: { version: 1, keys, first: { method, settings: {} }, second: { method: beside, settings: {} } }, warnings: [] });
   };
   const answers = {
     methods: () => Promise.resolve(methods),
     open,
-    reduce: ({ bytes, name, tolerance }) => {
+    // Recordings whose name says that they are noisy need 640 keys of slerp, or smoothed fewer of auto; slow ones take as long as one waits.
+    reduce: async ({ bytes, name, tolerance, smooth = false }, progress) => {
       if (!/^[\d.]+deg$/.test(tolerance)) return trouble(`Found the tolerance ${tolerance}, wanted one such as 0.1deg.`);
-      const [head, ...rows] = new TextDecoder().decode(bytes).trim().split('\n');
-      return open({ bytes: new TextEncoder().encode([head, ...rows.filter((_, i) => i % 100 === 0)].join('\n')), name: name.replace('.csv', '_keys.csv') });
+      progress?.(0.25);
+      if (name.startsWith('slow')) await new Promise((_, stop) => stops.push(stop));
+      const isRaw = name.startsWith('noisy') && !smooth, [head, ...rows] = new TextDecoder().decode(bytes).trim().split('\n');
+      const kept = rows.filter((_, i) => i % (isRaw ? 2 : 100) === 0), made = await open({ bytes: new TextEncoder().encode([head, ...kept].join('\n')), name: name.replace('.csv', '_keys.csv') });
+      const [method, other] = isRaw ? ['slerp', 'auto'] : ['auto', 'slerp'];
+      return { count: kept.length, method, others: [{ method: other, count: kept.length + 5 }], furthest: 0.0987, furthestPosition: null, smoothed: smooth ? { noise: 0.31, rms: 0.33 } : null, opened: { ...made, original: { ...made.original, text: '' }, document: { ...made.document, keys: made.document.keys.map((key) => ({ ...key, row: null })) } } };
     },
     at: ({ keys, time }) => Promise.resolve(at(keys, time)),
     write: ({ keys }) => Promise.resolve(['t,qw,qx,qy,qz', ...keys.map(({ t, q }) => [t, ...q].join())].join('\n')),
-    read: ({ text, name }) => open({ bytes: new TextEncoder().encode(text), name }).then(({ document }) => document.keys),
+    read: ({ text, name, reading }) => open({ bytes: new TextEncoder().encode(text), name, reading }).then(({ document }) => document.keys),
+    reopens: () => Promise.resolve(true),
+    stated: () => trouble('It has no other forms.'),
     sample: ({ keys }) => Promise.resolve(samples(keys, 0)),
     bake: () => Promise.resolve('{}'),
     calmest: () => Promise.resolve(null),
@@ -68,7 +83,8 @@ function stub() {
   };
   return {
     asked,
-    ask: (name, given) => (asked.push(name), answers[name](given)),
+    ask: (name, given, progress) => (asked.push(name), answers[name](given, progress)),
+    stop: () => stops.splice(0).forEach((stop) => stop({ message: 'It was stopped.' })),
     draw: (document) => queueMicrotask(() => {
       const drawn = (which, bend) => (document[which].method === 'refused' ? { trouble: { message: 'It refuses these keys.' } } : samples(document.keys, bend));
       const curves = { first: drawn('first', 0), second: drawn('second', 1) };

@@ -8,7 +8,9 @@ import { fileEngine, keysIn } from './library.mjs';
 import { dice, moduleOf, tension } from './modules.mjs';
 
 const edits = ['turn', 'time', 'keys', 'position', 'parameters'].map((name) => `edits/${name}.ts`);
-const { savedText, sameKeys, decimalOf, decimalText, sameMethod, methodText, ...edit } = await moduleOf('file/save.ts', 'document/methodText.ts', 'document/decimal.ts', ...edits);
+const { savedText, sameKeys, decimalOf, decimalText, quotient, sameMethod, methodText, dateIn, dateText, repaired, pointed, hasCommas, ...edit } = await moduleOf(
+  'file/save.ts', 'file/dates.ts', 'file/repair.ts', 'document/methodText.ts', 'document/decimal.ts', 'document/reading.ts', ...edits,
+);
 
 const originalOf = (text, epoch, name = 'keys.csv') => ({ name, text, hash: 'abc', epoch });
 const auto = { method: 'auto', settings: {} };
@@ -210,6 +212,45 @@ test('decimals are exact', () => {
   for (const [text, wanted] of [['1e-7', '0.0000001'], ['-0.50', '-0.5'], ['1.5e3', '1500'], ['0.0', '0'], ['-0', '0'], ['12.', '12'], ['.5', '0.5'], ['123456789012345678901234567890.123456789', '123456789012345678901234567890.123456789']])
     assert.equal(decimalText(decimalOf(text)), wanted);
   for (const text of ['', '.', 'e5', '1,5', '0x1', 'nan', '1e999999999']) assert.equal(decimalOf(text), null);
+});
+
+test('quotients have as many decimals as they are asked for', () => {
+  for (const [one, other, wanted] of [['1', '24', '0.041666666666666667'], ['-1', '3', '-0.333333333333333333'], ['1001', '30000', '0.033366666666666667'], ['1e30', '4', '250000000000000000000000000000'], ['3', '1.5', '2']])
+    assert.equal(decimalText(quotient(decimalOf(one), decimalOf(other), 18)), wanted);
+});
+
+test('dates are exact seconds, and are written as they were', () => {
+  for (const [date, seconds] of [
+    ['1970-01-01T00:00:00Z', '0'], ['2024-02-29T12:30:00.25Z', '1709209800.25'], ['2024-060T12:30:00.25', '1709209800.25'], ['2024-02-29 14:30:00.250+02:00', '1709209800.25'], ['2024-02-29T12:30', '1709209800'],
+    ['2024-02-29', '1709164800'], ['1969-12-31T23:59:59.999999999Z', '-0.000000001'], ['0001-01-01T00:00:00Z', '-62135596800'], ['2026-03-01T12:00:00.123456789012-05:30', '1772386200.123456789012'],
+  ]) {
+    const found = dateIn(date);
+    assert.equal(decimalText(found.seconds), seconds);
+    assert.equal(dateText(found.seconds, found.style), date.replace(/(\.\d*?)0+(?=\D*$|[+-])/, '$1'));
+  }
+  for (const text of ['12', '2024', '2024-2-29', '2024-02-29T12', 'T12:00', '2024-02-29T12:30:00+2']) assert.equal(dateIn(text), null, text);
+  const { style } = dateIn('2024-02-29');
+  assert.equal(dateText(decimalOf('1709164800.5'), style), '2024-02-29T00:00:00.5');
+  assert.equal(dateText(decimalOf('1e15'), style), null);
+});
+
+test('faults of a file are mended in its text, of which all else stays', () => {
+  const head = '# a note\r\nlabel,t,qw,qx,qy,qz\r\n', rows = ['a,1,1,0,0,0\r\n', '# between\r\n', 'b,2.0,0.8,0.6,0,0\r\n', 'c,2,0.6,0.8,0,0\r\n', 'd,1.5,nan,1,0,0'], plainly = { options: {}, comma: false };
+  const mended = (remedy, text = head + rows.join('')) => repaired(text, remedy, plainly);
+  assert.equal(mended('drop_duplicates'), head + rows.toSpliced(3, 1).join(''));
+  assert.equal(mended('drop_invalid'), head + rows.slice(0, 4).join('').trimEnd());
+  assert.equal(mended('sort'), `${head}${rows[0]}${rows[1]}${rows[4]}\r\n${rows[2]}${rows[3].trimEnd()}`);
+  assert.equal(mended('recipe', `# orispline: method\n${head}${rows[0]}`), head + rows[0]);
+  for (const text of ['no table', 'a,b\n1,2\n']) assert.equal(mended('sort', text), null);
+  const dated = 't;roll_deg;pitch_deg;yaw_deg\n2024-01-02;0,5;0;0\n2024-01-01;0;0;0\n';
+  assert.equal(repaired(dated, 'sort', { options: {}, comma: true }), dated.replace(/(2024-01-02.*\n)(.*\n)/, '$2$1'));
+});
+
+test('decimal commas are points for the library, at the same places', () => {
+  const text = '# at 0,5 s\nt;qw;note\n0,5;-1,25e-3;"1,5"\n1;2;a,b\n';
+  assert.equal(pointed(text).length, text.length);
+  assert.equal(pointed(text).split('\n').slice(1).join('\n'), 't;qw;note\n0.5;-1.25e-3;"1.5"\n1;2;a,b\n');
+  assert.ok(hasCommas(text) && !hasCommas('t,qw\n0,1\n') && !hasCommas('t;qw\n0.5;1\n'));
 });
 
 test('thirty random walks: what is saved holds what was edited, and lines of untouched keys as they were', async () => {

@@ -17,7 +17,4 @@ export const pointed = (text: string): string => text.replace(number, (cell) => 
 export const textFor = (text: string, { comma }: Reading): string => (comma ? pointed(text) : text);
 
 /** Whether cells of a text are numbers with decimal commas, so that another sign parts the cells. */
-export const hasCommas = (text: string): boolean => {
-  const row = text.split('\n').find((line) => /^[-+\d"]/.test(line)) ?? '';
-  return /[;\t]/.test(row) && pointed(row) !== row;
-};
+export const hasCommas = (text: string): boolean => text.split('\n').some((line) => !/^[ \t]*#/.test(line) && /[;\t]/.test(line) && pointed(line) !== line);

@@ -7,18 +7,17 @@ const skeleton = 'the studio edits one track; the command orispline studio makes
 /** What is said of options within sentences, and what stands there on the page. */
 const said: readonly [RegExp, string][] = [
   [/, or `unwrap` if the clock came round/, ''],
-  [/; set `time_scale` if they are not/, ''],
   [/; if they are microseconds, set `time_scale` to 1e-6/, '; they may be microseconds'],
-  [/(?:; | and )set `signs` to as-given to turn as the angles say/, ''],
-  [/; set `smoothing_time` for more or less/, ''],
+  [/(?:; (?:if [^;]*, )?| and )set `\w+`[^;:]*/g, ''],
+  [/,? or because `noise` is too small/, ''],
   [/; `normalise` takes the nearest rotation/, ''],
   [/; add `position_tolerance` LENGTH to bound them/, ''],
   [/, and read these with `fps` and `columns` .*/, ', and open these'],
   [/; if another column has the rest of the time, name both, such as t=sec\+nanosec/, '; another column may have the rest of the time'],
 ];
 
-/** Words of the library for what mends a file, by the options that it names within a sentence. */
-const remedies: Readonly<Record<string, string>> = { normalise: 'norms', time_scale: 'time_scale' };
+/** What mends a file, of the options that the library names within a sentence. */
+const remedies = ['normalise', 'time_scale'];
 
 /** What the library says, for whoever is at the page. */
 export function curedOnPage(message: string): string {
@@ -27,4 +26,4 @@ export function curedOnPage(message: string): string {
 }
 
 /** The word of the library for what would mend a file, where a sentence has it. */
-export const remedyIn = (message: string): string | undefined => remedies[/`(\w+)`/.exec(message)?.[1] ?? ''];
+export const remedyIn = (message: string): string | undefined => remedies.find((option) => message.includes(`\`${option}\``));

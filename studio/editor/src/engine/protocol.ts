@@ -12,7 +12,7 @@ export interface Trouble {
   line?: number; // of the file
   column?: number; // of its table, from 1
   option?: string;
-  remedy?: string; // what the user may say of the file so that it is read: a word of the library, such as `fps`
+  remedy?: string; // what the user may say of the file so that it is read: an option of the library, such as `fps`
 }
 
 /** Even samples, and both sides of every key between the ends, by time. */
@@ -37,7 +37,7 @@ export interface Opened {
   warnings: Warning[];
 }
 
-/** A sentence, and the word of the library for what the user may say of the file, where that would change it. */
+/** A sentence, and the option of the library that says something of the file, where that would change it. */
 export type Warning = Pick<Trouble, 'message' | 'remedy'>;
 
 /** More keys than can be edited. */

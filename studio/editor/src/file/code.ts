@@ -3,6 +3,7 @@
 // it, read the file that the keys are saved in.
 import { numberText } from '../document/decimal';
 import type { Choice, Key } from '../document/document';
+import { plainReading, type Reading } from '../document/reading';
 import { methodText } from '../document/methodText';
 import { countedFromFirst } from '../document/times';
 import type { MethodInfo } from '../engine/protocol';
@@ -13,6 +14,7 @@ export interface Wanted {
   readonly choice: Choice;
   readonly method: MethodInfo; // of the choice
   readonly count: number; // of samples at even times, from the start to the end
+  readonly reading?: Reading; // of the file
 }
 
 export type Language = 'command' | 'C++' | 'Python' | 'JavaScript';
@@ -35,9 +37,12 @@ function literalOfC(text: string): string {
   return `"${escaped.join('')}"`;
 }
 
-function command({ name, choice, count }: Wanted): string {
-  const output = name === 'motion.csv' ? 'samples.csv' : 'motion.csv';
-  return `orispline sample ${word(fileNamed(name))} --method ${word(methodText(choice))} --count ${count} -o ${output}\n`;
+const optionsOf = ({ reading }: Wanted): [name: string, value: string | boolean][] => Object.entries(reading?.options ?? {});
+
+function command(wanted: Wanted): string {
+  const { name, choice, count } = wanted, output = name === 'motion.csv' ? 'samples.csv' : 'motion.csv';
+  const options = optionsOf(wanted).map(([option, value]) => ` --${option.replaceAll('_', '-')}${value === true ? '' : ` ${word(String(value))}`}`).join('');
+  return `orispline sample ${word(fileNamed(name))}${options} --method ${word(methodText(choice))} --count ${count} -o ${output}\n`;
 }
 
 function cpp(wanted: Wanted): string {
@@ -84,11 +89,18 @@ int main() {
 `;
 }
 
-const python = ({ name, choice, count }: Wanted): string => `import orispline as ori
+/** Of columns a mapping; of numbers, such as 30000/1001, their text. */
+function ofPython(option: string, value: string | boolean): string {
+  if (value === true) return 'True';
+  if (option === 'columns') return `{${String(value).split(',').map((pair) => pair.split('=').map(literal).join(': ')).join(', ')}}`;
+  return option === 'session' ? String(value) : literal(String(value));
+}
 
-keys = ori.read(${literal(fileNamed(name))}, scalar_first=True)
-curve = keys.curve(${literal(methodText(choice))})
-samples = curve.sample(count=${count}, derivatives=3)  # times, orientations (w, x, y, z), angular velocities, accelerations, jerks
+const python = (wanted: Wanted): string => `import orispline as ori
+
+keys = ori.read(${literal(fileNamed(wanted.name))}, ${optionsOf(wanted).map(([option, value]) => `${option}=${ofPython(option, value)}, `).join('')}scalar_first=True)
+curve = keys.curve(${literal(methodText(wanted.choice))})
+samples = curve.sample(count=${wanted.count}, derivatives=3)  # times, orientations (w, x, y, z), angular velocities, accelerations, jerks
 `;
 
 /** Rows of a list, one a line. */
@@ -122,6 +134,8 @@ const samples = curve.sample({ times, rates: 3 }); // orientations, angularVeloc
 
 const writers: Record<Language, (wanted: Wanted) => string> = { command, 'C++': cpp, Python: python, JavaScript: javaScript };
 
-export const languages = Object.keys(writers) as Language[];
+/** Those in which a file is read as it is here: no other reads decimal commas, and C++ states options otherwise. */
+export const languagesFor = ({ options, comma }: Reading = plainReading): Language[] =>
+  comma ? ['JavaScript'] : (Object.keys(writers) as Language[]).filter((language) => language !== 'C++' || Object.keys(options).length === 0);
 
 export const copiedCode = (language: Language, wanted: Wanted): string => writers[language](wanted);

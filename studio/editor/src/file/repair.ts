@@ -54,8 +54,8 @@ export function repaired(text: string, remedy: string, reading: Reading): string
   if (!mended) return null;
   const end = table.lines.find((line) => line.end !== '')?.end ?? '\n';
   // Rows that are taken out leave their own places; those that are put in order take the places of rows.
-  const kept = new Set(mended.map(({ line }) => line)), isOrder = mended.length === rows.length;
+  const kept = new Set(mended.map(({ line }) => line)), isOrder = mended.length === rows.length, isEnded = table.lines.at(-1)!.end !== '';
   let next = 0;
   const lines = table.lines.flatMap((line, i) => (!places.includes(i) ? [line] : isOrder ? [mended[next++].line] : kept.has(line) ? [line] : []));
-  return table.mark + lines.map(({ text: one, end: own }, i) => one + (i < lines.length - 1 ? own || end : own)).join('');
+  return table.mark + lines.map(({ text: one, end: own }, i) => one + (i < lines.length - 1 || isEnded ? own || end : '')).join('');
 }

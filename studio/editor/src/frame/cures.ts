@@ -62,21 +62,21 @@ const columns: Change = async (given, place) => {
   return answer === 'Read it so' && stated.length > 0 ? read(given, { options: { columns: stated.join() } }) : null;
 };
 
-/** By the library's words for what mends a file. */
+/** By the options of the library that mend a file. */
 const cures: Readonly<Record<string, readonly Cure[]>> = {
   fps: [...['24', '25', '30', '60'].map((fps): Cure => [`${fps} frames/s`, stating({ fps })]), ['Other rate…', asking('Frame rate', 'How many frames has a second? A fraction such as 30000/1001 is exact.', 'Frames per second', '30000/1001', 'fps')]],
   angle_unit: [['Degrees', stating({ angle_unit: 'deg' })], ['Radians', stating({ angle_unit: 'rad' })]],
   euler: [['ZYX', stating({ euler: 'ZYX' })], ['XYZ', stating({ euler: 'XYZ' })], ['Other order…', order]],
   order: [['t, qw, qx, qy, qz', stating({ order: 'wxyz' })], ['t, qx, qy, qz, qw', stating({ order: 'xyzw' })]],
   columns: [['Say which column is which…', columns]],
-  representation: [['Angles', stating({ input_orientation: 'euler' })], ['Rotation vector', stating({ input_orientation: 'rotvec' })], ['Matrix', stating({ input_orientation: 'matrix' })]],
-  norms: [['Scale them to 1', stating({ normalise: true })]],
+  input_orientation: [['Angles', stating({ input_orientation: 'euler' })], ['Rotation vector', stating({ input_orientation: 'rotvec' })], ['Matrix', stating({ input_orientation: 'matrix' })]],
+  normalise: [['Scale them to 1', stating({ normalise: true })]],
   time_scale: [['They are seconds', stating({ time_scale: '1' })], ['Milliseconds', stating({ time_scale: '1e-3' })], ['Microseconds', stating({ time_scale: '1e-6' })]],
   sort: [['Put the rows in order', mending('sort')]],
   drop_duplicates: [['Take out the later of the two rows', mending('drop_duplicates')]],
   jumps: [['Take out the later of the two rows', mending('jumps', 'drop_duplicates')]],
   drop_invalid: [['Leave out the rows without numbers', mending('drop_invalid')]],
-  recipe: [['Take out that comment', mending('recipe', 'ignore_recipe')]],
+  ignore_recipe: [['Take out that comment', mending('recipe', 'ignore_recipe')]],
   session: [['Take the first recording', stating({ session: '1' })], ['Take the second', stating({ session: '2' })]],
 };
 
@@ -84,7 +84,8 @@ const comma: Cure = ['Read commas as decimal points', (given) => read(given, { c
 
 /** Buttons that open a file as it is meant. `open`: what is done with it then. */
 export function curesOf({ remedy }: Pick<Trouble, 'remedy'>, given: Given, place: () => HTMLElement, open: (given: Given) => void, isRefused = true): Action[] {
-  const found = isRefused && !given.reading?.comma && hasCommas(textOf(given)) ? [comma] : (cures[remedy ?? ''] ?? []);
+  const commas = isRefused && !given.reading?.comma && hasCommas(textOf(given)) ? [comma] : [];
+  const found = [...commas, ...(cures[remedy ?? ''] ?? [])];
   return found.map(([label, change]) => ({
     label,
     chosen: async () => {

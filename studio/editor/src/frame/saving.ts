@@ -16,7 +16,7 @@ type Picker = (options: { suggestedName: string }) => Promise<FileHandle>;
 const picker = () => (window as unknown as { showSaveFilePicker?: Picker }).showSaveFilePicker?.bind(window);
 
 /** Of a file whose rows cannot stay. */
-const anew = (name: string): string => name.replace(/(\.[^.]*)?$/, '_keys.csv');
+const anew = (name: string): string => name.replace(/(\.[^.]*)?$/, '_quaternions.csv');
 const why = (name: string): string[] => [
   `The rows of ${name} cannot stay as they are with these changes. All of them can be written anew into another file: times in seconds, quaternions, positions, rates and values of parameters, below the method of A.`,
   `Comments and further columns of ${name} are not in that file. ${name} itself stays as it is.`,
@@ -47,9 +47,10 @@ export class Saving {
     try {
       const { store, original, engine } = this.studio;
       const { document } = store.current();
-      const name = original.text === '' ? original.name : (this.wholeName ?? anew(original.name)); // what was reduced has a file of its own
+      const isMade = this.opened.keys.every(({ row }) => row === null); // of a recording, so that it has a file of its own
+      const name = isMade ? original.name : (this.wholeName ?? anew(original.name));
       const saved = await savedText(original, document, engine, this.opened, name);
-      const put = saved.isWhole && original.text !== '' ? await this.putApart(saved, name) : await this.put(saved);
+      const put = saved.isWhole && !isMade ? await this.putApart(saved, name) : await this.put(saved);
       if (put) this.told(document, put);
     } catch (reason) {
       const { message } = reason as Trouble;

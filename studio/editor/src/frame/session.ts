@@ -54,6 +54,10 @@ export class Session {
     this.keep(document, first);
   }
 
+  get looks(): Looks {
+    return looksOf(this.studio.view.current());
+  }
+
   /** Tells how things are looked at, now and whenever that is changed. */
   onLooks(tell: (looks: Looks) => void): void {
     this.studio.view.subscribe([...looked], (state) => tell(looksOf(state)));

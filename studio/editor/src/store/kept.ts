@@ -27,7 +27,11 @@ function looksIn(value: unknown): Looks {
   return Object.fromEntries(found);
 }
 
-export const looksOf = (state: Readonly<State>): Looks => Object.fromEntries(looked.map((field) => [field, state[field]]));
+const systemTheme = (): State['theme'] => (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
+
+/** Without the theme where it is that of the system, which is followed on. */
+export const looksOf = (state: Readonly<State>): Looks =>
+  Object.fromEntries(looked.filter((field) => field !== 'theme' || state.theme !== systemTheme()).map((field) => [field, state[field]]));
 
 /** Does nothing where the browser keeps nothing. */
 function attempt<Result>(work: () => Result): Result | null {
