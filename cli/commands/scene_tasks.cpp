@@ -22,11 +22,11 @@ namespace orispline::cli {
 namespace {
 
 /// The words of a task on a skeleton, with its options checked by what the name of the file tells.
-Expected<TaskJob> understood(std::string_view task, const TaskArguments& arguments, Expected<Method> method) {
+Expected<TaskJob> understood(std::string_view task, const TaskArguments& arguments, std::optional<Method> method) {
   FirstError checked;
   TaskJob job{.input = checked(input_request(arguments.input)), .request = request_of(arguments)};
   job.writing = checked(scene_writing(arguments.output));
-  job.request.methods = {{"", checked(std::move(method))}};
+  if (method) job.request.methods = {{"", *std::move(method)}};
   job.request.options.emplace_back("threads", std::uint64_t{checked(threads_in(arguments.inputs.threads))});
   job.names = Json({{"input", arguments.input.path}});
   auto read = std::move(checked).or_else(std::move(job));
@@ -61,10 +61,7 @@ Expected<TaskJob> smooth_scene_job(const TaskArguments& arguments) {
         formatted("{}: found a file of skeletons, whose keys are smoothed, wanted samples of one track", given));
   if (file_of(arguments, "gyro"))
     return usage_failure("--gyro-file: found a file of skeletons, wanted a recording of one track");
-  return understood("smooth", arguments, Method{}).map([](TaskJob job) {
-    job.request.methods.clear();
-    return job;
-  });
+  return understood("smooth", arguments, std::nullopt);
 }
 
 Expected<WrittenResult> write_smooth_scene(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
@@ -73,13 +70,16 @@ Expected<WrittenResult> write_smooth_scene(const TaskArguments& arguments, TaskJ
 
 // reduce
 
-Expected<Method> scene_method_in(const TaskArguments& arguments) {
+/// One that is named, or has options.
+Expected<std::optional<Method>> scene_method_in(const TaskArguments& arguments) {
+  if (!arguments.method && !any_given(arguments.shape)) return std::nullopt;
   const std::string method = arguments.method.value_or(std::string(cubicspline_method));
-  if (!is_of_clips_alone(method)) return method_request(method, arguments.shape);
+  if (!is_of_clips_alone(method))
+    return method_request(method, arguments.shape).map([](Method named) { return std::optional(std::move(named)); });
   if (any_given(arguments.shape))
     return usage_failure(formatted("{}: found the method {}, which has no such option, wanted another --method",
                                    first_given(arguments.shape), method));
-  return Method{method};
+  return std::optional(Method{method});
 }
 
 /// What is not for clips.
@@ -101,7 +101,16 @@ Expected<void> check_clips(const TaskArguments& arguments) {
 }
 
 Expected<TaskJob> reduce_scene_job(const TaskArguments& arguments) {
-  return check_clips(arguments).and_then([&] { return understood("reduce", arguments, scene_method_in(arguments)); });
+  return check_clips(arguments)
+      .and_then([&] { return scene_method_in(arguments); })
+      .and_then([&](std::optional<Method> method) { return understood("reduce", arguments, std::move(method)); })
+      .and_then([&](TaskJob job) {
+        return if_given("--compress", arguments.fields.find("compress")->second, compression_in)
+            .map([&](std::optional<KeyCompression> compression) {
+              job.writing.compression = compression.value_or(KeyCompression::none);
+              return std::move(job);
+            });
+      });
 }
 
 /// 0 where it is not known.
@@ -130,7 +139,9 @@ std::string why_larger(const TaskJob& job, const std::vector<Clip>& clips) {
       return "what describes nodes and tracks beside the keys takes more room";
     why = "a key of a cubic has 52 bytes, one of slerp 20";
   }
-  if (job.request.methods.front().method.name != smallest_method)
+  const auto& methods = job.request.methods;
+  if (job.writing.compression == KeyCompression::none &&
+      (methods.empty() || methods.front().method.name != smallest_method))
     why += "; --method smallest writes each track with the fewest bytes that were found for it";
   return why;
 }

@@ -28,6 +28,7 @@ struct MotionFile {
   bool has_no_unit = false;        ///< of length; else it is the metre
   std::string_view format{};       ///< with its article: `a BVH file`; empty where it is not known
   std::string_view title{};        ///< of the format: `glTF`
+  std::string next_tool{};         ///< that the file comes from or goes through, where that compresses keys; else empty
   bool is_single_precise = false;  ///< times and values are in single precision
   bool is_sampled = false;         ///< the keys are frames of a motion: the file does not say what lies between them
 };

@@ -74,6 +74,7 @@ struct ClipFile {
   std::string_view format{};       ///< with its article: `a BVH file`
   bool has_no_unit = false;        ///< of length; else it is the metre
   bool is_single_precise = false;  ///< times and values are in single precision
+  std::string next_tool{};         ///< that it comes from or goes through, where that compresses keys; else empty
 };
 
 /// Clips that are to go into a glTF file.

@@ -24,16 +24,17 @@ TaskOutcome with_clips(TaskOutcome outcome, const MotionFile& file, std::vector<
                             .has_no_unit = file.has_no_unit,
                             .format = file.format,
                             .title = file.title,
+                            .next_tool = file.next_tool,
                             .is_single_precise = file.is_single_precise,
                             .is_sampled = file.is_sampled});
   return outcome;
 }
 
-/// The method of cubics for a skeleton, unless another one is stated.
-Expected<Method> clip_method_in(const TaskRequest& request) {
+/// The usual method for a skeleton, unless another one is stated.
+Expected<Method> clip_method_in(const TaskRequest& request, const ClipReduceOptions& options) {
   if (const std::string* const text = request.option("methods"); text && is_of_clips_alone(*text)) return Method{*text};
-  return methods_in(request).and_then([](const auto& stated) -> Expected<Method> {
-    if (!stated) return Method{cubicspline_method};
+  return methods_in(request).and_then([&](const auto& stated) -> Expected<Method> {
+    if (!stated) return Method{usual_method(options)};
     if (stated->size() == 1) return stated->front().method;
     return bad_option("methods", formatted("found {} methods for a skeleton, wanted one", stated->size()));
   });
@@ -51,12 +52,12 @@ Expected<ReduceSceneRequest> reduce_scene_request_in(const TaskRequest& request)
     return tl::unexpected(std::move(fits.error()));
   const MotionFile& file = scene_in(request, "recording");
   FirstError checked;
-  ReduceSceneRequest job{.file = {file.name, file.format, file.has_no_unit, file.is_single_precise},
+  ReduceSceneRequest job{.file = {file.name, file.format, file.has_no_unit, file.is_single_precise, file.next_tool},
                          .options = checked(options_in<ClipReduceOptions>(request)),
                          .position_scale = checked(positive_in(request, "position_scale")),
                          .threads = checked(threads_in(request))};
   if (file.is_sampled && !is_stated(request, "between")) job.options.between = BetweenSamples::smooth;
-  job.options.method = checked(clip_method_in(request));
+  job.options.method = checked(clip_method_in(request, job.options));
   job.options.closed = checked(flag(request, "closed"));
   return std::move(checked).or_else(std::move(job));
 }

@@ -26,6 +26,10 @@ template <CurvePoint P>
 [[nodiscard]] Expected<Channel<P>> reduced_channel(const TakenChannel<P>& before, double tolerance,
                                                    const ClipReduceOptions& options);
 
+/// The channel with its values rounded by a part of the tolerance, as compression asks for; else as it is.
+template <CurvePoint P>
+[[nodiscard]] Channel<P> rounded_channel(const Channel<P>& channel, double tolerance, const ClipReduceOptions& options);
+
 /// One key in the place of those of a channel that moves no farther than that [rad, or a length]: the joint's rest pose
 /// where all keys are as near to it, else the first of them. The channel itself where it moves farther, or would with
 /// the key in that precision.
@@ -53,6 +57,8 @@ template <CurvePoint P>
 extern template RotationChannel resting_channel(const RotationChannel&, const Eigen::Quaterniond&, double,
                                                 KeyPrecision);
 extern template VectorChannel resting_channel(const VectorChannel&, const Eigen::Vector3d&, double, KeyPrecision);
+extern template RotationChannel rounded_channel(const RotationChannel&, double, const ClipReduceOptions&);
+extern template VectorChannel rounded_channel(const VectorChannel&, double, const ClipReduceOptions&);
 extern template LargestInTime farthest_from(const ChannelCurve<Eigen::Quaterniond>&, const RotationChannel&,
                                             std::span<const double>);
 extern template LargestInTime farthest_from(const ChannelCurve<Eigen::Vector3d>&, const VectorChannel&,

@@ -18,26 +18,27 @@ struct SharedTimes {
 
 }  // namespace
 
-std::size_t bytes_of_keys(const Clip& clip) {
+std::size_t bytes_of_keys(const Clip& clip, KeyCompression compression) {
   std::map<std::vector<double>, bool> times;
   std::size_t bytes = 0;
   const auto add = [&](const auto& channels) {
     for (const auto& channel : channels) {
-      bytes += bytes_of_values(channel);
-      if (times.try_emplace(channel.times, true).second) bytes += channel.size() * sizeof(float);
+      bytes += bytes_of_values(channel, compression);
+      if (times.try_emplace(channel.times, true).second) bytes += bytes_of_times(channel.times, compression);
     }
   };
   add(clip.rotations), add(clip.translations), add(clip.scales);
   return bytes;
 }
 
-Clip with_shared_times(const Clip& before, Clip after) {
+Clip with_shared_times(const Clip& before, Clip after, KeyCompression compression) {
   std::map<std::vector<double>, SharedTimes> groups;
   const auto gather = [&](const auto& channels, auto& fewer) {
     for (std::size_t i = 0; i < channels.size(); ++i) {
       SharedTimes& group = groups[channels[i].times];
       group.stay = group.stay || fewer[i].size() == channels[i].size();
-      const std::size_t as_before = bytes_of_values(channels[i]), now = bytes_of_keys(fewer[i]);
+      const std::size_t as_before = bytes_of_values(channels[i], compression),
+                        now = bytes_of_keys(fewer[i], compression);
       if (as_before >= now) continue;
       group.bytes_saved += now - as_before;
       group.go_back.emplace_back([&channel = channels[i], &place = fewer[i]] { place = channel; });
@@ -47,7 +48,7 @@ Clip with_shared_times(const Clip& before, Clip after) {
   gather(before.translations, after.translations);
   gather(before.scales, after.scales);
   for (const auto& [times, group] : groups)
-    if (group.stay || group.bytes_saved > times.size() * sizeof(float))
+    if (group.stay || group.bytes_saved > bytes_of_times(times, compression))
       for (const auto& go_back : group.go_back) go_back();
   return after;
 }

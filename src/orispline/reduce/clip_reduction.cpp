@@ -2,6 +2,7 @@
 #include <orispline/reduce/clip_reduction.hpp>
 
 #include <algorithm>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -16,6 +17,7 @@
 #include <orispline/reduce/channel_reduction.hpp>
 #include <orispline/reduce/clip_bytes.hpp>
 #include <orispline/reduce/cuts.hpp>
+#include <orispline/reduce/few_times.hpp>
 #include <orispline/reduce/hermite_keys.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -174,7 +176,11 @@ class ClipReducer {
       if (error) return tl::unexpected(*std::move(error));
     parallel_for(works.size(), threads_, [&](std::size_t i) {
       if (works[i].is_done) return;
-      if (seeks_bytes()) after[i] = with_shared_times(works[i].before->clip, std::move(after[i]));
+      if (seeks_bytes() && options_.compression != KeyCompression::none)
+        after[i] = with_few_times(*works[i].before, works[i].factor, std::move(after[i]));
+      if (seeks_bytes())
+        after[i] = with_shared_times(rounded(works[i].before->clip, works[i].factor), std::move(after[i]),
+                                     options_.compression);
       judge(works[i], std::move(after[i]));
     });
     return {};
@@ -205,6 +211,84 @@ class ClipReducer {
       held_to(end, before.rotations, clip.rotations) || held_to(end, before.translations, clip.translations) ||
           held_to(end, before.scales, clip.scales);
     return clip;
+  }
+
+  /// The clip as its file holds it where no channel has fewer keys.
+  [[nodiscard]] Clip rounded(Clip clip, double factor) const {
+    for (RotationChannel& channel : clip.rotations)
+      channel = rounded_channel(channel, angle_tolerance(channel.joint, factor), options_);
+    for (VectorChannel& channel : clip.translations)
+      channel = rounded_channel(channel, length_tolerance(channel.joint, factor), options_);
+    return clip;
+  }
+
+  /// A channel that may share its times with others.
+  template <CurvePoint P>
+  struct Sharing {
+    Channel<P> rounded{};
+    const ChannelCurve<P>* motion = nullptr;
+    Channel<P>* place = nullptr;
+    double tolerance = 0.0;
+  };
+  /// Those that had the same times.
+  struct SharingTimes {
+    std::vector<Sharing<Eigen::Quaterniond>> rotations{};
+    std::vector<Sharing<Eigen::Vector3d>> translations{};
+  };
+
+  /// The clip with linear channels in the place of those that then take fewer bytes, because they share their times.
+  [[nodiscard]] Clip with_few_times(const TakenClip& before, double factor, Clip after) const {
+    std::map<std::vector<double>, SharingTimes> groups;
+    const auto gather = [&](const auto& channels, const auto& motions, const auto& cuts, auto& places, auto list,
+                            auto&& tolerance_of) {
+      for (std::size_t i = 0; i < channels.size(); ++i) {
+        const double tolerance = tolerance_of(channels[i].joint, factor);
+        const bool may_share = channels[i].interpolation == ChannelInterpolation::linear && channels[i].size() > 2 &&
+                               places[i].size() > 2 && cuts[i].empty() && tolerance < infinity;
+        if (!may_share) continue;
+        (groups[channels[i].times].*list)
+            .push_back({rounded_channel(channels[i], tolerance, options_), &motions[i], &places[i], tolerance});
+      }
+    };
+    gather(before.clip.rotations, before.rotations, before.of_rotations, after.rotations, &SharingTimes::rotations,
+           [this](std::size_t joint, double scaled) {
+             return std::min(angle_tolerance(joint, scaled), std::numbers::pi / 2);
+           });
+    gather(before.clip.translations, before.translations, before.of_translations, after.translations,
+           &SharingTimes::translations,
+           [this](std::size_t joint, double scaled) { return length_tolerance(joint, scaled); });
+    for (auto& [times, group] : groups) share_times(group);
+    return after;
+  }
+
+  void share_times(SharingTimes& group) const {
+    std::vector<KeyReach> reaches;
+    const auto look = [&](const auto& list) {
+      for (const auto& one : list) reaches.push_back(reach_of(one.rounded, *one.motion, one.tolerance));
+    };
+    look(group.rotations), look(group.translations);
+    const auto keys = keys_at_few_times(reaches);
+    std::size_t next = 0;
+    const auto take = [&](auto& list) {
+      for (auto& one : list) {
+        const auto fewer = only_keys(one.rounded, keys[next++]);
+        // What it takes by itself, with times of its own: those of others it has for nothing.
+        if (bytes_of_values(fewer, options_.compression) < bytes_of_keys(*one.place, options_.compression) &&
+            farthest_from(*one.motion, fewer, one.rounded.times).value <= one.tolerance)
+          *one.place = fewer;
+      }
+    };
+    take(group.rotations), take(group.translations);
+  }
+
+  template <CurvePoint P>
+  static Channel<P> only_keys(const Channel<P>& channel, const std::vector<std::size_t>& keys) {
+    Channel<P> fewer{.joint = channel.joint, .interpolation = channel.interpolation};
+    for (const std::size_t k : keys) {
+      fewer.times.push_back(channel.times[k]);
+      fewer.values.push_back(channel.values[k]);
+    }
+    return fewer;
   }
 
   /// Gives the first channel that ended there its last key again; whether there was one.
@@ -256,7 +340,8 @@ class ClipReducer {
   [[nodiscard]] bool seeks_bytes() const { return options_.method.name == smallest_method; }
   /// What is to be least.
   [[nodiscard]] std::size_t cost_of(const ClipReduction& reduction) const {
-    return seeks_bytes() ? bytes_of_keys(reduction.clip) : reduction.rotation_keys + reduction.translation_keys;
+    return seeks_bytes() ? bytes_of_keys(reduction.clip, options_.compression)
+                         : reduction.rotation_keys + reduction.translation_keys;
   }
 
   /// Keeps what is within the length in the world, and chooses the next factor.
@@ -347,6 +432,13 @@ Expected<void> check(const ClipReduceOptions& options) {
     return bad_option("tolerance",
                       formatted("found {:.6g}°, wanted 180° at most, which is as far as rotations can be apart",
                                 options.tolerance * degrees));
+  if (auto known = check(options.compression); !known) return known;
+  if (options.next_tool == NextTool::meshopt && options.method.name != "slerp" &&
+      options.method.name != smallest_method)
+    return bad_option("for",
+                      formatted("found the method {}, whose splines of rotations gltf-transform's meshopt breaks, "
+                                "wanted slerp or {}",
+                                text_of(options.method), smallest_method));
   if (options.closed && options.method.name != cubicspline_method && !seeks_rates(options.method))
     return bad_option("closed",
                       formatted("found the method {}, wanted {}, or {} in its form chart: their tangents are free",

@@ -44,6 +44,12 @@ tl::unexpected<Error> too_large(const std::string& path) {
   return failure(ErrorCode::bad_access, "found more than 2 GiB, wanted a smaller file", {.file = path});
 }
 
+Expected<void> check_compression(const SceneWriting& writing, const SceneFormat& format) {
+  if (writing.compression != KeyCompression::none && &format != &gltf_format)
+    return bad_option("compress", formatted("found an output that is {}, wanted glTF", format.file));
+  return check(writing.compression);
+}
+
 Expected<Scene> checked(Scene scene) {
   for (const Clip& clip : scene.clips)
     if (auto sound = check_clip(scene.skeleton, clip); !sound) return tl::unexpected(std::move(sound.error()));
@@ -107,6 +113,7 @@ Expected<SceneWritten> written_scene(const Scene& scene, const std::string& path
                    {.file = path});
   for (const Clip& clip : scene.clips)
     if (auto sound = check_clip(scene.skeleton, clip); !sound) return tl::unexpected(std::move(sound.error()));
+  if (auto known = check_compression(writing, **format); !known) return tl::unexpected(std::move(known.error()));
   if (!writing.position_scale) return (*format)->write(scene, path, writing);
   if ((*format)->has_no_unit)
     return bad_option("position_scale",
