@@ -58,8 +58,10 @@ void append_floats(std::vector<float>& numbers, const Eigen::Vector3d& value) {
 std::vector<unsigned char> as_quaternions(const RotationChannel& channel) {
   std::vector<unsigned char> bytes;
   if (const auto bits = filter_bits(channel))
-    for (const Eigen::Quaterniond& value : channel.values)
-      for (const std::int16_t number : filtered(value, *bits)) append(bytes, number);
+    for (const Eigen::Quaterniond& value : channel.values) {
+      const auto stored = filtered_as_it_is(value, *bits);
+      for (const std::int16_t number : *stored) append(bytes, number);
+    }
   return bytes;
 }
 std::vector<unsigned char> as_quaternions(const VectorChannel&) { return {}; }

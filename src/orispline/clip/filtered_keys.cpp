@@ -23,21 +23,20 @@ std::int16_t whole(double number) { return static_cast<std::int16_t>(std::lround
 
 bool is_spline(ChannelInterpolation interpolation) { return interpolation == ChannelInterpolation::cubicspline; }
 
-RotationChannel with_bits(RotationChannel channel, int bits) {
-  for (Eigen::Quaterniond& value : channel.values) value = rotation_of(decoded(filtered(value, bits)));
-  return channel;
-}
-
 /// How far apart two rotations are that differ by little [rad].
 double apart(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
   const double sign = a.dot(b) < 0.0 ? -1.0 : 1.0;
   return 2.0 * (a.coeffs() - sign * b.coeffs()).norm();
 }
 
-bool are_within(const RotationChannel& channel, const RotationChannel& rounded, double farthest) {
-  for (std::size_t i = 0; i < channel.size(); ++i)
-    if (!(apart(channel.values[i], rounded.values[i]) <= farthest)) return false;
-  return true;
+/// With so many bits; nothing where a value would be farther from what it was.
+std::optional<RotationChannel> with_bits(RotationChannel channel, int bits, double farthest) {
+  for (Eigen::Quaterniond& value : channel.values) {
+    const Eigen::Quaterniond rounded = rotation_of(decoded(filtered(value, bits)));
+    if (!(apart(value, rounded) <= farthest)) return std::nullopt;
+    value = rounded;
+  }
+  return channel;
 }
 
 double longest_interval(const SharedList<double>& times) {
@@ -75,6 +74,11 @@ Eigen::Quaterniond rounded(const Eigen::Quaterniond& value, Rounding& round) {
   return {round(value.w()), round(value.x()), round(value.y()), round(value.z())};
 }
 
+/// In single precision.
+bool are_same(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+  return Eigen::Vector4f(a.coeffs().cast<float>()) == Eigen::Vector4f(b.coeffs().cast<float>());
+}
+
 /// As a reader finds numbers that are on a grid: the value is made unit, the tangents are divided in the same
 /// proportion.
 struct ReadKey {
@@ -96,9 +100,6 @@ ReadKey on_grid(const ReadKey& read, Rounding& round) {
   return stored;
 }
 
-bool are_same(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
-  return Eigen::Vector4f(a.coeffs().cast<float>()) == Eigen::Vector4f(b.coeffs().cast<float>());
-}
 bool are_same(const ReadKey& a, const ReadKey& b) {
   return are_same(a.value, b.value) && are_same(a.in, b.in) && are_same(a.out, b.out);
 }
@@ -175,25 +176,44 @@ std::optional<WholeNumbers> as_spline(std::span<const float> numbers, int expone
   return whole;
 }
 
+/// x, y, z, w.
+std::array<double, 4> parts_of(const Eigen::Quaterniond& rotation) {
+  return {rotation.x(), rotation.y(), rotation.z(), rotation.w()};
+}
+
+/// All but one of the four, of a rotation in which that is above 0.
+FilteredQuaternion without_part(const std::array<double, 4>& four, std::size_t left_out, int bits) {
+  const double one = std::ldexp(1.0, bits - 1) - 1.0;
+  const double scale = std::copysign(one * std::numbers::sqrt2, four[left_out]);
+  FilteredQuaternion stored{};
+  for (std::size_t k = 0; k < 3; ++k) stored[k] = whole(std::clamp(four[(left_out + k + 1) % 4] * scale, -one, one));
+  stored[3] = static_cast<std::int16_t>((static_cast<int>(one) & ~3) | static_cast<int>(left_out));
+  return stored;
+}
+
 }  // namespace
 
 FilteredQuaternion filtered(const Eigen::Quaterniond& rotation, int bits) {
-  const std::array<double, 4> parts{rotation.x(), rotation.y(), rotation.z(), rotation.w()};
-  const auto largest = static_cast<std::size_t>(
-      std::ranges::max_element(parts, {}, [](double part) { return std::abs(part); }) - parts.begin());
-  const double one = std::ldexp(1.0, bits - 1) - 1.0;
-  const double scale = std::copysign(one * std::numbers::sqrt2, parts[largest]);
-  FilteredQuaternion stored{};
-  for (std::size_t k = 0; k < 3; ++k) stored[k] = whole(std::clamp(parts[(largest + k + 1) % 4] * scale, -one, one));
-  stored[3] = static_cast<std::int16_t>((static_cast<int>(one) & ~3) | static_cast<int>(largest));
-  return stored;
+  const std::array<double, 4> four = parts_of(rotation);
+  const auto largest = std::ranges::max_element(four, {}, [](double part) { return std::abs(part); });
+  return without_part(four, static_cast<std::size_t>(largest - four.begin()), bits);
+}
+
+std::optional<FilteredQuaternion> filtered_as_it_is(const Eigen::Quaterniond& rotation, int bits) {
+  const std::array<double, 4> four = parts_of(rotation);
+  for (std::size_t k = 0; k < four.size(); ++k) {
+    const FilteredQuaternion stored = without_part(four, k, bits);
+    const Eigen::Quaterniond read = rotation_of(decoded(stored));
+    if (are_same(read, rotation) || are_same(Eigen::Quaterniond(-read.coeffs()), rotation)) return stored;
+  }
+  return std::nullopt;
 }
 
 FilteredQuaternion decoded(const FilteredQuaternion& stored) {
   const float scale = (1.0F / std::numbers::sqrt2_v<float>) / static_cast<float>(stored[3] | 3);
   const float x = static_cast<float>(stored[0]) * scale, y = static_cast<float>(stored[1]) * scale,
               z = static_cast<float>(stored[2]) * scale;
-  const float w = std::sqrt(std::max(0.0F, 1.0F - x * x - y * y - z * z));
+  const float w = std::sqrt(std::max(0.0F, 1.0F - (x * x + (y * y + z * z))));
   const auto largest = static_cast<std::size_t>(stored[3] & 3);
   FilteredQuaternion read{};
   read[(largest + 1) % 4] = static_cast<std::int16_t>(std::nearbyint(x * static_cast<float>(largest_short)));
@@ -213,7 +233,7 @@ Eigen::Quaterniond rotation_of(const FilteredQuaternion& read) {
 RotationChannel with_fewest_bits(const RotationChannel& channel, double farthest) {
   if (is_spline(channel.interpolation)) return spline_in_whole_numbers(channel, farthest);
   for (int bits = fewest_bits; bits <= most_bits; ++bits)
-    if (RotationChannel rounded = with_bits(channel, bits); are_within(channel, rounded, farthest)) return rounded;
+    if (auto rounded = with_bits(channel, bits, farthest)) return *std::move(rounded);
   return channel;
 }
 
@@ -228,14 +248,10 @@ VectorChannel with_fewest_bits(const VectorChannel& channel, double farthest) {
 
 std::optional<int> filter_bits(const RotationChannel& channel) {
   if (is_spline(channel.interpolation)) return std::nullopt;
-  const auto as_floats = [](const Eigen::Quaterniond& value) { return Eigen::Vector4f(value.coeffs().cast<float>()); };
-  for (int bits = fewest_bits; bits <= most_bits; ++bits) {
-    const bool holds = std::ranges::all_of(channel.values, [&](const Eigen::Quaterniond& value) {
-      const Eigen::Vector4f read = as_floats(rotation_of(decoded(filtered(value, bits)))), now = as_floats(value);
-      return read == now || read == Eigen::Vector4f(-now);
-    });
-    if (holds) return bits;
-  }
+  for (int bits = fewest_bits; bits <= most_bits; ++bits)
+    if (std::ranges::all_of(channel.values,
+                            [&](const auto& value) { return filtered_as_it_is(value, bits).has_value(); }))
+      return bits;
   return std::nullopt;
 }
 

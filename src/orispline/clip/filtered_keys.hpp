@@ -22,7 +22,9 @@ using FilteredQuaternion = std::array<std::int16_t, 4>;
 inline constexpr int fewest_bits = 4, most_bits = 16;
 
 [[nodiscard]] FilteredQuaternion filtered(const Eigen::Quaterniond& rotation, int bits);
-/// What a reader's decoder makes of it, in single precision as usual decoders do.
+/// The numbers that are read as this rotation, its components in single precision; nothing where there are none.
+[[nodiscard]] std::optional<FilteredQuaternion> filtered_as_it_is(const Eigen::Quaterniond& rotation, int bits);
+/// What a reader's decoder makes of it, in single precision as usual decoders do, of which some differ in the last bit.
 [[nodiscard]] FilteredQuaternion decoded(const FilteredQuaternion& stored);
 /// The unit quaternion that a reader takes these numbers for.
 [[nodiscard]] Eigen::Quaterniond rotation_of(const FilteredQuaternion& read);

@@ -31,14 +31,13 @@ std::size_t bytes_of_keys(const Clip& clip, KeyCompression compression) {
   return bytes;
 }
 
-Clip with_shared_times(const Clip& before, Clip after, KeyCompression compression) {
+Clip with_shared_times(const Clip& before, Clip after) {
   std::map<std::vector<double>, SharedTimes> groups;
   const auto gather = [&](const auto& channels, auto& fewer) {
     for (std::size_t i = 0; i < channels.size(); ++i) {
       SharedTimes& group = groups[channels[i].times];
       group.stay = group.stay || fewer[i].size() == channels[i].size();
-      const std::size_t as_before = bytes_of_values(channels[i], compression),
-                        now = bytes_of_keys(fewer[i], compression);
+      const std::size_t as_before = bytes_of_values(channels[i]), now = bytes_of_keys(fewer[i]);
       if (as_before >= now) continue;
       group.bytes_saved += now - as_before;
       group.go_back.emplace_back([&channel = channels[i], &place = fewer[i]] { place = channel; });
@@ -48,7 +47,7 @@ Clip with_shared_times(const Clip& before, Clip after, KeyCompression compressio
   gather(before.translations, after.translations);
   gather(before.scales, after.scales);
   for (const auto& [times, group] : groups)
-    if (group.stay || group.bytes_saved > bytes_of_times(times, compression))
+    if (group.stay || group.bytes_saved > bytes_of_times(times))
       for (const auto& go_back : group.go_back) go_back();
   return after;
 }

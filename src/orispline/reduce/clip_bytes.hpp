@@ -36,6 +36,6 @@ template <CurvePoint P>
 /// The clip after with those channels as they were before that then take fewer bytes: channels with the same times
 /// hold these once, which may outweigh fewer keys with times of their own. Precondition: the channels are those of the
 /// clip before, in their order.
-[[nodiscard]] Clip with_shared_times(const Clip& before, Clip after, KeyCompression compression);
+[[nodiscard]] Clip with_shared_times(const Clip& before, Clip after);
 
 }}  // namespace orispline

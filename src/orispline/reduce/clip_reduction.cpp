@@ -176,11 +176,7 @@ class ClipReducer {
       if (error) return tl::unexpected(*std::move(error));
     parallel_for(works.size(), threads_, [&](std::size_t i) {
       if (works[i].is_done) return;
-      if (seeks_bytes() && options_.compression != KeyCompression::none)
-        after[i] = with_few_times(*works[i].before, works[i].factor, std::move(after[i]));
-      if (seeks_bytes())
-        after[i] = with_shared_times(rounded(works[i].before->clip, works[i].factor), std::move(after[i]),
-                                     options_.compression);
+      if (seeks_bytes()) after[i] = with_shared_keys(*works[i].before, works[i].factor, std::move(after[i]));
       judge(works[i], std::move(after[i]));
     });
     return {};
@@ -213,13 +209,9 @@ class ClipReducer {
     return clip;
   }
 
-  /// The clip as its file holds it where no channel has fewer keys.
-  [[nodiscard]] Clip rounded(Clip clip, double factor) const {
-    for (RotationChannel& channel : clip.rotations)
-      channel = rounded_channel(channel, angle_tolerance(channel.joint, factor), options_);
-    for (VectorChannel& channel : clip.translations)
-      channel = rounded_channel(channel, length_tolerance(channel.joint, factor), options_);
-    return clip;
+  [[nodiscard]] Clip with_shared_keys(const TakenClip& before, double factor, Clip after) const {
+    if (options_.compression == KeyCompression::none) return with_shared_times(before.clip, std::move(after));
+    return with_few_times(before, factor, std::move(after));
   }
 
   /// A channel that may share its times with others.

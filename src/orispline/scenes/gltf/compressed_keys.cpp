@@ -33,8 +33,10 @@ std::optional<std::string> as_quaternions(std::span<const float> numbers) {
   const auto bits = filter_bits(channel);
   if (!bits) return std::nullopt;
   std::string bytes;
-  for (const Eigen::Quaterniond& value : std::as_const(channel.values))
-    for (const std::int16_t number : filtered(value, *bits)) append_bytes(bytes, number);
+  for (const Eigen::Quaterniond& value : std::as_const(channel.values)) {
+    const auto stored = filtered_as_it_is(value, *bits);
+    for (const std::int16_t number : *stored) append_bytes(bytes, number);
+  }
   return bytes;
 }
 
