@@ -2,7 +2,7 @@
 function(orispline_shared_library target)
   get_property(objects GLOBAL PROPERTY orispline_objects)
   add_library(${target} SHARED ${objects})
-  target_link_libraries(${target} PUBLIC orispline_headers PRIVATE Threads::Threads)
+  target_link_libraries(${target} PUBLIC orispline_headers PRIVATE Threads::Threads $<TARGET_NAME_IF_EXISTS:meshoptimizer::meshoptimizer>)
   set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX WINDOWS_EXPORT_ALL_SYMBOLS ON)
   if(UNIX AND NOT APPLE)
     set(names ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/exports.map)

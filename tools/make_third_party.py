@@ -43,6 +43,7 @@ NOTICES = {
     "fmt": Notice("https://github.com/fmtlib/fmt", "MIT", ("Copyright (c) 2012 - present, Victor Zverovich and {fmt} contributors",)),
     "libc++": Notice("https://libcxx.llvm.org", "Apache-2.0-LLVM", ("Copyright (c) 2009-2019 the LLVM project's contributors",)),
     "libc++abi": Notice("https://libcxxabi.llvm.org", "Apache-2.0-LLVM", ("Copyright (c) 2009-2019 the LLVM project's contributors",)),
+    "meshoptimizer": Notice("https://github.com/zeux/meshoptimizer", "MIT", ("Copyright (c) 2016-2022 Arseny Kapoulkine",)),
     "musl": Notice("https://musl.libc.org", "MIT", ("Copyright (c) 2005-2020 Rich Felker, et al.",)),
     "nanobind": Notice("https://github.com/wjakob/nanobind", "BSD-3-Clause", (
         "Copyright (c) 2022 Wenzel Jakob <wenzel.jakob@epfl.ch>, All rights reserved.",)),
@@ -84,7 +85,7 @@ IN_THE_PAGE = {"three.js": "three", "uPlot": "uplot"}  # by their names for npm
 OF_PYTHON = {"nanobind": "nanobind"}
 OF_DEBIAN = {
     "CLI11": "libcli11-dev", "compiler-rt": "libclang-rt-22-dev-wasm32", "Eigen": "libeigen3-dev", "fast_float": "libfast-float-dev",
-    "fmt": "libfmt-dev", "libc++": "libc++-22-dev-wasm32", "libc++abi": "libc++abi-22-dev-wasm32", "nlohmann-json": "nlohmann-json3-dev",
+    "fmt": "libfmt-dev", "libc++": "libc++-22-dev-wasm32", "libc++abi": "libc++abi-22-dev-wasm32", "meshoptimizer": "libmeshoptimizer-dev", "nlohmann-json": "nlohmann-json3-dev",
     "SIMDe": "libsimde-dev", "tl::expected": "libexpected-dev", "wasi-libc": "wasi-libc"}
 WITHIN = {"cloudlibc": "wasi-libc", "dlmalloc": "wasi-libc", "musl": "wasi-libc"}  # copies, which have no version of their own
 

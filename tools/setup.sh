@@ -18,6 +18,7 @@ build libfmt-dev         fmt/format.h
 build libfast-float-dev  fast_float/fast_float.h
 build libcli11-dev       CLI/CLI.hpp
 build nlohmann-json3-dev nlohmann/json.hpp
+build libmeshoptimizer-dev? meshoptimizer.h
 test  libgtest-dev       gtest/gtest.h
 test  librapidcheck-dev  rapidcheck.h
 test  clang              clang++

@@ -438,7 +438,7 @@ ORISPLINE_C_API orispline_code orispline_value_rates(const orispline_value *valu
 ///
 /// `name`: as of orispline_value_of_skeleton(). `options`: of BVH, `output_euler=ZYX` and `rate=30`, frames per second
 /// for keys at uneven times; of glTF, `position_scale=0.01`, the metres in the unit of length of a BVH file that was
-/// read, so that lengths are written in metres. `warnings`: null, or where their JSON goes: what the format has no room for is left out,
+/// read, so that lengths are written in metres, and `compress=meshopt`. `warnings`: null, or where their JSON goes: what the format has no room for is left out,
 /// and they say so. Errors: ORISPLINE_BAD_ARGUMENT; ORISPLINE_BAD_DATA for what the format cannot hold.
 ORISPLINE_C_API orispline_code orispline_value_write(const orispline_value *value, const char *name,
                                                      const char *const *options, size_t option_count, char **bytes,

@@ -54,7 +54,8 @@ Expected<Value> read_skeleton(std::string name, std::string bytes, const Stated&
 
 Expected<scenes::SceneWriting> writing_in(const Stated& stated) {
   scenes::SceneWriting writing;
-  if (auto known = check_names(stated, std::array<std::string_view, 3>{"output_euler", "rate", "position_scale"});
+  if (auto known =
+          check_names(stated, std::array<std::string_view, 4>{"output_euler", "rate", "position_scale", "compress"});
       !known)
     return tl::unexpected(std::move(known.error()));
   for (const auto& [name, text] : stated) {
@@ -62,6 +63,13 @@ Expected<scenes::SceneWriting> writing_in(const Stated& stated) {
       const auto number = typed::positive(text);
       if (!number) return bad_option(name, number.error().message);
       (name == "rate" ? writing.rate : writing.position_scale) = *number;
+      continue;
+    }
+    if (name == "compress") {
+      const auto found = std::ranges::find(words<KeyCompression>, text, &Word::word);
+      if (found == words<KeyCompression>.end())
+        return bad_option(name, formatted("found '{}', wanted {}", text, one_of(words<KeyCompression>)));
+      writing.compression = static_cast<KeyCompression>(found->value);
       continue;
     }
     writing.euler = euler_order_of(text);

@@ -89,13 +89,16 @@ Expected<TaskJob> retime_scene_job(const TaskArguments& arguments) {
 
 // reduce
 
-Expected<Method> scene_method_in(const TaskArguments& arguments) {
+/// One that is named, or has options.
+Expected<std::optional<Method>> scene_method_in(const TaskArguments& arguments) {
+  if (!arguments.method && !any_given(arguments.shape)) return std::nullopt;
   const std::string method = arguments.method.value_or(std::string(cubicspline_method));
-  if (!is_of_clips_alone(method)) return method_request(method, arguments.shape);
+  if (!is_of_clips_alone(method))
+    return method_request(method, arguments.shape).map([](Method named) { return std::optional(std::move(named)); });
   if (any_given(arguments.shape))
     return usage_failure(formatted("{}: found the method {}, which has no such option, wanted another --method",
                                    first_given(arguments.shape), method));
-  return Method{method};
+  return std::optional(Method{method});
 }
 
 /// What is not for clips.
@@ -117,15 +120,23 @@ Expected<void> check_clips(const TaskArguments& arguments) {
 }
 
 Expected<TaskJob> reduce_scene_job(const TaskArguments& arguments) {
-  return check_clips(arguments).and_then([&] {
-    auto request = scene_method_in(arguments).and_then([&](const Method& method) {
-      return request_with_threads(arguments).map([&](jobs::TaskRequest made) {
-        made.methods = {{"", method}};
-        return made;
+  return check_clips(arguments)
+      .and_then([&] {
+        auto request = scene_method_in(arguments).and_then([&](std::optional<Method> method) {
+          return request_with_threads(arguments).map([&](jobs::TaskRequest made) {
+            if (method) made.methods = {{"", *std::move(method)}};
+            return made;
+          });
+        });
+        return understood("reduce", "recording", arguments, std::move(request));
+      })
+      .and_then([&](TaskJob job) {
+        return if_given("--compress", arguments.fields.find("compress")->second, compression_in)
+            .map([&](std::optional<KeyCompression> compression) {
+              job.writing.compression = compression.value_or(KeyCompression::none);
+              return std::move(job);
+            });
       });
-    });
-    return understood("reduce", "recording", arguments, std::move(request));
-  });
 }
 
 /// 0 where it is not known.
@@ -154,7 +165,9 @@ std::string why_larger(const TaskJob& job, const std::vector<Clip>& clips) {
       return "what describes nodes and tracks beside the keys takes more room";
     why = "a key of a cubic has 52 bytes, one of slerp 20";
   }
-  if (job.request.methods.front().method.name != smallest_method)
+  const auto& methods = job.request.methods;
+  if (job.writing.compression == KeyCompression::none &&
+      (methods.empty() || methods.front().method.name != smallest_method))
     why += "; --method smallest writes each track with the fewest bytes that were found for it";
   return why;
 }

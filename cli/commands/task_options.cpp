@@ -110,7 +110,7 @@ void add_clip_options(Command& app, TaskArguments& o) {
   add_name("in_place", "JOINT", "Joint whose way across and heading about up are taken out");
   o.output.scenes = scenes_written();
   add_output_options(app, o.output);
-  add_position_scale(app, o.output);
+  add_gltf_options(app, o.output);
   add_report_option(app, o.report);
   app.add_option("--threads", o.inputs.threads, "Threads that work on the clips, with the same results [all cores]")
       ->type_name("N")
@@ -251,7 +251,7 @@ void add_smooth_options(Command& app, TaskArguments& o) {
                    "Write samples at so many per second instead of keys");
   o.output.scenes = scenes_written();
   add_output_options(app, o.output);
-  add_position_scale(app, o.output);
+  add_gltf_options(app, o.output);
   add_row_options(app, o.rows);
   add_band_option(app, o.rows);
   add_report_option(app, o.report);
@@ -323,6 +323,7 @@ constexpr auto reduce_footer = R"(Examples:
   orispline reduce noisy.csv --smooth --tolerance 0.5deg -o keys.csv
   orispline reduce mage.glb --tolerance 0.05deg -o small.glb
   orispline reduce mage.glb --world-tolerance 2mm -o small.glb --report small.html
+  orispline reduce mage.glb --world-tolerance 2mm --compress meshopt -o smallest.glb
   orispline reduce hips.csv head.csv arm.csv --tolerance 0.5deg --output-folder keys
   orispline reduce flight.csv --tolerance 0.1deg --method timed-c3 --tension=0.2 --ends rest -o keys.csv
   orispline sample keys.csv --rate 100 -o motion.csv
@@ -339,13 +340,15 @@ void add_reduce_options(Command& app, TaskArguments& o) {
   for (const std::string_view name : {"tolerance", "position_tolerance"})
     add_field(app, o.fields, field_named(fields, name), group);
   app.option("--tolerance").is_required = false;  // of clips the world's may stand for it
-  app.add_option("--method", o.method,
-                 formatted("Method of the curve, a local one through its keys, or {}; of glTF also {} [{}; of glTF {}]",
-                           smallest_method, cubicspline_method, smallest_method, cubicspline_method))
+  app.add_option(
+         "--method", o.method,
+         formatted("Method of the curve, a local one through its keys, or {}; of glTF also {} [{}; of glTF {}, with "
+                   "--compress {}, for gltf-transform's meshopt slerp]",
+                   smallest_method, cubicspline_method, smallest_method, cubicspline_method, smallest_method))
       ->type_name(method_type)
       ->group(group);
   const auto of_clips = fields_of<orispline::ClipReduceOptions>();
-  for (const std::string_view name : {"world_tolerance", "shell", "between"})
+  for (const std::string_view name : {"world_tolerance", "shell", "between", "compress", "for"})
     add_field(app, o.fields, field_named(of_clips, name), "Clips");
   app.add({.names = "--cuts",
            .sentence =

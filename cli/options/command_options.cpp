@@ -114,7 +114,12 @@ void add_report_option(Command& app, ReportOptions& o) {
       ->group("Output");
 }
 
-void add_position_scale(Command& app, OutputOptions& o) {
+void add_gltf_options(Command& app, OutputOptions& o) {
+  app.add_option("--compress", o.compress,
+                 "Compress the keys of a glTF file by EXT_meshopt_compression, without rounding them; 'reduce' rounds "
+                 "them within its tolerances [none]")
+      ->type_name(one_of(words<KeyCompression>))
+      ->group("Output");
   app.add_option("--position-scale", o.position_scale,
                  "Metres in one unit of length of a BVH file, such as 0.01, for glTF, whose lengths are in metres "
                  "[lengths are kept as they are]")

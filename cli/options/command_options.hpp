@@ -30,7 +30,7 @@ void add_output_options(Command& app, OutputOptions& options);
 /// Of a command that prints what it found where no file is named; `sentence` says what goes into the file.
 void add_made_output(Command& app, OutputOptions& output, SummaryOptions& summary, std::string_view sentence);
 /// How long a unit of INPUT is, of a command that writes skeletons.
-void add_position_scale(Command& app, OutputOptions& options);
+void add_gltf_options(Command& app, OutputOptions& options);
 void add_report_option(Command& app, ReportOptions& options);
 
 /// The settings, ends and rates that shape a curve, part of several commands.

@@ -120,6 +120,9 @@ Expected<io::SampleColumns> output_columns(const OutputOptions& options) {
   if (options.position_scale)
     return usage_failure(formatted("--position-scale: found an output of one track, wanted a skeleton in {}",
                                    endings_of({&scenes::gltf_format})));
+  if (options.compress)
+    return usage_failure(formatted("--compress: found an output of one track, wanted a skeleton in {}",
+                                   endings_of({&scenes::gltf_format})));
   return check_no_skeleton_format(options).and_then([&] {
     return io::columns_of_output(options.path, stated_in(options)).map_error([&](Error error) {
       return naming_output_option(options, std::move(error));

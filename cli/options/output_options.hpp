@@ -21,6 +21,7 @@ struct OutputOptions {
   std::map<std::string_view, std::optional<std::string>> writing{};  ///< by the names of io::writing_options()
   std::vector<const scenes::SceneFormat*> scenes{};                  ///< files of skeletons that may be written too
   std::optional<std::string> position_scale{};                       ///< of a skeleton: metres in the unit of INPUT
+  std::optional<std::string> compress{};                             ///< of a skeleton in glTF
 };
 
 /// All formats of skeletons that are written.

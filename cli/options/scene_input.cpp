@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "options/scene_input.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
@@ -73,11 +74,20 @@ Error with_output_for_all(Error error, std::string_view output) {
   return error;
 }
 
+Expected<KeyCompression> compression_in(OptionText option) {
+  const auto found = std::ranges::find(words<KeyCompression>, option.text, &Word::word);
+  if (found == words<KeyCompression>.end()) return wanted(option, one_of(words<KeyCompression>));
+  return static_cast<KeyCompression>(found->value);
+}
+
 Expected<scenes::SceneWriting> scene_writing(const OutputOptions& options) {
   scenes::SceneWriting writing;
   const auto scale = if_given("--position-scale", options.position_scale, [](OptionText o) { return positive_in(o); });
   if (!scale) return tl::unexpected(scale.error());
   writing.position_scale = *scale;
+  const auto compression = if_given("--compress", options.compress, compression_in);
+  if (!compression) return tl::unexpected(compression.error());
+  writing.compression = compression->value_or(KeyCompression::none);
   for (const auto& [name, text] : options.writing) {
     if (!text) continue;
     if (name == "output_format") {

@@ -42,6 +42,9 @@ namespace orispline::cli {
 [[nodiscard]] Error with_output_for_all(Error error, std::string_view output);
 
 /// How a scene is to be written, by the options of the output. Error: bad_argument.
+/// A word of --compress.
+[[nodiscard]] Expected<KeyCompression> compression_in(OptionText option);
+
 [[nodiscard]] Expected<scenes::SceneWriting> scene_writing(const OutputOptions& options);
 
 }  // namespace orispline::cli

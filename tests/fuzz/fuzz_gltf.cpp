@@ -52,8 +52,8 @@ bool is_sound(const Scene& scene) {
   return true;
 }
 
-void claim_same_when_written(const Scene& scene, const std::string& path) {
-  const auto written = gltf_format.write(scene, path, {});
+void claim_same_when_written(const Scene& scene, const std::string& path, KeyCompression compression) {
+  const auto written = gltf_format.write(scene, path, {.compression = compression});
   if (!written) return claim_plain(written.error());
   claim_plain(written->warnings);
   const auto again = gltf_format.read(written->bytes, path, {});
@@ -69,7 +69,7 @@ void claim_same_when_written(const Scene& scene, const std::string& path) {
       claim(again->clips[i].domain().end == scene.clips[i].domain().end, "another end");
     }
   // A number of no accessor may be that of a new one, which then stays.
-  const auto twice = gltf_format.write(*again, path, {});
+  const auto twice = gltf_format.write(*again, path, {.compression = compression});
   claim(twice.has_value() && twice->bytes.size() <= written->bytes.size() + 512, "the file grows when written again");
 }
 
@@ -85,11 +85,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const scenes::SceneReading reading{.drop_duplicates = flags.next()};
   const std::string path = flags.next() ? "scene.gltf" : "scene.glb";
   const bool is_from_elsewhere = flags.next();
+  const auto compression = flags.next() && has_meshopt() ? KeyCompression::meshopt : KeyCompression::none;
   auto scene = scenes::gltf_format.read(input.rest(), "/nowhere/fuzzed.gltf", reading);
   if (!scene) return claim_plain(scene.error()), 0;
   claim_plain(scene->warnings);
   if (!is_sound(*scene)) return 0;
   if (is_from_elsewhere) scene->source.reset();
-  claim_same_when_written(*scene, path);
+  claim_same_when_written(*scene, path, compression);
   return 0;
 }

@@ -45,6 +45,8 @@ const Json& known_members() {
     {"extensions": {"KHR_animation_pointer": {"pointer": "/nodes/0/rotation"}}}, {"extensionsRequired": ["EXT_mesh_gpu_instancing"]},
     {"extensionsUsed": ["KHR_draco_mesh_compression"]}, {"scenes": [{"nodes": [0]}]}, {"scene": 0}, {"skin": 0}, {"mesh": 0},
     {"skins": [{"joints": [0, 1], "inverseBindMatrices": 1}]}, {"uri": "data:,"}, {"uri": "beside.bin"}, {"extras": {"a": []}},
+    {"extensions": {"EXT_meshopt_compression": {"buffer": 0, "byteLength": 48, "byteStride": 8, "count": 3, "mode": "ATTRIBUTES", "filter": "QUATERNION"}}},
+    {"mode": "TRIANGLES"}, {"mode": "ATTRIBUTES"}, {"filter": "QUATERNION"}, {"filter": "EXPONENTIAL"}, {"filter": "OCTAHEDRAL"}, {"buffer": 1},
     {"animations": []}, {"nodes": []}, {"target": {"path": "rotation"}}, {"channels": []}, {"min": [0]}, {"max": [1]}])");
   return members;
 }

@@ -56,8 +56,8 @@ TEST(GltfHostile, Documents) {
       {R"({"asset":{"version":"2.0","minVersion":"2.1"}})", "asset: found minVersion '2.1', wanted 2.0"},
       {R"({"asset":{"version":"2.0"},"nodes":{}})", "found an object as nodes, wanted a list"},
       {R"({"asset":{"version":"2.0"},"nodes":[7]})", "node 0: found 7, wanted an object"},
-      {R"({"asset":{"version":"2.0"},"extensionsRequired":["EXT_meshopt_compression"]})",
-       "extension EXT_meshopt_compression is required, wanted uncompressed animations"},
+      {R"({"asset":{"version":"2.0"},"extensionsRequired":["KHR_accessor_float64"]})",
+       "extension KHR_accessor_float64 is required, wanted animations in single precision"},
       {R"({"asset":{"version":"2.0"},"extensionsRequired":[3]})",
        "found 3 in extensionsRequired, wanted names of extensions"},
   });

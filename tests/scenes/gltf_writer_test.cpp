@@ -180,7 +180,7 @@ TEST(GltfWriter, MergesBuffers) {
 
 TEST(GltfWriter, RefusesDataThatOnlyAnExtensionKnows) {
   GltfFile file = test::turning();
-  file.view("abcd", R"(,"extensions":{"EXT_meshopt_compression":{"buffer":0}})");
+  file.view("abcd", R"(,"extensions":{"XYZ_packed":{"buffer":0}})");
   EXPECT_EQ(refusal(scene_of(file)),
             "out.glb: bufferView 2: found data that only an extension can read, wanted an uncompressed bufferView");
 }

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Scenes against independent programs: three.js for the places of joints in the world, the Khronos validator for glTF files.
+"""Scenes against independent programs: three.js for the places of joints in the world, the Khronos validator for glTF files,
+gltfpack and gltf-transform for files that go through them.
 
 They are in the folder that ORISPLINE_ORACLES names, as oracles/prepare.sh fills it; where it could not, the test is skipped.
 """
 import csv
 import io
+import json
 import math
 import os
 import pathlib
@@ -98,9 +100,50 @@ def check_with_validator(folder):
         assert not new, new
 
 
+def apart(first, second):
+    """The largest distance in the world [m], of nodes without a mesh: gltf-transform moves and scales those that have one."""
+    content = first.read_bytes()
+    document = json.loads(content[20:20 + int.from_bytes(content[12:16], "little")])
+    meshes = {node.get("name") for node in document["nodes"] if "mesh" in node}
+    report = json.loads(orispline("difference", first, second, "--json"))
+    return max(joint["shell_distance"]["largest"] for clip in report["clips"] for joint in clip["joints"] if joint["joint"] not in meshes)
+
+
+def check_with_packers(folder):
+    """Files that they compressed are read, and ours come through them."""
+    def tool(name, *arguments):
+        subprocess.run([ORACLES / "node_modules/.bin" / name, *map(str, arguments)], check=True, capture_output=True)
+
+    clips = ["--clip", "Walking_A", "--clip", "Idle"]
+    plain, linear, small, theirs = (folder / f"{name}.glb" for name in ("plain", "linear", "small", "theirs"))
+    orispline("convert", MAGE, *clips, "-o", plain, "--quiet")
+    orispline("reduce", plain, "--world-tolerance", "2mm", "--for", "meshopt", "-o", linear, "--quiet")
+    if "without meshoptimizer" in subprocess.run([COMMAND, "convert", plain, "--compress", "meshopt", "-o", small, "--quiet"],
+                                                 capture_output=True, text=True).stderr:
+        skip("this build is without meshoptimizer")
+    summary = orispline("reduce", plain, "--world-tolerance", "2mm", "--compress", "meshopt", "-o", small, "--json")
+    found = {"ours": apart(plain, small)}
+    assert found["ours"] <= json.loads(summary)["shell_distance_m"]["largest"] * 1.01 <= 2.02e-3, found
+    tool("gltf-transform", "copy", small, theirs)  # which decodes
+    found["decoded by gltf-transform"] = apart(small, theirs)
+    assert found["decoded by gltf-transform"] <= 1e-4, found
+    tool("gltf-transform", "meshopt", linear, theirs)
+    found["linear keys by gltf-transform"] = apart(linear, theirs)
+    assert found["linear keys by gltf-transform"] <= 2e-3, found
+    for name in (linear, small):
+        tool("gltfpack", "-i", name, "-o", theirs, "-kn", "-cc", "-af", "0")
+        found[f"{name.stem} by gltfpack"] = apart(name, theirs)
+        assert found[f"{name.stem} by gltfpack"] <= 2e-3, found
+    tool("gltfpack", "-i", plain, "-o", theirs, "-kn", "-cc", "-af", "0")
+    orispline("reduce", theirs, "--world-tolerance", "2mm", "-o", small, "--quiet")  # theirs is read, with meshes that stay packed
+    found["read from gltfpack"] = apart(theirs, small)
+    assert found["read from gltfpack"] <= 2e-3, found
+    print(found)
+
+
 if not MAGE.exists():
     skip(f"no {MAGE}")
 if not (ORACLES / "node_modules/.installed").exists():
     skip("the packages of npm could not be installed")
 with tempfile.TemporaryDirectory() as made:
-    {"three": check_with_three, "validator": check_with_validator}[sys.argv[1]](pathlib.Path(made))
+    {"three": check_with_three, "validator": check_with_validator, "packers": check_with_packers}[sys.argv[1]](pathlib.Path(made))

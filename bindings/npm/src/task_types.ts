@@ -135,6 +135,10 @@ export interface Tasks {
       shell?: Text | undefined;
       /** What the motion of a clip between its keys is taken to be; of BVH, whose frames are samples, smooth unless you say otherwise. */
       between?: 'smooth' | 'stored' | undefined;
+      /** How the keys are compressed in the file, where it is glTF. */
+      compress?: 'none' | 'meshopt' | undefined;
+      /** What the file goes through next, whose faults are kept clear of. */
+      for?: 'any' | 'meshopt' | undefined;
       /** Which jumps of joints are cuts, on either side of which nothing swings. */
       cuts?: 'usual' | 'steps' | 'none' | undefined;
       /** Keep tracks of one key that says what the rest pose of the joint says, which are left out otherwise. */

@@ -40,7 +40,8 @@ nb::tuple read_scene(const std::string& path, bool drop_duplicates, const std::o
 
 /// The bytes of a file of that name, and warnings.
 nb::tuple written_scene(const SharedScene& shared, const std::string& path, const std::optional<std::string>& euler,
-                        std::optional<double> rate, std::optional<double> position_scale, bool bones) {
+                        std::optional<double> rate, std::optional<double> position_scale,
+                        const std::optional<std::string>& compress, bool bones) {
   scenes::SceneWriting writing{.rate = rate, .position_scale = position_scale, .bones = bones};
   if (euler) {
     writing.euler = euler_order_of(*euler);
@@ -49,6 +50,15 @@ nb::tuple written_scene(const SharedScene& shared, const std::string& path, cons
              "found '" + *euler + "', wanted three different axes of the body, such as ZYX",
              {},
              "output_euler"});
+  }
+  if (compress) {
+    const auto found = std::ranges::find(words<KeyCompression>, *compress, &Word::word);
+    if (found == words<KeyCompression>.end())
+      raise({ErrorCode::bad_argument,
+             "found '" + *compress + "', wanted " + one_of(words<KeyCompression>),
+             {},
+             "compress"});
+    writing.compression = static_cast<KeyCompression>(found->value);
   }
   auto written = [&] {
     const nb::gil_scoped_release release;
@@ -140,7 +150,7 @@ void add_scenes(nb::module_& module) {
       .def("channels", &channels_of, "clip"_a)
       .def("with_clip", &with_clip, "clip"_a)
       .def("written", &written_scene, "path"_a, "euler"_a.none(), "rate"_a.none(), "position_scale"_a.none(),
-           "bones"_a);
+           "compress"_a.none(), "bones"_a);
   module.def("read_scene", &read_scene, "path"_a, "drop_duplicates"_a, "signs"_a.none(), "salvage"_a,
              "rest_frame"_a.none(), "bytes"_a.none());
 }

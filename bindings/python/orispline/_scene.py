@@ -166,7 +166,7 @@ class Scene(Viewed):
         return page_of_scene(self._core)
 
     def write(self, path: Target, *, output_euler: str | None = None, rate: float | None = None, position_scale: float | None = None,
-              bones: bool = True) -> None:
+              compress: str | None = None, bones: bool = True) -> None:
         """Writes the scene in the format of the path's extension: .glb, .gltf or .bvh.
 
         The file appears complete or not at all.
@@ -182,6 +182,8 @@ class Scene(Viewed):
             Frames per second in BVH [Hz]. Without it that of the keys, which must be even.
         position_scale : float, optional
             Metres in one unit of length of a BVH file that was read, such as 0.01: glTF gets its lengths in metres. Without it they are kept.
+        compress : {"none", "meshopt"}, optional
+            Compress the keys of glTF by EXT_meshopt_compression, without rounding them; `reduce_scene` rounds them within its tolerances.
         bones : bool
             Give a skeleton without a mesh a few triangles for each joint in glTF, so that viewers show something.
 
@@ -204,7 +206,9 @@ class Scene(Viewed):
         hertz = None if rate is None else positive("rate", rate)
         name, file = target_of(path)
         metres = None if position_scale is None else positive("position_scale", position_scale)
-        content, warnings = self._core.written(name, output_euler, hertz, metres, flag("bones", bones))
+        if compress is not None and not isinstance(compress, str):
+            raise TypeError(f"compress: found {compress!r}, wanted a text such as 'meshopt'")
+        content, warnings = self._core.written(name, output_euler, hertz, metres, compress, flag("bones", bones))
         write_bytes(name, file, content)
         tell(warnings)
 

@@ -74,9 +74,9 @@ def read_scene(path: Source, *, drop_duplicates: bool = False, signs: Signs | No
     return Scene._of(core, flag("scalar_first", scalar_first))
 
 
-@takes("ClipReduceOptions")
-def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspline", closed: bool = False,
-                 position_scale: float | None = None, threads: int = 0, **options: Any) -> tuple[Scene, SceneReduction]:
+@takes("ClipReduceOptions", without=("for",))
+def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = None, closed: bool = False,
+                 position_scale: float | None = None, for_: Any = None, threads: int = 0, **options: Any) -> tuple[Scene, SceneReduction]:
     """A scene with the fewest keys found that look the same, and what was done to it.
 
     One of `tolerance`, `position_tolerance` and `world_tolerance` is required. Angles are in radians and lengths in
@@ -85,8 +85,8 @@ def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspl
     Parameters
     ----------
     scene : Scene
-    method : str, Blending or Curve
-        "cubicspline", which is glTF's; "smallest", which writes each channel by that or by "slerp", or leaves it as it was,
+    method : str, Blending or Curve, optional
+        "cubicspline", which is glTF's and taken without one; "smallest", taken with `compress`, which writes each channel by that or by "slerp", or leaves it as it was,
         whichever has the fewest bytes; "hermite-c1", whose keys have one rate each; "slerp", which makes linear channels; or
         another one that `reduce` takes, written as cubics within the tolerance.
     closed : bool
@@ -94,6 +94,8 @@ def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspl
     position_scale : float, optional
         Metres in one unit of length of the file, such as 0.01 [1 for glTF]. A BVH file has no unit: tolerances of lengths
         want it.
+    for_ : {"any", "meshopt"}, optional
+        What the file goes through next. For gltf-transform's "meshopt", which breaks splines of rotations, rotations are linear.
     threads : int
         At most so many at work, 0 means one for each core. The result is the same on any.
     {options}
@@ -101,6 +103,7 @@ def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspl
     Returns
     -------
     (Scene, SceneReduction)
+        With `compress` the file that you write wants it too: `Scene.write(path, compress="meshopt")`.
         The numbers of the keys fit into the float32 of glTF.
 
     Raises
@@ -121,15 +124,15 @@ def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspl
     >>> small.write("small.glb")  # doctest: +SKIP
     """
     _checked(scene)
-    stated = plain({"tolerance": tolerance, **options})
+    stated = plain({"tolerance": tolerance, "for": for_, **options})
     if all(stated.get(name) is None for name in TOLERANCES):
         raise ArgumentError(f"tolerance: found none, wanted one of {', '.join(TOLERANCES)}")
-    words = method_words(method)
+    words = None if method is None else method_words(method)
     scale = None if position_scale is None else positive("position_scale", position_scale)
     is_of_scenes_alone = words in ("cubicspline", "smallest")
     settings = {"closed": flag("closed", closed), "position_scale": scale, "threads": checked_threads(threads),
                 "methods": words if is_of_scenes_alone else None}
-    methods = [] if is_of_scenes_alone else [words]
+    methods = [] if is_of_scenes_alone or words is None else [words]
     found, = Request("reduce", {"recording": scene}, stated, settings, methods=methods).told()
     return Scene._of(found.scene(scene._core), scene._scalar_first), SceneReduction._of(found)
 

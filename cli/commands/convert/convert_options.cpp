@@ -23,7 +23,7 @@ void add_convert_options(Command& app, ConvertArguments& o) {
   add_input_options(app, o.input, "as-given");
   o.output.scenes = scenes_written();
   add_output_options(app, o.output);
-  add_position_scale(app, o.output);
+  add_gltf_options(app, o.output);
   app.add_option("--rate", o.rate, "Frames per second of a BVH file [those of the keys, where they are even]")
       ->type_name("HZ")
       ->group("Output");

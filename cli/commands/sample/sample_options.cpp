@@ -59,7 +59,7 @@ void add_sample_options(Command& app, SampleArguments& o) {
                    "Samples per second, such as 100 or 30000/1001, from the start up to the end; or --fps");
   o.output.scenes = {&scenes::gltf_format};
   add_output_options(app, o.output);
-  add_position_scale(app, o.output);
+  add_gltf_options(app, o.output);
   const std::string group = "Output";
   add_row_options(app, o.rows);
   app.add_option("--tolerance", o.tolerance,

@@ -25,6 +25,7 @@ struct MotionFile {
   Skeleton skeleton{};
   std::vector<Clip> clips{};
   ClipFormat format{};
+  std::string next_tool{};  ///< that it comes from or goes through, where that compresses keys; else empty
 };
 
 /// The file with its lengths in metres: of the rest pose and of all clips, and with a format that says so.

@@ -73,6 +73,7 @@ struct ORISPLINE_EXPORT ReduceOutcome {
 struct ClipFile {
   std::string name{};  ///< for people
   ClipFormat format{};
+  std::string next_tool{};  ///< that it comes from or goes through, where that compresses keys; else empty
 };
 
 /// Clips that are to go into a glTF file.

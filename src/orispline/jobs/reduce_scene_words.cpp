@@ -100,6 +100,23 @@ std::string errors_lines(const ReduceSceneOutcome& outcome, const ClipTotals& to
   return text;
 }
 
+bool has_rotation_splines(const ReduceSceneOutcome& outcome) {
+  return std::ranges::any_of(outcome.reductions, [](const ClipReduction& reduction) {
+    return std::ranges::any_of(reduction.clip.rotations, [](const RotationChannel& channel) {
+      return channel.interpolation == ChannelInterpolation::cubicspline;
+    });
+  });
+}
+
+/// Where the file comes from tools whose next step would break what is written, and that is still to be told.
+std::string next_tool_line(const ReduceSceneOutcome& outcome) {
+  if (outcome.request.file.next_tool.empty() || !has_rotation_splines(outcome)) return {};
+  return formatted(
+      "next tool       the input names {}; gltf-transform's meshopt breaks splines of rotations, but not linear "
+      "keys, which are written for=meshopt\n",
+      outcome.request.file.next_tool);
+}
+
 Json worst_json(const ReduceSceneOutcome& outcome, const ClipReduction& reduction, const ClipReduction::Worst& worst,
                 double unit) {
   return {{"largest", worst.largest.value * unit},
@@ -128,7 +145,7 @@ std::string summary_of(const ReduceSceneOutcome& outcome) {
   return formatted("{} from {}, tolerance {}, method {}\n", counted(outcome.reductions.size(), "clip"),
                    printable(outcome.request.file.name), tolerance_text(outcome.options, length_unit(outcome)),
                    outcome.options.method.name) +
-         counts_lines(outcome, totals) + errors_lines(outcome, totals);
+         counts_lines(outcome, totals) + errors_lines(outcome, totals) + next_tool_line(outcome);
 }
 
 std::string line_of(const ReduceSceneOutcome& outcome) {
@@ -156,6 +173,7 @@ Json document_of(const ReduceSceneOutcome& outcome) {
   json["tracks_before"] = totals.tracks_before;
   json["tracks_left_out"] = totals.tracks_left_out;
   json["between"] = word_of(options.between);
+  if (options.compression != KeyCompression::none) json["compress"] = word_of(options.compression);
   json["cuts"] = totals.cuts;
   if (options.closed) {
     json["open_tracks"] = totals.open_tracks;

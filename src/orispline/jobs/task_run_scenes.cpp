@@ -22,11 +22,11 @@ TaskOutcome with_scene(TaskOutcome outcome, MotionFile made) {
   return outcome;
 }
 
-/// The method of cubics for a skeleton, unless another one is stated.
-Expected<Method> clip_method_in(const TaskRequest& request) {
+/// The usual method for a skeleton, unless another one is stated.
+Expected<Method> clip_method_in(const TaskRequest& request, const ClipReduceOptions& options) {
   if (const std::string* const text = request.option("methods"); text && is_of_clips_alone(*text)) return Method{*text};
-  return methods_in(request).and_then([](const auto& stated) -> Expected<Method> {
-    if (!stated) return Method{cubicspline_method};
+  return methods_in(request).and_then([&](const auto& stated) -> Expected<Method> {
+    if (!stated) return Method{usual_method(options)};
     if (stated->size() == 1) return stated->front().method;
     return bad_option("methods", formatted("found {} methods for a skeleton, wanted one", stated->size()));
   });
@@ -44,12 +44,12 @@ Expected<ReduceSceneRequest> reduce_scene_request_in(const TaskRequest& request)
     return tl::unexpected(std::move(fits.error()));
   const MotionFile& file = scene_in(request, "recording");
   FirstError checked;
-  ReduceSceneRequest job{.file = {file.name, file.format},
+  ReduceSceneRequest job{.file = {file.name, file.format, file.next_tool},
                          .options = checked(options_in<ClipReduceOptions>(request)),
                          .position_scale = checked(positive_in(request, "position_scale")),
                          .threads = checked(threads_in(request))};
   if (file.format.is_sampled && !is_stated(request, "between")) job.options.between = BetweenSamples::smooth;
-  job.options.method = checked(clip_method_in(request));
+  job.options.method = checked(clip_method_in(request, job.options));
   job.options.closed = checked(flag(request, "closed"));
   return std::move(checked).or_else(std::move(job));
 }

@@ -10,6 +10,7 @@
 
 #include <orispline/clip/clip_motion.hpp>
 #include <orispline/clip/cubic_channel.hpp>
+#include <orispline/clip/filtered_keys.hpp>
 #include <orispline/curve/key_check.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/highest.hpp>
@@ -30,6 +31,8 @@ constexpr int attempts = 10;  // to hold the tolerance between the samples, and 
 constexpr double share_of_keys = 0.8;
 /// Of the tolerance, so that the numbers of a file hold it too.
 constexpr double share_before_rounding = 0.9999;
+/// Of the tolerance, by which values may be off that are rounded to be compressed.
+constexpr double share_of_rounding = 0.4;
 constexpr double no_bound = 1e3;  // wider than any angle [rad]: of rotations that are the same throughout
 
 Eigen::Quaterniond halfway(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return a.slerp(0.5, b); }
@@ -328,10 +331,18 @@ bool ends_as_it_begins(const Channel<P>& channel) {
 
 namespace {
 
+template <CurvePoint P>
+bool breaks_next_tool(const Channel<P>& channel, const ClipReduceOptions& options) {
+  return options.next_tool == NextTool::meshopt && std::same_as<P, Eigen::Quaterniond> &&
+         channel.interpolation == ChannelInterpolation::cubicspline;
+}
+
 /// Fewer keys, or fewer bytes where those are sought.
 template <CurvePoint P>
 bool is_less(const Channel<P>& channel, const Channel<P>& than, const ClipReduceOptions& options) {
-  if (options.method.name == smallest_method) return bytes_of_keys(channel) < bytes_of_keys(than);
+  if (breaks_next_tool(than, options)) return !breaks_next_tool(channel, options);
+  if (options.method.name == smallest_method)
+    return bytes_of_keys(channel, options.compression) < bytes_of_keys(than, options.compression);
   return channel.size() < than.size();
 }
 
@@ -343,8 +354,10 @@ Expected<Channel<P>> reduced_by(const Method& method, const TakenChannel<P>& bef
                       apart_at_ends(channel) <= std::max(tolerance, rounding<P>);
   Samples<P> samples(before);
   if (closes && !ends_as_it_begins(channel)) samples.join_ends();
+  const Channel<P> as_it_was = rounded_channel(channel, tolerance, options);
   const bool is_mended_in_parts = method.name == cubicspline_method && !closes;
-  double asked = share_before_rounding * tolerance;
+  const bool is_rounded = options.compression != KeyCompression::none;
+  double asked = (is_rounded ? 1.0 - 0.5 * share_of_rounding : share_before_rounding) * tolerance;
   std::vector<double> broken;
   Channel<P> found;
   for (int attempt = 0; attempt < attempts; ++attempt) {
@@ -356,7 +369,8 @@ Expected<Channel<P>> reduced_by(const Method& method, const TakenChannel<P>& bef
       found = with_spans_anew(found, samples.keys(), before, broken, asked);
     }
     std::optional<Channel<P>> reduced = stored(found, options.precision);
-    if (!reduced || !is_less(*reduced, channel, options)) break;
+    if (reduced) reduced = rounded_channel(*reduced, tolerance, options);
+    if (!reduced || !is_less(*reduced, as_it_was, options)) break;
     reduced->joint = channel.joint;
     const Missed missed = samples.missed_by(*reduced, tolerance);
     if (missed.between.empty() && missed.at_samples <= tolerance) return *std::move(reduced);
@@ -366,7 +380,7 @@ Expected<Channel<P>> reduced_by(const Method& method, const TakenChannel<P>& bef
       for (const std::size_t i : missed.between) broken.push_back(samples.keys().times[i]);
     samples.add_middles(missed.between);
   }
-  return channel;
+  return as_it_was;
 }
 
 }  // namespace
@@ -375,14 +389,26 @@ template <CurvePoint P>
 Expected<Channel<P>> reduced_channel(const TakenChannel<P>& before, double tolerance,
                                      const ClipReduceOptions& options) {
   const Channel<P>& channel = before.channel;
-  if (channel.size() < 3 || channel.interpolation == ChannelInterpolation::step) return channel;
+  const bool has_few_keys = channel.size() < 3 && !(channel.size() == 2 && breaks_next_tool(channel, options));
+  if (has_few_keys || channel.interpolation == ChannelInterpolation::step)
+    return rounded_channel(channel, tolerance, options);
   if (options.method.name != smallest_method) return reduced_by(options.method, before, tolerance, options);
-  auto cubic = reduced_by(Method{cubicspline_method}, before, tolerance, options);
   auto linear = reduced_by(Method{"slerp"}, before, tolerance, options);
+  if (std::same_as<P, Eigen::Quaterniond> && options.next_tool == NextTool::meshopt) return linear;
+  auto cubic = reduced_by(Method{cubicspline_method}, before, tolerance, options);
   if (!cubic || !linear) return cubic ? linear : cubic;
   return is_less(*linear, *cubic, options) ? linear : cubic;
 }
 
+template <CurvePoint P>
+Channel<P> rounded_channel(const Channel<P>& channel, double tolerance, const ClipReduceOptions& options) {
+  if (options.compression == KeyCompression::none || !(tolerance < std::numeric_limits<double>::infinity()))
+    return channel;
+  return with_fewest_bits(channel, share_of_rounding * tolerance);
+}
+
+template RotationChannel rounded_channel(const RotationChannel&, double, const ClipReduceOptions&);
+template VectorChannel rounded_channel(const VectorChannel&, double, const ClipReduceOptions&);
 template LargestInTime farthest_from(const ChannelCurve<Eigen::Quaterniond>&, const RotationChannel&,
                                      std::span<const double>, std::span<const Eigen::Quaterniond>, double);
 template LargestInTime farthest_from(const ChannelCurve<Eigen::Vector3d>&, const VectorChannel&,

@@ -27,6 +27,10 @@ template <CurvePoint P>
 [[nodiscard]] Expected<Channel<P>> reduced_channel(const TakenChannel<P>& before, double tolerance,
                                                    const ClipReduceOptions& options);
 
+/// The channel with its values rounded by a part of the tolerance, as compression asks for; else as it is.
+template <CurvePoint P>
+[[nodiscard]] Channel<P> rounded_channel(const Channel<P>& channel, double tolerance, const ClipReduceOptions& options);
+
 /// The farthest that a channel with fewer keys is from a motion [rad, or a length]: at those times and between them,
 /// where it is looked at in `looks_between` places, and beside the farthest of these until nothing rises. `looks` as in
 /// TakenChannel; what is not above `known` need not be found.
@@ -52,6 +56,8 @@ template <CurvePoint P>
 template <CurvePoint P>
 [[nodiscard]] bool ends_as_it_begins(const Channel<P>& channel);
 
+extern template RotationChannel rounded_channel(const RotationChannel&, double, const ClipReduceOptions&);
+extern template VectorChannel rounded_channel(const VectorChannel&, double, const ClipReduceOptions&);
 extern template LargestInTime farthest_from(const ChannelCurve<Eigen::Quaterniond>&, const RotationChannel&,
                                             std::span<const double>, std::span<const Eigen::Quaterniond>, double);
 extern template LargestInTime farthest_from(const ChannelCurve<Eigen::Vector3d>&, const VectorChannel&,

@@ -18,13 +18,13 @@ struct SharedTimes {
 
 }  // namespace
 
-std::size_t bytes_of_keys(const Clip& clip) {
+std::size_t bytes_of_keys(const Clip& clip, KeyCompression compression) {
   std::map<std::vector<double>, bool> times;
   std::size_t bytes = 0;
   const auto add = [&](const auto& channels) {
     for (const auto& channel : channels) {
-      bytes += bytes_of_values(channel);
-      if (times.try_emplace(channel.times, true).second) bytes += channel.size() * sizeof(float);
+      bytes += bytes_of_values(channel, compression);
+      if (times.try_emplace(channel.times, true).second) bytes += bytes_of_times(channel.times, compression);
     }
   };
   add(clip.rotations), add(clip.translations), add(clip.scales);
@@ -47,7 +47,7 @@ Clip with_shared_times(const Clip& before, Clip after) {
   gather(before.translations, after.translations);
   gather(before.scales, after.scales);
   for (const auto& [times, group] : groups)
-    if (group.stay || group.bytes_saved > times.size() * sizeof(float))
+    if (group.stay || group.bytes_saved > bytes_of_times(times))
       for (const auto& go_back : group.go_back) go_back();
   return after;
 }

@@ -43,6 +43,13 @@ Expected<void> check(const ClipReduceOptions& options) {
     return bad_option("tolerance",
                       formatted("found {:.6g}°, wanted 180° at most, which is as far as rotations can be apart",
                                 options.tolerance * degrees));
+  if (auto known = check(options.compression); !known) return known;
+  if (options.next_tool == NextTool::meshopt && options.method.name != "slerp" &&
+      options.method.name != smallest_method)
+    return bad_option("for",
+                      formatted("found the method {}, whose splines of rotations gltf-transform's meshopt breaks, "
+                                "wanted slerp or {}",
+                                text_of(options.method), smallest_method));
   if (options.closed && options.method.name != cubicspline_method && !seeks_rates(options.method))
     return bad_option("closed",
                       formatted("found the method {}, wanted {}, or {} in its form chart: their tangents are free",

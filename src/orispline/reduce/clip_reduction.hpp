@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <orispline/clip/clip_difference.hpp>
+#include <orispline/clip/key_compression.hpp>
 #include <orispline/curve/method.hpp>
 #include <orispline/fields/field_info.hpp>
 
@@ -41,6 +42,12 @@ enum class Cuts {
 /// The numbers of the keys, as the file that they are for holds them.
 enum class KeyPrecision { float64, float32 };
 
+/// The tool that the file goes through next.
+enum class NextTool {
+  any,
+  meshopt  ///< of gltf-transform, which rounds splines of rotations so that they turn elsewhere
+};
+
 /// How the keys of clips are reduced. At least one of the tolerances is finite.
 struct ClipReduceOptions {
   double tolerance = std::numeric_limits<double>::infinity();           ///< of rotations [rad]
@@ -54,6 +61,9 @@ struct ClipReduceOptions {
   Cuts cuts = Cuts::usual;
   KeyPrecision precision = KeyPrecision::float64;
   KeyPrecision precision_before = KeyPrecision::float64;  ///< that the keys have: those that stay are then the same
+  /// Of the file. By `meshopt` values are rounded within the tolerances, and `smallest` counts compressed bytes.
+  KeyCompression compression = KeyCompression::none;
+  NextTool next_tool = NextTool::any;  ///< by `meshopt` all rotations are linear
   /// Of `cubicspline` and `hermite-c1`: channels that end as they begin, or nearer to it than the tolerance, have the
   /// same key and tangent at both ends, so that the clip goes on without a jump where it begins again. Those with a cut
   /// at an end stay open.
@@ -139,6 +149,18 @@ inline constexpr std::array words<BetweenSamples>{
     word("smooth", BetweenSamples::smooth, "The motion between the keys of the input is the curve auto through them"),
     word("stored", BetweenSamples::stored, "It is what the input says, such as straight lines")};
 
+/// The method where none is asked for.
+[[nodiscard]] constexpr std::string_view usual_method(const ClipReduceOptions& options) noexcept {
+  if (options.compression != KeyCompression::none) return smallest_method;
+  return options.next_tool == NextTool::meshopt ? std::string_view("slerp") : cubicspline_method;
+}
+
+template <>
+inline constexpr std::array words<NextTool>{
+    word("any", NextTool::any, "Any reader of glTF"),
+    word("meshopt", NextTool::meshopt,
+         "The command meshopt of gltf-transform: rotations are linear, for it breaks others")};
+
 template <>
 inline constexpr std::array words<Cuts>{word("usual", Cuts::usual,
                                              "Jumps between keys that are at most 2 ms apart, and in smooth motion "
@@ -150,8 +172,9 @@ template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexcept;
 
 /// Of the keys of a clip in a glTF file, whose numbers are in single precision [bytes]: equal times of several channels
-/// once.
-[[nodiscard]] ORISPLINE_EXPORT std::size_t bytes_of_keys(const Clip& clip);
+/// once; compressed, with what says where they are.
+[[nodiscard]] ORISPLINE_EXPORT std::size_t bytes_of_keys(const Clip& clip,
+                                                         KeyCompression compression = KeyCompression::none);
 
 /// The tolerances that are given: `0.1°, 0.02 m in the world`.
 ///

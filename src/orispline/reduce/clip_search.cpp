@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -12,6 +13,7 @@
 #include <orispline/reduce/channel_motion.hpp>
 #include <orispline/reduce/channel_reduction.hpp>
 #include <orispline/reduce/clip_bytes.hpp>
+#include <orispline/reduce/few_times.hpp>
 #include <orispline/reduce/rest.hpp>
 #include <orispline/reduce/taken_clip.hpp>
 #include <orispline/reduce/world_distances.hpp>
@@ -100,7 +102,7 @@ class ClipSearch {
     });
     for (auto& error : errors)
       if (error) return tl::unexpected(*std::move(error));
-    if (seeks_bytes()) after = with_shared_times(before_.clip, std::move(after));
+    if (seeks_bytes()) after = with_shared_keys(std::move(after));
     judge(std::move(after));
     return {};
   }
@@ -130,6 +132,82 @@ class ClipSearch {
       held_to(end, before.rotations, clip.rotations) || held_to(end, before.translations, clip.translations) ||
           held_to(end, before.scales, clip.scales);
     return clip;
+  }
+
+  [[nodiscard]] Clip with_shared_keys(Clip after) const {
+    if (options_.compression == KeyCompression::none) return with_shared_times(before_.clip, std::move(after));
+    return with_few_times(std::move(after));
+  }
+
+  /// A channel that may share its times with others.
+  template <CurvePoint P>
+  struct Sharing {
+    Channel<P> rounded{};
+    const ChannelCurve<P>* motion = nullptr;
+    Channel<P>* place = nullptr;
+    double tolerance = 0.0;
+  };
+  /// Those that had the same times.
+  struct SharingTimes {
+    std::vector<Sharing<Eigen::Quaterniond>> rotations{};
+    std::vector<Sharing<Eigen::Vector3d>> translations{};
+  };
+
+  /// The clip with linear channels in the place of those that then take fewer bytes, because they share their times.
+  [[nodiscard]] Clip with_few_times(Clip after) const {
+    std::map<std::vector<double>, SharingTimes> groups;
+    const auto gather = [&](const auto& channels, const auto& motions, const auto& cuts, auto& places, auto list,
+                            auto&& tolerance_of) {
+      for (std::size_t i = 0; i < channels.size(); ++i) {
+        const double tolerance = tolerance_of(channels[i].joint);
+        const bool may_share = channels[i].interpolation == ChannelInterpolation::linear && channels[i].size() > 2 &&
+                               places[i].size() > 2 && cuts[i].empty() && tolerance < infinity;
+        if (!may_share) continue;
+        (groups[channels[i].times].*list)
+            .push_back({rounded_channel(channels[i], tolerance, options_), &motions[i], &places[i], tolerance});
+      }
+    };
+    gather(before_.clip.rotations, before_.rotations, before_.of_rotations, after.rotations, &SharingTimes::rotations,
+           [this](std::size_t joint) { return std::min(angle_tolerance(joint, factor_), std::numbers::pi / 2); });
+    gather(before_.clip.translations, before_.translations, before_.of_translations, after.translations,
+           &SharingTimes::translations, [this](std::size_t joint) { return length_tolerance(joint, factor_); });
+    for (auto& [times, group] : groups) share_times(group);
+    return after;
+  }
+
+  void share_times(SharingTimes& group) const {
+    std::vector<KeyReach> reaches;
+    const auto look = [&](const auto& list) {
+      for (const auto& one : list) reaches.push_back(reach_of(one.rounded, *one.motion, one.tolerance));
+    };
+    look(group.rotations), look(group.translations);
+    const auto keys = keys_at_few_times(reaches);
+    std::size_t next = 0;
+    const auto take = [&](auto& list) {
+      for (auto& one : list) {
+        const auto fewer = only_keys(one.rounded, keys[next++]);
+        // What it takes by itself, with times of its own: those of others it has for nothing.
+        if (bytes_of_values(fewer, options_.compression) < bytes_of_keys(*one.place, options_.compression) &&
+            farthest_of(one, fewer) <= one.tolerance)
+          *one.place = fewer;
+      }
+    };
+    take(group.rotations), take(group.translations);
+  }
+
+  template <CurvePoint P>
+  static double farthest_of(const Sharing<P>& one, const Channel<P>& fewer) {
+    return farthest_from<P>(*one.motion, fewer, one.rounded.times).value;
+  }
+
+  template <CurvePoint P>
+  static Channel<P> only_keys(const Channel<P>& channel, const std::vector<std::size_t>& keys) {
+    Channel<P> fewer{.joint = channel.joint, .interpolation = channel.interpolation};
+    for (const std::size_t k : keys) {
+      fewer.times.push_back(channel.times[k]);
+      fewer.values.push_back(channel.values[k]);
+    }
+    return fewer;
   }
 
   /// Gives the first channel that ended there its last key again; whether there was one.
@@ -182,7 +260,8 @@ class ClipSearch {
   [[nodiscard]] bool seeks_bytes() const { return options_.method.name == smallest_method; }
   /// What is to be least.
   [[nodiscard]] std::size_t cost_of(const ClipReduction& reduction) const {
-    return seeks_bytes() ? bytes_of_keys(reduction.clip) : reduction.rotation_keys + reduction.translation_keys;
+    return seeks_bytes() ? bytes_of_keys(reduction.clip, options_.compression)
+                         : reduction.rotation_keys + reduction.translation_keys;
   }
 
   /// Keeps what is within the length in the world, and chooses the next factor.

@@ -102,6 +102,10 @@ std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexcept {
           {.name = "between",
            .sentence = "What the motion of a clip between its keys is taken to be; of BVH, whose frames are samples, "
                        "smooth unless you say otherwise"}),
+      field<&ClipReduceOptions::compression>(
+          {.name = "compress", .sentence = "How the keys are compressed in the file, where it is glTF"}),
+      field<&ClipReduceOptions::next_tool>(
+          {.name = "for", .sentence = "What the file goes through next, whose faults are kept clear of"}),
       field<&ClipReduceOptions::cuts>(
           {.name = "cuts", .sentence = "Which jumps of joints are cuts, on either side of which nothing swings"}),
       field<&ClipReduceOptions::keep_constant>(

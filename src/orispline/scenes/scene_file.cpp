@@ -44,6 +44,12 @@ tl::unexpected<Error> too_large(const std::string& path) {
   return failure(ErrorCode::bad_access, "found more than 2 GiB, wanted a smaller file", {.file = path});
 }
 
+Expected<void> check_compression(const SceneWriting& writing, const SceneFormat& format) {
+  if (writing.compression != KeyCompression::none && &format != &gltf_format)
+    return bad_option("compress", formatted("found an output that is {}, wanted glTF", format.file));
+  return check(writing.compression);
+}
+
 Expected<Scene> checked(Scene scene) {
   for (const Clip& clip : scene.clips)
     if (auto sound = check_clip(scene.skeleton, clip); !sound) return tl::unexpected(std::move(sound.error()));
@@ -56,7 +62,8 @@ MotionFile motion_file_of(const Scene& scene) {
   return {.name = scene.name,
           .skeleton = scene.skeleton,
           .clips = scene.clips,
-          .format = scene.format ? ClipFormat(*scene.format) : ClipFormat()};
+          .format = scene.format ? ClipFormat(*scene.format) : ClipFormat(),
+          .next_tool = scene.next_tool};
 }
 
 Scene with_motion(Scene scene, const MotionFile& made) {
@@ -127,6 +134,7 @@ Expected<SceneWritten> written_scene(const Scene& scene, const std::string& path
                    {.file = path});
   for (const Clip& clip : scene.clips)
     if (auto sound = check_clip(scene.skeleton, clip); !sound) return tl::unexpected(std::move(sound.error()));
+  if (auto known = check_compression(writing, **format); !known) return tl::unexpected(std::move(known.error()));
   const auto with_height = [&](SceneWritten written) {
     if (scene.format && !(*format)->has_no_unit)
       for (Warning& warning :

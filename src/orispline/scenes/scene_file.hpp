@@ -11,6 +11,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/base/warning.hpp>
 #include <orispline/clip/clip.hpp>
+#include <orispline/clip/key_compression.hpp>
 #include <orispline/clip/motion_file.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/io/input.hpp>
@@ -31,7 +32,8 @@ struct Scene {
   std::string name{};  ///< of the file
   Skeleton skeleton{};
   std::vector<Clip> clips{};
-  std::size_t bytes = 0;                        ///< of the files that were read; 0 for a scene that was made
+  std::size_t bytes = 0;    ///< of the files that were read; 0 for a scene that was made
+  std::string next_tool{};  ///< of those that compress glTF, by which the file was written or is to be read; else empty
   bool has_integer_keys = false;                ///< in the file, where they take fewer bytes than floats do
   std::vector<Warning> warnings{};              ///< of reading
   const SceneFormat* format = nullptr;          ///< of the file; null for a scene that was made
@@ -61,6 +63,7 @@ struct SceneWriting {
   /// Of glTF: metres in the unit of length of a scene whose file states none; its lengths are written in metres.
   /// Absent: they are written as they are.
   std::optional<double> position_scale{};
+  KeyCompression compression = KeyCompression::none;  ///< of glTF, in which no number becomes another one
   bool bones = true;  ///< of glTF: whether a skeleton without a mesh gets one bone of a few triangles per joint
 };
 

@@ -17,6 +17,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/io/file_system.hpp>
+#include <orispline/scenes/gltf/compressed_views.hpp>
 #include <orispline/scenes/gltf/json.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
@@ -87,12 +88,6 @@ Expected<Container> glb_parts(std::string_view bytes) {
 bool is_glb(std::string_view start) { return start.starts_with(glb_magic); }
 
 std::size_t padded(std::size_t size) { return (size + 3) / 4 * 4; }
-
-/// Where a buffer begins in the merged one. One without data is there for an extension to fill.
-struct BufferPlace {
-  std::size_t offset = 0, length = 0;
-  bool has_data = true;
-};
 
 struct Buffers {
   std::string bytes{};
@@ -298,15 +293,13 @@ bool is_harmless(std::string_view extension) {
                                                           "EXT_structural_metadata",
                                                           "EXT_instance_features",
                                                           "MSFT_lod"};
-  return std::ranges::any_of(families, [&](std::string_view family) { return extension.starts_with(family); }) ||
+  return is_meshopt(extension) ||  // of animations it is decoded, of meshes passed on
+         std::ranges::any_of(families, [&](std::string_view family) { return extension.starts_with(family); }) ||
          std::ranges::find(names, extension) != names.end();
 }
 
 /// What is wanted instead of an extension that changes how animations are stored; empty for others.
 std::string_view wanted_instead_of(std::string_view extension) {
-  if (extension == "EXT_meshopt_compression" || extension == "KHR_meshopt_compression" ||
-      extension == "MESHOPT_compression")
-    return "uncompressed animations";
   if (extension == "KHR_accessor_float64") return "animations in single precision";
   if (extension.starts_with("MPEG_")) return "animations that are whole in the file";
   return {};
@@ -357,6 +350,7 @@ Expected<Document> document_of(std::string_view bytes, const io::Input& from) {
   if (!views) return tl::unexpected(std::move(views.error()));
   document.binary = std::move(buffers->bytes);
   document.bytes_beside = buffers->bytes_beside;
+  document.buffers = std::move(buffers->places);
   document.views = std::move(*views);
   return document;
 }

@@ -39,11 +39,18 @@ struct View {
   std::size_t stride = 0;  ///< from element to element; 0 where they follow each other
 };
 
+/// Where a buffer begins in the merged one. One without data is there for an extension to fill.
+struct BufferPlace {
+  std::size_t offset = 0, length = 0;
+  bool has_data = true;
+};
+
 /// A document whose buffers are merged into one.
 struct Document {
   Json json = Json::object();  ///< an object, whose lists of bufferViews, accessors, nodes and animations are lists
   std::string binary{};
-  std::size_t bytes_beside = 0;              ///< of the files that buffers were in
+  std::size_t bytes_beside = 0;  ///< of the files that buffers were in
+  std::vector<BufferPlace> buffers{};
   std::vector<std::optional<View>> views{};  ///< each within the binary; none where the buffer has no data
 
   [[nodiscard]] Object root() const { return Object::of(json, "").value(); }

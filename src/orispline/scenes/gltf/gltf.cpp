@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -21,6 +22,7 @@
 #include <orispline/base/quoted.hpp>
 #include <orispline/clip/clip.hpp>
 #include <orispline/io/file_system.hpp>
+#include <orispline/scenes/gltf/compressed_views.hpp>
 #include <orispline/scenes/gltf/document.hpp>
 #include <orispline/scenes/gltf/integers.hpp>
 #include <orispline/scenes/gltf/packing.hpp>
@@ -372,14 +374,16 @@ class Writer {
     (channel.property == Property::rotation      ? result_.keys.rotations
      : channel.property == Property::translation ? result_.keys.translations
                                                  : result_.keys.scales) += channel.times.size();
-    const std::size_t output = result_.store.outputs(channel.outputs, type.word, type.components);
+    const bool is_spline = channel.interpolation == ChannelInterpolation::cubicspline;
+    const std::size_t output = result_.store.outputs(channel.outputs, type, is_spline);
     if (channel.component != ComponentType::f32) result_.store.write_in(channel.component, output);
     return samplers.made(input, output, channel.interpolation);
   }
 
   [[nodiscard]] std::size_t sampler_of(const WrittenWeights& weights, SamplerList& samplers) {
     const std::size_t input = result_.store.times(weights.times);
-    return samplers.made(input, result_.store.outputs(weights.outputs, "SCALAR", 1), weights.interpolation);
+    const bool is_spline = weights.interpolation == ChannelInterpolation::cubicspline;
+    return samplers.made(input, result_.store.outputs(weights.outputs, {"SCALAR", 1}, is_spline), weights.interpolation);
   }
 
   /// Channels that were there stay at their place in the list, with what else they say.
@@ -474,13 +478,44 @@ void set_list(Json& json, const char* key, Json list) {
   else json[key] = std::move(list);
 }
 
-/// What the first buffer said beside where it was, for the only one there is now.
-Json only_buffer(const Document& document, std::size_t length) {
+/// What the first buffer said beside where it was, for the only one there is now that has data; behind it that which
+/// compressed views stand for.
+Json buffers_of(const Document& document, const Packed& lists) {
+  if (lists.bytes.empty()) return Json::array();
   const Json& buffers = *document.root().list("buffers").value();
   Json buffer = buffers.empty() ? Json::object() : buffers[0];
   buffer.erase("uri");
-  buffer["byteLength"] = length;
-  return buffer;
+  buffer["byteLength"] = lists.bytes.size();
+  if (const auto extensions = buffer.find("extensions"); extensions != buffer.end() && extensions->is_object()) {
+    for (const std::string_view name : meshopt_extensions) extensions->erase(std::string(name));
+    if (extensions->empty()) buffer.erase("extensions");
+  }
+  Json all = Json::array({std::move(buffer)});
+  if (lists.decoded_bytes == 0) return all;
+  Json decoded{{"byteLength", lists.decoded_bytes}};
+  for (const std::string& name : lists.extensions) decoded["extensions"][name] = {{"fallback", true}};
+  all.push_back(std::move(decoded));
+  return all;
+}
+
+/// The names of those extensions by which views are compressed, and no others of their kind; needed where there are no
+/// other data.
+void name_compression(Json& json, const Packed& lists) {
+  const auto set = [&](const char* key, bool adds) {
+    Json names = Json::array();
+    std::set<std::string> left = adds ? lists.extensions : std::set<std::string>();
+    if (const auto before = json.find(key); before != json.end() && before->is_array())
+      for (const Json& name : *before) {
+        const auto* const text = name.get_ptr<const Json::string_t*>();
+        if (text != nullptr && is_meshopt(*text) && !lists.extensions.contains(*text)) continue;
+        if (text != nullptr) left.erase(*text);
+        names.push_back(name);
+      }
+    for (const std::string& name : left) names.push_back(name);
+    set_list(json, key, std::move(names));
+  };
+  set("extensionsUsed", true);
+  set("extensionsRequired", lists.decoded_bytes > 0);
 }
 
 /// A node that is animated must not have a matrix, for then nothing says what of it moves.
@@ -539,7 +574,8 @@ std::vector<Warning> warnings_of_images(const Json& json, const std::string& fro
            .where = {.file = to}}};
 }
 
-Expected<SceneWritten> written_from(const Source& source, const Scene& scene, const std::string& path) {
+Expected<SceneWritten> written_from(const Source& source, const Scene& scene, const std::string& path,
+                                    KeyCompression compression) {
   const Document& document = source.document();
   if (auto named = check_name(document.json, path); !named) return tl::unexpected(std::move(named.error()));
   const auto plan = plan_of(source, scene.clips);
@@ -548,15 +584,15 @@ Expected<SceneWritten> written_from(const Source& source, const Scene& scene, co
   KeyStore store(uses.free_accessors, document.root().list("accessors").value()->size());
   auto animations = written_animations(scene, source, *plan, std::move(store));
   if (!animations) return tl::unexpected(std::move(animations.error()));
-  auto lists = packed(document, uses, animations->store);
+  auto lists = packed(document, uses, animations->store, compression);
   if (!lists) return tl::unexpected(std::move(lists.error()));
   Json json = document.json;
   set_list(json, "animations", std::move(animations->list));
   set_list(json, "accessors", std::move(lists->accessors));
   set_list(json, "bufferViews", std::move(lists->views));
   take_matrices_apart(json, source.nodes());
-  const std::size_t length = lists->bytes.size();
-  set_list(json, "buffers", length == 0 ? Json::array() : Json::array({only_buffer(document, length)}));
+  set_list(json, "buffers", buffers_of(document, *lists));
+  name_compression(json, *lists);
   std::ranges::move(warnings_of_images(json, scene.name, path), std::back_inserter(animations->warnings));
   return file_of(std::move(json), lists->bytes, path).map([&](std::string bytes) {
     return SceneWritten{std::move(bytes), animations->keys, std::move(animations->warnings)};
@@ -580,6 +616,7 @@ Expected<Scene> scene_of(Document document, const SceneReading& reading) {
   }
   for (Warning& warning : animations.warnings()) scene.warnings.push_back(std::move(warning));
   scene.has_integer_keys = animations.found_integers();
+  scene.next_tool = compressing_tool(document);
   scene.source = std::make_shared<const Source>(std::move(document), std::move(*nodes), reading);
   return scene;
 }
@@ -587,7 +624,9 @@ Expected<Scene> scene_of(Document document, const SceneReading& reading) {
 }  // namespace
 
 Expected<Scene> read_scene(std::string_view bytes, const io::Input& from, const SceneReading& reading) {
-  return document_of(bytes, from).and_then([&](Document document) { return scene_of(std::move(document), reading); });
+  return document_of(bytes, from).and_then(with_animations_decoded).and_then([&](Document document) {
+    return scene_of(std::move(document), reading);
+  });
 }
 
 /// The scene as a GLB, or as text where the path ends in `.gltf`. Errors: bad_data for what glTF cannot hold; those of
@@ -597,8 +636,8 @@ Expected<SceneWritten> written_scene(const Scene& scene, const std::string& path
   const auto rooted = source ? with_new_root(*source, scene.skeleton) : std::nullopt;
   if (rooted) source = &*rooted;
   const bool is_ours = source != nullptr && source->nodes().skeleton.size() == scene.skeleton.size();
-  return (is_ours ? written_from(*source, scene, path)
-                  : written_from(made_source(scene.skeleton, writing), scene, path))
+  return (is_ours ? written_from(*source, scene, path, writing.compression)
+                  : written_from(made_source(scene.skeleton, writing), scene, path, writing.compression))
       .map_error([&](Error error) {
         error.where.file = path;
         return error;

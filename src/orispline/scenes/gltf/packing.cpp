@@ -7,8 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include <orispline/scenes/gltf/compressed_keys.hpp>
+#include <orispline/scenes/gltf/compressed_views.hpp>
 #include <orispline/scenes/gltf/document.hpp>
 #include <orispline/scenes/gltf/integers.hpp>
+#include <orispline/scenes/gltf/meshopt.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
@@ -166,13 +169,23 @@ bool names_a_buffer(const Json& value) {
   return value.is_structured() && std::ranges::any_of(value, names_a_buffer);
 }
 
+/// An extension that is not known here.
+bool names_another_buffer(const Json& extensions) {
+  if (!extensions.is_object()) return names_a_buffer(extensions);
+  for (auto extension = extensions.begin(); extension != extensions.end(); ++extension)
+    if (!is_meshopt(extension.key()) && names_a_buffer(*extension)) return true;
+  return false;
+}
+
 Expected<void> check_views(const Document& document) {
   for (std::size_t i = 0; i < document.views.size(); ++i) {
     const auto view = document.root().entry("bufferViews", "bufferView", i);
     if (!view) return tl::unexpected(view.error());
+    const auto compressed = compressed_view(document, i);
+    if (!compressed) return tl::unexpected(compressed.error());
     const Json* extensions = view->find("extensions");
-    if (!document.views[i] || (extensions != nullptr && names_a_buffer(*extensions)))
-      return view->fault("found data that only an extension can read, wanted an uncompressed bufferView");
+    if ((*compressed || document.views[i]) && (extensions == nullptr || !names_another_buffer(*extensions))) continue;
+    return view->fault("found data that only an extension can read, wanted an uncompressed bufferView");
   }
   return {};
 }
@@ -189,7 +202,8 @@ class Packing {
         uses_(uses.views),
         lists_{*document.root().list("accessors").value(), *document.root().list("bufferViews").value(), {}} {}
 
-  [[nodiscard]] Expected<Packed> with(const KeyStore& store, const std::vector<std::size_t>& free_accessors) && {
+  [[nodiscard]] Expected<Packed> with(const KeyStore& store, const std::vector<std::size_t>& free_accessors,
+                                      KeyCompression compression) && {
     keep_whole_views();
     for (std::size_t v = 0; v < uses_.size(); ++v) {
       if (!uses_[v].is_whole && !uses_[v].accessors.empty()) keep_parts_of(v);
@@ -198,9 +212,10 @@ class Packing {
     std::vector<std::size_t> free_views;
     for (std::size_t v = 0; v < uses_.size(); ++v)
       if (!uses_[v].is_whole && uses_[v].accessors.empty()) free_views.push_back(v);
-    if (store.size() > 0) add_new(store, free_views.empty() ? lists_.views.size() : free_views.front());
+    const std::size_t new_views =
+        compression == KeyCompression::meshopt ? add_compressed(store, free_views) : add_new(store, free_views);
     fill_or_drop(lists_.accessors, free_accessors, store.size(), unused_accessor());
-    fill_or_drop(lists_.views, free_views, store.size() > 0 ? 1 : 0, unused_view());
+    fill_or_drop(lists_.views, free_views, new_views, unused_view());
     if (lists_.views.size() > 0 && lists_.bytes.size() < unused_length) lists_.bytes.resize(unused_length);
     if (lists_.bytes.size() > largest_scene_file) return too_large();
     return std::move(lists_);
@@ -213,15 +228,46 @@ class Packing {
 
   void keep_whole_views() {
     std::vector<Stretch> stretches;
+    std::vector<std::optional<CompressedView>> compressed(uses_.size());
     for (std::size_t v = 0; v < uses_.size(); ++v) {
       if (!uses_[v].is_whole && !all_accessors_are_known(v)) uses_[v].is_whole = true;
-      const View& view = *document_.views[v];
-      if (uses_[v].is_whole) stretches.push_back({view.offset, view.offset + view.length});
+      if (!uses_[v].is_whole) continue;
+      compressed[v] = compressed_view(document_, v).value();
+      if (compressed[v]) stretches.push_back({compressed[v]->offset, compressed[v]->offset + compressed[v]->length});
+      if (const auto& view = document_.views[v]; view && !is_decoded(v))
+        stretches.push_back({view->offset, view->offset + view->length});
     }
     const Moves moves(merged(std::move(stretches)), 0);
     lists_.bytes = moves.appended(std::move(lists_.bytes), document_.binary);
-    for (std::size_t v = 0; v < uses_.size(); ++v)
-      if (uses_[v].is_whole) place_view(v, moves(document_.views[v]->offset), document_.views[v]->length);
+    for (std::size_t v = 0; v < uses_.size(); ++v) {
+      if (!uses_[v].is_whole) continue;
+      if (const auto& view = document_.views[v]; view && !is_decoded(v))
+        place_view(v, moves(view->offset), view->length);
+      if (compressed[v]) keep_compressed(v, *compressed[v], moves(compressed[v]->offset));
+    }
+  }
+
+  /// Whether its data were compressed in the file, without others there: they are beyond those of all buffers.
+  [[nodiscard]] bool is_decoded(std::size_t v) const {
+    const auto& buffers = document_.buffers;
+    return document_.views[v] && !buffers.empty() &&
+           document_.views[v]->offset >= buffers.back().offset + (buffers.back().has_data ? buffers.back().length : 0);
+  }
+
+  /// As it was in the file; where that has no other data of it, they have their place in the buffer without data.
+  void keep_compressed(std::size_t v, const CompressedView& compressed, std::size_t offset) {
+    Json& view = lists_.views[v];
+    Json& extension = view["extensions"][std::string(compressed.extension)];
+    extension["buffer"] = 0;
+    set_number(extension, "byteOffset", offset);
+    lists_.extensions.insert(std::string(compressed.extension));
+    if (!document_.views[v] || is_decoded(v)) place_decoded(view, view["byteLength"].get<std::size_t>());
+  }
+  void place_decoded(Json& view, std::size_t length) {
+    lists_.decoded_bytes = (lists_.decoded_bytes + 7) / 8 * 8;
+    view["buffer"] = 1;
+    view["byteOffset"] = lists_.decoded_bytes;
+    lists_.decoded_bytes += length;
   }
 
   [[nodiscard]] bool all_accessors_are_known(std::size_t v) const {
@@ -248,17 +294,62 @@ class Packing {
     view["buffer"] = 0;
     set_number(view, "byteOffset", offset);
     view["byteLength"] = length;
+    if (!is_decoded(v)) return;
+    for (const std::string_view name : meshopt_extensions) view["extensions"].erase(std::string(name));
+    if (view["extensions"].empty()) view.erase("extensions");
   }
 
-  /// The new keys in their own view.
-  void add_new(const KeyStore& store, std::size_t place) {
+  /// The place of a new view, of which so many came before.
+  [[nodiscard]] std::size_t view_place(std::size_t before, const std::vector<std::size_t>& free_views) const {
+    return before < free_views.size() ? free_views[before] : uses_.size() + before - free_views.size();
+  }
+
+  /// The new keys in their own view. Returns how many views there are for them.
+  std::size_t add_new(const KeyStore& store, const std::vector<std::size_t>& free_views) {
+    if (store.size() == 0) return 0;
+    const std::size_t place = view_place(0, free_views);
     lists_.bytes.resize((lists_.bytes.size() + 3) / 4 * 4);
     const std::size_t start = lists_.bytes.size();
     for (std::size_t entry = 0; entry < store.size(); ++entry) {
-      put(lists_.accessors, store.slot(entry), store.accessor(entry, place, lists_.bytes.size() - start));
+      const std::size_t offset = lists_.bytes.size() - start;
+      put_accessor(store, entry, store.accessor(entry, store.entry(entry).component, offset), place);
       lists_.bytes += store.bytes_of(entry);
     }
     put(lists_.views, place, {{"buffer", 0}, {"byteOffset", start}, {"byteLength", lists_.bytes.size() - start}});
+    return 1;
+  }
+
+  /// The same, in a compressed view for each kind of numbers.
+  std::size_t add_compressed(const KeyStore& store, const std::vector<std::size_t>& free_views) {
+    KeyStreams keys = streams_of(store);
+    for (std::size_t i = 0; i < keys.streams.size(); ++i)
+      put(lists_.views, view_place(i, free_views), compressed_stream(keys.streams[i]));
+    for (std::size_t entry = 0; entry < store.size(); ++entry)
+      put_accessor(store, entry, std::move(keys.accessors[entry]), view_place(keys.stream_of[entry], free_views));
+    return keys.streams.size();
+  }
+
+  [[nodiscard]] Json compressed_stream(const KeyStream& stream) {
+    const std::string compressed = to_meshopt(stream.bytes, stream.stride);
+    lists_.bytes.resize((lists_.bytes.size() + 3) / 4 * 4);
+    Json extension{{"buffer", 0},
+                   {"byteOffset", lists_.bytes.size()},
+                   {"byteLength", compressed.size()},
+                   {"byteStride", stream.stride},
+                   {"count", stream.bytes.size() / stream.stride},
+                   {"mode", "ATTRIBUTES"}};
+    if (!stream.filter.empty()) extension["filter"] = stream.filter;
+    lists_.bytes += compressed;
+    lists_.extensions.emplace(meshopt_extension);
+    Json view{{"byteLength", stream.bytes.size()}};
+    place_decoded(view, stream.bytes.size());
+    view["extensions"][std::string(meshopt_extension)] = std::move(extension);
+    return view;
+  }
+
+  void put_accessor(const KeyStore& store, std::size_t entry, Json accessor, std::size_t view) {
+    accessor["bufferView"] = view;
+    put(lists_.accessors, store.slot(entry), std::move(accessor));
   }
 
   static void put(Json& list, std::size_t place, Json value) {
@@ -289,14 +380,20 @@ class Packing {
 
 }  // namespace
 
-std::size_t KeyStore::add(std::string_view type, std::size_t components, const std::vector<float>& numbers) {
-  std::string key(type);
+std::size_t KeyStore::add(const ValueType& type, const std::vector<float>& numbers, Kind kind) {
+  std::string key(type.word);
+  key += static_cast<char>('0' + static_cast<int>(kind));
   const std::size_t head = key.size();
   key.resize(head + numbers.size() * sizeof(float));
   std::memcpy(key.data() + head, numbers.data(), numbers.size() * sizeof(float));
   const auto [found, is_new] = entry_of_bytes_.try_emplace(std::move(key), entries_.size());
   if (is_new) {
-    entries_.push_back({type, bytes_.size(), numbers.size() / components, numbers.front(), numbers.back()});
+    entries_.push_back({.type = type.word,
+                        .offset = bytes_.size(),
+                        .count = numbers.size() / type.components,
+                        .first = numbers.front(),
+                        .last = numbers.back(),
+                        .kind = kind});
     bytes_.append(found->first, head);
   }
   return slot(found->second);
@@ -310,25 +407,27 @@ void KeyStore::write_in(ComponentType component, std::size_t slot) {
   entries_[entry].component = component;
 }
 
-std::string KeyStore::bytes_of(std::size_t entry) const {
-  const Entry& data = entries_[entry];
+std::vector<float> KeyStore::numbers(std::size_t entry) const {
+  const std::size_t begin = entries_[entry].offset;
   const std::size_t end = entry + 1 < entries_.size() ? entries_[entry + 1].offset : bytes_.size();
-  std::string bytes = bytes_.substr(data.offset, end - data.offset);
-  if (data.component == ComponentType::f32) return bytes;
-  std::vector<float> numbers(bytes.size() / sizeof(float));
-  std::memcpy(numbers.data(), bytes.data(), bytes.size());
-  return bytes_in(data.component, numbers).value();
+  std::vector<float> numbers((end - begin) / sizeof(float));
+  std::memcpy(numbers.data(), bytes_.data() + begin, end - begin);
+  return numbers;
 }
 
-Json KeyStore::accessor(std::size_t entry, std::size_t view, std::size_t offset) const {
+std::string KeyStore::bytes_of(std::size_t entry) const {
+  const std::vector<float> held = numbers(entry);
+  const ComponentType component = entries_[entry].component;
+  if (component != ComponentType::f32) return bytes_in(component, held).value();
+  return {reinterpret_cast<const char*>(held.data()), held.size() * sizeof(float)};
+}
+
+Json KeyStore::accessor(std::size_t entry, ComponentType component, std::size_t offset) const {
   const Entry& data = entries_[entry];
-  Json json{{"bufferView", view},
-            {"componentType", static_cast<int>(data.component)},
-            {"count", data.count},
-            {"type", data.type}};
+  Json json{{"componentType", static_cast<int>(component)}, {"count", data.count}, {"type", data.type}};
   if (offset > 0) json["byteOffset"] = offset;
-  if (data.component != ComponentType::f32) json["normalized"] = true;
-  if (data.type != "SCALAR") return json;
+  if (component != ComponentType::f32) json["normalized"] = true;
+  if (data.kind != Kind::times) return json;
   json["min"] = Json::array({static_cast<double>(data.first)});
   json["max"] = Json::array({static_cast<double>(data.last)});
   return json;
@@ -354,8 +453,9 @@ Uses uses_of(const Document& document, const KeptSamplers& kept) {
   return uses;
 }
 
-Expected<Packed> packed(const Document& document, const Uses& uses, const KeyStore& store) {
-  return check_views(document).and_then([&] { return Packing(document, uses).with(store, uses.free_accessors); });
+Expected<Packed> packed(const Document& document, const Uses& uses, const KeyStore& store, KeyCompression compression) {
+  return check_views(document).and_then(
+      [&] { return Packing(document, uses).with(store, uses.free_accessors, compression); });
 }
 
 }}}  // namespace orispline::scenes::gltf
