@@ -35,10 +35,10 @@ inline constexpr std::size_t fewest_smoothed_keys = 20;
 /// Every one of the clips with its `linear` rotations smoothed, joint by joint, as smooth() does it; with a translation
 /// that has the same key times and moves, that too. Before that, unless `runs` says otherwise, the wrong_runs() of a
 /// clip are bridged by what the other keys of the joint lead to. All else stays as it is, and so does a rotation that
-/// smooth() refuses for its samples. Six joints and more with the same even key times, sixty at least, are then smoothed
-/// together, by smooth_together(), unless `smoothing_time`, `penalty`, `gap` or `loss` says how each is to be smoothed.
-/// Of fewer those with `noise_time` share σ, unless `noise` states it. A rotation that is too short for that time has
-/// none.
+/// smooth() refuses for its samples. Six joints and more with the same even key times, sixty at least, are then
+/// smoothed together, by smooth_together(), unless `smoothing_time`, `penalty`, `gap` or `loss` says how each is to be
+/// smoothed. Of fewer those with `noise_time` share σ, unless `noise` states it. A rotation that is too short for that
+/// time has none.
 ///
 /// On up to that many threads, 0 means one per core; the results are the same on any number of them.
 /// `keep_contacts` are held at last. Errors: those of smooth() but for bad_data, with clip and joint; those of

@@ -288,9 +288,9 @@ SharedMotion shared_motion(const Channels& channels, const ChannelNoise& known) 
   const Spectrum spectrum = spectrum_of(channels.values);
   const double time = known.time ? *known.time : best_noise_time(channels, spectrum, known);
   const Modes modes = modes_of(spectrum, time);
-  const bool is_white = time == 0.0;
+  const bool is_white = time == 0.0;  // noise that correlates is told less well, and is that of one tracker
   MotionSearch search(channels, modes, known, is_white);
-  for (int i = 0; i < search_steps; ++i) search.step(is_white || 2 * i >= search_steps);
+  for (int i = 0; i < search_steps; ++i) search.step(is_white);
   return search.found(time);
 }
 
