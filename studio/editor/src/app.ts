@@ -65,6 +65,7 @@ export class App {
   /** What was open stays where the new one cannot be opened. */
   async open(given: Given, isOpening = false): Promise<void> {
     const asked = ++this.asked;
+    this.told.forget();
     try {
       const opened = await openedOf(this.engine, this.front, given);
       const looks = this.session?.looks ?? keptLooks(() => localStorage);
@@ -79,8 +80,12 @@ export class App {
     return this.session?.screen.element ?? this.start.element;
   }
 
+  private get told(): Notices {
+    return this.session?.screen.notices ?? this.notices;
+  }
+
   private tell(sentence: string, actions: Action[] = []): void {
-    (this.session?.screen.notices ?? this.notices).tell(sentence, { isRefusal: true, actions });
+    this.told.tell(sentence, { isRefusal: true, actions });
   }
 
   private async pick(): Promise<void> {

@@ -109,8 +109,8 @@ test('reducing says which method it chose and why', async () => {
 });
 
 test('of a noisy recording nobody is given slerp unasked: the noise is named, and smoothing is offered first', async () => {
-  const { give, isOpen, state, dialog, button, close } = await pageOf();
-  const question = dialog('Keys that follow the noise');
+  const { page, give, isOpen, state, dialog, notices, button, close } = await pageOf();
+  const question = dialog('Smooth the recording first?');
   const ask = async () => {
     await give(recording, 'noisy.csv');
     await button('Reduce to keys').click();
@@ -128,10 +128,14 @@ test('of a noisy recording nobody is given slerp unasked: the noise is named, an
   await isOpen('noisy_keys.csv');
   assert.equal(await state('({ document }) => document.keys.length'), 13);
   await ask();
+  assert.deepEqual(await question.getByRole('button').allTextContents(), ['Smooth first', 'Take the 645 keys of auto', 'Take the 640 keys of slerp', 'Another tolerance', 'Cancel']);
   await question.getByRole('button', { name: 'Take the 640 keys of slerp' }).click();
-  await button('Undo').waitFor();
+  await page.waitForFunction(() => app.current.studio.store.current().document.keys.length === 640);
   await give(five);
   await isOpen('keys.csv');
+  await ask();
+  await question.getByRole('button', { name: 'Take the 645 keys of auto' }).click();
+  await notices.getByText('These are 645 keys of auto.').waitFor();
   await close();
 });
 

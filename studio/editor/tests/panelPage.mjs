@@ -62,14 +62,14 @@ function stub() {
     methods: () => Promise.resolve(methods),
     open,
     // Recordings whose name says that they are noisy need 640 keys of slerp, or smoothed fewer of auto; slow ones take as long as one waits.
-    reduce: async ({ bytes, name, tolerance, smooth = false }, progress) => {
+    reduce: async ({ bytes, name, tolerance, smooth = false, methods }, progress) => {
       if (!/^[\d.]+deg$/.test(tolerance)) return trouble(`Found the tolerance ${tolerance}, wanted one such as 0.1deg.`);
       progress?.(0.25);
       if (name.startsWith('slow')) await new Promise((_, stop) => stops.push(stop));
       const isRaw = name.startsWith('noisy') && !smooth, [head, ...rows] = new TextDecoder().decode(bytes).trim().split('\n');
       const kept = rows.filter((_, i) => i % (isRaw ? 2 : 100) === 0), made = await open({ bytes: new TextEncoder().encode([head, ...kept].join('\n')), name: name.replace('.csv', '_keys.csv') });
-      const [method, other] = isRaw ? ['slerp', 'auto'] : ['auto', 'slerp'];
-      return { count: kept.length, method, others: [{ method: other, count: kept.length + 5 }], furthest: 0.0987, furthestPosition: null, smoothed: smooth ? { noise: 0.31, rms: 0.33 } : null, opened: { ...made, original: { ...made.original, text: '' }, document: { ...made.document, keys: made.document.keys.map((key) => ({ ...key, row: null })) } } };
+      const [method, other] = isRaw && !methods ? ['slerp', 'auto'] : ['auto', 'slerp'];
+      return { count: kept.length + (methods ? 5 : 0), method, others: methods ? [] : [{ method: other, count: kept.length + 5 }], furthest: 0.0987, furthestPosition: null, smoothed: smooth ? { noise: 0.31, rms: 0.33 } : null, opened: { ...made, original: { ...made.original, text: '' }, document: { ...made.document, keys: made.document.keys.map((key) => ({ ...key, row: null })) } } };
     },
     at: ({ keys, time }) => Promise.resolve(at(keys, time)),
     write: ({ keys }) => Promise.resolve(['t,qw,qx,qy,qz', ...keys.map(({ t, q }) => [t, ...q].join())].join('\n')),

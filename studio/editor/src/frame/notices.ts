@@ -12,9 +12,15 @@ export interface Action {
 export class Notices {
   readonly element = element('div', { className: 'notices', attributes: { role: 'status' } });
 
+  /** Takes the last refusal away, for something else is tried. */
+  forget(): void {
+    for (const old of this.element.querySelectorAll('.refused')) old.remove();
+  }
+
   /** Trouble, and what can be answered, stays until it is closed. A refusal takes the place of the one before. */
   tell(sentence: string, { actions = [], isTrouble = false, isRefusal = false }: { actions?: Action[]; isTrouble?: boolean; isRefusal?: boolean } = {}): void {
-    for (const old of [...this.element.children]) if (old.firstChild?.textContent === sentence || (isRefusal && old.classList.contains('refused'))) old.remove();
+    if (isRefusal) this.forget();
+    for (const old of [...this.element.children]) if (old.firstChild?.textContent === sentence) old.remove();
     const end = () => line.remove();
     const buttons = actions.map(({ label, chosen }) => {
       const answer = () => {

@@ -17,7 +17,7 @@ const keysOf = ({ count, method }: Pick<Reduced, 'count' | 'method'>): string =>
 
 /** What was chosen and why, for a notice. */
 function chosenBecause({ count, method, others, furthest, furthestPosition, smoothed }: Reduced, { positionTolerance }: Wanted): string {
-  const fewest = others.every((other) => other.count >= count) ? ', which needs the fewest' : '';
+  const fewest = others.length > 0 && others.every((other) => other.count >= count) ? ', which needs the fewest' : '';
   const than = others.length > 0 ? ` (${others.map((other) => `${other.method} ${other.count}`).join(', ')})` : '';
   const from = smoothed ? `the smoothed recording at most, ${degrees(smoothed.rms)} from its samples as they were (root mean square)` : 'the recording at most';
   const places = furthestPosition !== null && !positionTolerance ? ` Its positions, which had no tolerance, are up to ${Number(furthestPosition.toPrecision(2))} m from those of the recording.` : '';
@@ -89,11 +89,22 @@ export class Reducing {
       `Smoothed first, it needs ${keysOf(smoothed)} within ${wanted.tolerance} of the smoothed recording${rms}.`,
       ...(smoothed.opened || found.opened ? [] : [`Both are more than the ${mostKeys} that can be edited: state a larger tolerance.`]),
     );
-    const first = 'Smooth first', take = `Take the ${keysOf(found)}`, other = 'Another tolerance';
-    const answers = [...(smoothed.opened ? [{ label: first, isFirst: true }] : []), ...(found.opened ? [{ label: take, isFirst: !smoothed.opened }] : []), { label: other, isFirst: !smoothed.opened && !found.opened }, { label: 'Cancel' }];
-    const answer = await ask(this.place, 'Keys that follow the noise', content, answers);
+    const smoother = found.others.filter(({ method, count }) => method !== cornered && count <= mostKeys).toSorted((one, next) => one.count - next.count).at(0);
+    const taking: [label: string, take: () => Promise<Opened | null>][] = [
+      ...(smoothed.opened ? [['Smooth first', async () => withNotice(smoothed, smoothing)] as (typeof taking)[number]] : []),
+      ...(smoother ? [[`Take the ${keysOf(smoother)}`, () => this.only(wanted, smoother.method)] as (typeof taking)[number]] : []),
+      ...(found.opened ? [[`Take the ${keysOf(found)}`, async () => withNotice(found, wanted)] as (typeof taking)[number]] : []),
+    ];
+    const other = 'Another tolerance', labels = [...taking.map(([label]) => label), other, 'Cancel'];
+    const answer = await ask(this.place, 'Smooth the recording first?', content, labels.map((label, i) => ({ label, isFirst: i === 0 })));
     if (answer === other) throw stopped;
-    return answer === first ? withNotice(smoothed, smoothing) : answer === take ? withNotice(found, wanted) : null;
+    return (await taking.find(([label]) => label === answer)?.[1]()) ?? null;
+  }
+
+  /** Keys of a method that does not need the fewest. */
+  private async only(wanted: Wanted, method: string): Promise<Opened | null> {
+    const one: Wanted = { ...wanted, methods: method };
+    return withNotice(await this.found(one, 'Looking for keys of a smooth curve'), one);
   }
 
   private found(wanted: Wanted, what: string): Promise<Reduced> {
