@@ -8,9 +8,7 @@
 
 #include "options/file_places.hpp"
 #include "options/scene_input.hpp"
-#include "output/json_document.hpp"
 #include "output/scene_output.hpp"
-#include "output/standard_output.hpp"
 #include "output/summary.hpp"
 
 namespace orispline::cli {
@@ -55,11 +53,9 @@ Expected<void> sample_skeleton(const SampleArguments& options) {
   scene->clips = std::move(outcome->scenes.front().clips);
   if (scenes::scene_format_of(options.output.path) == &scenes::bvh_format)
     if (auto rate = positive_in({"--rate", *options.rows.rate})) writing.rate = *rate;
-  return write_scene(options.output.path, *scene, writing).and_then([&]() -> Expected<void> {
-    if (options.summary.json) return print_document(document(outcome->document));
-    if (!options.summary.quiet)
-      tell(formatted("{}written to {}\n", outcome->summary, destination(options.output.path)));
-    return {};
+  return write_scene(options.output.path, *scene, writing).and_then([&] {
+    return summarise(options.summary,
+                     Written{options.input.path, options.output.path, "", jobs::found<jobs::ClipOutcome>(*outcome)});
   });
 }
 
