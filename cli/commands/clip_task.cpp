@@ -78,11 +78,26 @@ std::optional<double> frame_step_of(const Clip& clip) {
   return are_even ? std::nullopt : std::optional(usual);
 }
 
+/// The rate nearest to a usual one at which a loop ends on a frame [Hz].
+double rate_of_loop(Domain loop, double usual) {
+  const double length = loop.end - loop.start;
+  return std::max(1.0, std::round(length * usual)) / length;
+}
+
 Expected<WrittenResult> write_clip(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
   const std::string& path = arguments.output.path;
   job.scene.clips = std::move(outcome.scenes.front().clips);
   if (is_bvh(path) && (job.scene.format == &scenes::bvh_format || is_given(arguments.fields, "rate")))
-    if (const auto step = frame_step_of(job.scene.clips.front())) job.writing.rate = 1.0 / *step;
+    if (const auto step = frame_step_of(job.scene.clips.front())) {
+      job.writing.rate = 1.0 / *step;
+      if (is_given(arguments.fields, "loop")) {
+        job.writing.rate = rate_of_loop(job.scene.clips.front().domain(), 1.0 / *step);
+        warn({{.code = "rate_of_loop",
+               .message = formatted("the loop has frames at {:.6g} Hz instead of {:.6g} Hz, so that it ends on one",
+                                    *job.writing.rate, 1.0 / *step),
+               .where = {.file = path}}});
+      }
+    }
   return write_scene(path, job.scene, job.writing).map([&] {
     return WrittenResult{.text = written_text(arguments, "")};
   });
