@@ -56,8 +56,46 @@ Expected<void> read_clips(const TaskArguments& arguments, TaskJob& job) {
   });
 }
 
+constexpr double same_step = 0.01;  // share by which the steps between frames may differ
+
+/// The usual step between the frames of a clip that was cut between two of them [s]; absent where all steps are even.
+std::optional<double> frame_step_of(const Clip& clip) {
+  const std::vector<double> times = key_times(clip);
+  std::vector<double> steps;
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) steps.push_back(times[i + 1] - times[i]);
+  if (steps.empty()) return std::nullopt;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::ranges::nth_element(steps, middle);
+  const double usual = *middle;
+  const bool are_even =
+      std::ranges::all_of(steps, [&](double step) { return std::abs(step - usual) <= same_step * usual; });
+  return are_even ? std::nullopt : std::optional(usual);
+}
+
+/// The rate nearest to a usual one at which a loop ends on a frame [Hz].
+double rate_of_loop(Domain loop, double usual) {
+  const double length = loop.end - loop.start;
+  return std::max(1.0, std::round(length * usual)) / length;
+}
+
+/// What a loop is written at as BVH, where it does not end on a frame [Hz].
+std::optional<double> rate_of_loop(const std::string& path, const Clip& loop) {
+  const auto step = frame_step_of(loop);
+  if (!step) return std::nullopt;
+  const double rate = rate_of_loop(loop.domain(), 1.0 / *step);
+  warn({{.code = "rate_of_loop",
+         .message = formatted("the loop has frames at {:.6g} Hz instead of {:.6g} Hz, so that it ends on one", rate,
+                              1.0 / *step),
+         .where = {.file = path}}});
+  return rate;
+}
+
 Expected<WrittenResult> write_clip(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
-  return write_edited_scene(arguments.output.path, std::move(job.scene), job.writing, outcome).map([&] {
+  const std::string& path = arguments.output.path;
+  const bool has_frames = job.scene.format == &scenes::bvh_format || is_given(arguments.fields, "rate");
+  if (is_bvh(path) && has_frames && is_given(arguments.fields, "loop"))
+    job.writing.rate = rate_of_loop(path, outcome.scenes.front().clips.front());
+  return write_edited_scene(path, std::move(job.scene), job.writing, outcome).map([&] {
     return WrittenResult{.text = written_text(arguments, "")};
   });
 }

@@ -31,7 +31,7 @@ Expected<void> write_scene(const std::string& path, const scenes::Scene& scene, 
 
 Expected<void> write_edited_scene(const std::string& path, scenes::Scene scene, scenes::SceneWriting writing,
                                   const jobs::TaskOutcome& outcome) {
-  if (scenes::scene_format_of(path) == &scenes::bvh_format)
+  if (!writing.rate && scenes::scene_format_of(path) == &scenes::bvh_format)
     writing.rate = jobs::found<jobs::ClipOutcome>(outcome).request.edits.rate;
   return write_scene(path, scenes::with_motion(std::move(scene), outcome.scenes.front()), writing);
 }

@@ -136,6 +136,15 @@ class ClipCommand(CommandTest):
         self.assertEqual(done.stderr, "orispline: warning: part.bvh: the clip ends at 1.19 s, between two frames, of which the last one is at 1.15 s\n")
         self.assertIn("Frame Time: 0.05\n", self.read("part.bvh"))
 
+    def test_a_loop_ends_on_a_frame_of_a_bvh_file(self):
+        for arguments, said in (("--to 0.83", "20.4819 Hz instead of 20 Hz"), ("--to 0.83 --rate 15", "14.4578 Hz instead of 15 Hz")):
+            done = self.run_command(f"clip walk.bvh {arguments} --loop --root hips --quiet -o loop.bvh")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(done.stderr, f"orispline: warning: loop.bvh: the loop has frames at {said}, so that it ends on one\n")
+            clip = self.inspected("loop.bvh")["clips"][0]
+            self.assertAlmostEqual(clip["end_s"], 0.83, delta=1e-6)
+            self.assertLess(clip["seam_deg"], 1e-3)
+
     def test_keys_at_an_even_rate_keep_the_end(self):
         for command in ("clip", "sample"):
             self.output_of(f"{command} walk.bvh --rate 7 --quiet -o even.glb")
@@ -146,6 +155,7 @@ class ClipCommand(CommandTest):
         self.assertIn("Frames: 81\nFrame Time: 0.025\n", self.read("even.bvh"))
         found = json.loads(self.output_of("sample walk.bvh --rate 7 --json -o even.glb"))
         self.assertEqual(found["clips"][0]["end_s"], 2)
+        self.assertEqual((found["input"], found["output"], found["warnings"]), ("walk.bvh", "even.glb", []))
         self.assert_fails("sample walk.bvh --count 7 -o even.glb", BAD_USAGE,
                           "--count: found a skeleton as a whole, which takes --rate alone, wanted --joint NAME and an output of one track, such as CSV")
         self.assert_fails("sample walk.bvh -o even.glb", BAD_USAGE,
@@ -160,7 +170,7 @@ class ClipCommand(CommandTest):
                 ("walk.bvh --from 3", BAD_USAGE, "walk.bvh: --from: clip 'walk': found 3 s, wanted a time of the clip, which is from 0 s to 2 s"),
                 ("walk.bvh --from 1 --to 0.5", BAD_USAGE, "walk.bvh: --to: clip 'walk': found a part from 1 s to 0.5 s, wanted one that ends later than it starts"),
                 ("few.bvh --loop", BAD_DATA, "few.bvh: clip 'few': found keys at 2 times, wanted 3 at least for a loop"),
-                ("walk.bvh --loop --root hip", BAD_USAGE, "walk.bvh: --root: found 'hip', wanted the name of a joint"),
+                ("walk.bvh --loop --root hip", BAD_USAGE, "walk.bvh: --root: found 'hip', wanted the name of a joint; did you mean 'hips'?"),
                 ("walk.bvh --append other.bvh", BAD_DATA, "walk.bvh: joint 'leg': found no such joint in the second file, wanted the same skeleton in both files"),
                 ("walk.bvh --append longer.bvh", BAD_DATA, "walk.bvh: joint 'leg': found rest poses that differ by 0° and 0.1 of length, wanted the same skeleton in both files"),
                 ("walk.bvh --append walk.bvh --blend 3s", BAD_USAGE, "walk.bvh: --blend: found 3 s, wanted less than the shorter of both clips, which takes 2 s")):
@@ -168,6 +178,17 @@ class ClipCommand(CommandTest):
             self.assertFalse((self.folder / "out.glb").exists(), arguments)
         self.assert_fails("clip walk.bvh -o out.csv", BAD_USAGE,
                           "-o: found 'out.csv', wanted a file of skeletons, whose name ends in .bvh, .glb, .gltf, .vrm or .vrma")
+
+    def test_a_loop_that_takes_a_way_back_names_the_option_that_keeps_it(self):
+        done = self.run_command("clip walk.bvh --to 0.8 --loop -o loop.glb")
+        self.assertIn("warning: walk.bvh: clip 'walk': joint 'hips' comes 1.6 far, which the loop takes back; --root names the joint "
+                      "whose way a loop keeps\n", done.stderr)
+        self.assertEqual(self.run_command("clip walk.bvh --to 0.8 --loop --root hips --quiet -o loop.glb").stderr, "")
+
+    def test_it_says_what_way_was_taken_out(self):
+        self.assertIn("taken out       the way of joint 'hips', which comes 4 far and turns 0°\n",
+                      self.run_command("clip walk.bvh --in-place hips -o here.glb").stderr)
+        self.assertEqual(self.clipped("walk.bvh --in-place hips -o here.glb")["clips"][0]["taken"]["turn_deg"], 0)
 
     @with_pages
     def test_it_has_a_page(self):

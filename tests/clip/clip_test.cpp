@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <orispline/clip/clip.hpp>
+#include <orispline/clip/joint_named.hpp>
 
 namespace orispline { namespace {
 
@@ -22,6 +23,29 @@ std::string fault_of(const std::function<void(Clip&)>& spoil) {
   spoil(clip);
   const auto checked = check_clip(one_joint(), clip);
   return checked ? "" : describe(checked.error());
+}
+
+TEST(JointNamed, TakesNamesThatTellJointsOfOneNameApart) {
+  const Skeleton skeleton = Skeleton::make({{.name = "a"},
+                                            {.name = "Bone", .parent = 0},
+                                            {.name = "a.001"},
+                                            {.name = "Bone", .parent = 2},
+                                            {.name = "tip", .parent = 3}})
+                                .value();
+  const auto message = [&](std::string_view name) { return joint_named(skeleton, name).error().message; };
+  EXPECT_EQ(joint_named(skeleton, "tip").value(), 4u);
+  for (const std::size_t joint : {1u, 3u}) EXPECT_EQ(joint_named(skeleton, skeleton.shown_name(joint)).value(), joint);
+  EXPECT_EQ(joint_named(skeleton, "Bone/tip").value(), 4u);
+  EXPECT_EQ(message("Bone"), "found 2 joints named 'Bone', wanted one of 'a/Bone', 'a.001/Bone'");
+  EXPECT_EQ(message("TIP"), "found 'TIP', wanted the name of a joint; did you mean 'tip'?");
+  EXPECT_EQ(message("elbow"), "found 'elbow', wanted the name of a joint");
+}
+
+TEST(JointNamed, ChoosesNoneOfThoseThatNothingTellsApart) {
+  const Skeleton skeleton =
+      Skeleton::make({{.name = "a"}, {.name = "b", .parent = 0}, {.name = "b", .parent = 0}}).value();
+  EXPECT_EQ(joint_named(skeleton, "a/b").error().message,
+            "found 2 joints named 'a/b', wanted a name of its own for each");
 }
 
 TEST(CheckClip, FindsNothingWrongWithASoundClip) {

@@ -79,6 +79,42 @@ TEST(Joined, LetsTheRootGoOn) {
   }
 }
 
+TEST(Joined, LetsANodeAboveTheRootGoOn) {
+  const Skeleton skeleton = below_node({.translation = {0.5, 0.0, 0.0}, .rotation = turned(0.0, 0.7, 0.0)});
+  const Clip clip = walk_of_node(0.6);
+  for (const std::size_t root : {std::size_t{0}, std::size_t{1}, no_parent}) {
+    const JoinedClip all = joined(skeleton, clip, clip, {.blend = 0.2, .root = root}).value();
+    const ClipMotion is(skeleton, all.clip);
+    Eigen::Vector3d last = is.world_pose(1, 0.0).translation();
+    for (int k = 1; k <= 180; ++k) {
+      const Eigen::Vector3d next = is.world_pose(1, k / 100.0).translation();
+      EXPECT_GT((next - last).norm(), 0.004) << k;
+      EXPECT_LT((next - last).norm(), 0.025) << k;
+      last = next;
+    }
+  }
+}
+
+TEST(Joined, MovesTheSecondClipAsAWhole) {
+  const Skeleton skeleton =
+      Skeleton::make({{.name = "a"}, {.name = "b"}, {.name = "door", .rest = {.translation = {3.0, 0.0, 0.0}}}})
+          .value();
+  Clip clip = walk(1.0, 0.0, 0.0);
+  clip.rotations[1].joint = 2;
+  VectorChannel beside = clip.translations[0];
+  beside.joint = 1;
+  for (Eigen::Vector3d& v : beside.values) v += Eigen::Vector3d(0.0, 0.0, 2.0);
+  clip.translations.push_back(beside);
+  const JoinedClip all = joined(skeleton, clip, clip, {.blend = 0.2, .root = 0}).value();
+  const ClipMotion is(skeleton, all.clip);
+  EXPECT_LE(std::abs(all.turn), 0.01);
+  for (int k = 0; k <= 18; ++k) {
+    const Eigen::Vector3d apart = is.world_pose(1, k / 10.0).translation() - is.world_pose(0, k / 10.0).translation();
+    EXPECT_LE((apart - Eigen::Vector3d(0.0, 0.0, 2.0)).norm(), 2.1 * std::abs(all.turn) + 1e-9) << k;
+    EXPECT_LE((is.world_pose(2, k / 10.0).translation() - Eigen::Vector3d(3.0, 0.0, 0.0)).norm(), 1e-12) << k;
+  }
+}
+
 TEST(Joined, HasOneKeyWhereFramesOfBothAreAtOneTime) {
   const JoinedClip all = joined(two_joints(), walk(1.0, 0.2, 0.0), elsewhere(), {.blend = 0.2}).value();
   EXPECT_EQ(all.clip.rotations[1].size(), 31u + 46u - 7u);

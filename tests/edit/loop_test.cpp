@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <orispline/clip/clip_motion.hpp>
+#include <orispline/edit/cut.hpp>
 #include <orispline/edit/loop.hpp>
 #include <orispline/edit/seam.hpp>
 
@@ -149,6 +150,133 @@ TEST(Looped, ClosesCubicsWithOneRateAtBothEnds) {
   const ClipSeam seam = seam_of(loop.clip);
   EXPECT_LE(seam.pose.value, 1e-12);
   EXPECT_LE(seam.rate.value, 1e-6);
+}
+
+/// The farthest that a loop is from its clip at a thousand times, of a joint below a root that is not moved.
+double farthest(const Clip& before, const ClipLoop& loop, std::size_t joint) {
+  const ChannelCurve<Eigen::Quaterniond> was(*channel_of(before.rotations, joint)),
+      is(*channel_of(loop.clip.rotations, joint));
+  const Domain domain = before.domain();
+  double most = 0.0;
+  for (int k = 0; k <= 1000; ++k) {
+    const double t = domain.start + (domain.end - domain.start) * k / 1000.0;
+    most = std::max(most, angular_distance(was.at(t), is.at(t)));
+  }
+  return most;
+}
+
+TEST(Looped, SaysTheLargestChangeBetweenKeysToo) {
+  for (unsigned seed = 0; seed < 20; ++seed)
+    for (const ChannelInterpolation interpolation : {ChannelInterpolation::linear, ChannelInterpolation::cubicspline}) {
+      const double widest = interpolation == ChannelInterpolation::linear ? 1.7 : 0.4;
+      const Clip clip{.name = "any", .rotations = {random_rotations(seed, interpolation, widest)}};
+      const ClipLoop loop = looped(two_joints(), clip).value();
+      const double sampled = farthest(clip, loop, 1);
+      EXPECT_GE(loop.rotation.largest.value, sampled - 1e-6) << seed;
+      EXPECT_LE(loop.rotation.largest.value, sampled + 0.01) << seed;
+    }
+}
+
+TEST(Looped, GoesTheWayOfTheClipWhereAStepExceedsAHalfTurn) {
+  RotationChannel pan{.joint = 1, .times = {0.0, 2.0, 4.0, 6.0}};
+  for (const double degrees : {0.0, 175.0, 350.0, 300.0}) pan.values.push_back(turned(0.0, 0.0, degrees / 57.29577951));
+  // The second one has so many keys that it gets others for its turns alone.
+  RotationChannel spin{.joint = 1};
+  for (int i = 0; i <= 20; ++i) {
+    spin.times.push_back(0.1 * i);
+    spin.values.push_back(turned(0.0, 0.0, 3.1 * i));
+  }
+  for (const RotationChannel& channel : {pan, spin}) {
+    const Clip clip{.name = "turns", .rotations = {channel}};
+    const ClipLoop loop = looped(two_joints(), clip).value();
+    EXPECT_LE(farthest(clip, loop, 1), 2.0) << "a step went the other way round";
+    EXPECT_LE(seam_of(loop.clip).pose.value, 1e-9);
+  }
+}
+
+TEST(Looped, KeepsTheMotionOfAChannelOfTwoKeys) {
+  Clip clip = walk(1.0, 0.2, 0.0);
+  clip.rotations[1] = {.joint = 1, .times = {0.0, 1.0}, .values = {turned(0.0, 0.0, 0.0), turned(1.0, 0.0, 0.0)}};
+  const ClipLoop loop = looped(two_joints(), clip, hips).value();
+  const RotationChannel& leg = loop.clip.rotations[1];
+  double most = 0.0;
+  for (const Eigen::Quaterniond& q : leg.values) most = std::max(most, angular_distance(q, leg.values.front()));
+  EXPECT_GE(most, 0.1);
+  EXPECT_LE(angular_distance(leg.values.front(), leg.values.back()), 1e-12);
+}
+
+TEST(Looped, LetsStepsEndOnTheirFirstValue) {
+  for (const double drift : {0.0, 0.3}) {  // of what goes round already, and of what is bent
+    Clip clip = walk(1.0, drift, 0.0);
+    const RotationChannel steps{.joint = 1,
+                                .interpolation = ChannelInterpolation::step,
+                                .times = {0.0, 0.5, 0.8},
+                                .values = {turned(0.0, 0.0, 0.0), turned(0.3, 0.0, 0.0), turned(0.6, 0.0, 0.0)}};
+    clip.rotations[1] = steps;
+    const ClipLoop loop = looped(two_joints(), clip, hips).value();
+    EXPECT_EQ(loop.closing, drift == 0.0 ? LoopClosing::frame : LoopClosing::bent);
+    EXPECT_EQ(loop.rotation.joint, no_parent);
+    const RotationChannel& made = loop.clip.rotations[1];
+    EXPECT_EQ(made.times.back(), 1.0);
+    EXPECT_LE(angular_distance(made.values.back(), made.values.front()), 0.0);
+    const ChannelCurve<Eigen::Quaterniond> was(steps), is(made);
+    for (const double t : {0.1, 0.6, 0.9, 0.99}) EXPECT_LE(angular_distance(was.at(t), is.at(t)), 0.0);
+  }
+}
+
+TEST(Looped, GivesItsClosingKeyToOneTrackThatLacksIt) {
+  for (const double drift : {0.0, 0.3}) {
+    Clip clip = walk(1.0, 0.0, 0.3);
+    const RotationChannel whole = clip.rotations[1];
+    clip.rotations[1].times.pop_back(), clip.rotations[1].values.pop_back();
+    for (Eigen::Vector3d& v : clip.translations[0].values) v.y() += drift * v.x();
+    const ClipLoop loop = looped(two_joints(), clip, hips).value();
+    EXPECT_EQ(loop.closing, drift == 0.0 ? LoopClosing::frame : LoopClosing::bent);
+    EXPECT_EQ(loop.rotation.joint, no_parent);
+    const RotationChannel& leg = loop.clip.rotations[1];
+    EXPECT_EQ(leg.times, whole.times);
+    for (std::size_t i = 0; i < leg.size(); ++i)
+      EXPECT_LE(angular_distance(leg.values[i], whole.values[i]), 1e-12) << i;
+  }
+}
+
+TEST(Looped, KeepsTheWayThatANodeAboveTheRootGoes) {
+  const Clip open = walk_of_node(0.2);
+  const ClipLoop loop = looped(below_node(), open, {.joint = 1}).value();
+  EXPECT_NEAR(loop.turn, 0.2, 1e-9);
+  EXPECT_NEAR(loop.travel, 1.2, 0.05);
+  EXPECT_LE(seam_of(loop.clip, loop.turns).pose.value, 1e-9);
+  EXPECT_GT(seam_of(loop.clip).pose.value, 0.1);
+}
+
+TEST(Looped, StatesLengthsOfTheWorld) {
+  const JointPose small{.rotation = turned(-1.5707963267948966, 0.0, 0.0), .scale = {0.01, 0.01, 0.01}};
+  Clip clip = walk(1.0, 0.3, 0.2);
+  const Eigen::Quaterniond back = turned(1.5707963267948966, 0.0, 0.0);
+  for (Eigen::Quaterniond& q : clip.rotations[0].values) q = back * q;
+  for (Eigen::Vector3d& v : clip.translations[0].values) v = 100.0 * (back * v);
+  for (RotationChannel& channel : clip.rotations) ++channel.joint;
+  clip.translations[0].joint = 1;
+  const ClipLoop loop = looped(below_node(small), clip, {.joint = 1}).value(),
+                 large = looped(two_joints(), walk(1.0, 0.3, 0.2), hips).value();
+  EXPECT_NEAR(loop.travel, large.travel, 1e-9);
+  EXPECT_NEAR(loop.turn, large.turn, 1e-9);
+  EXPECT_NEAR(loop.translation.largest.value, large.translation.largest.value, 1e-9);
+}
+
+TEST(Looped, TellsChangesOfScalesFromThoseOfPlaces) {
+  Clip clip = walk(1.0, 0.0, 0.0);
+  const std::vector<Eigen::Vector3d> sizes{{1.0, 1.0, 1.0}, {2.0, 1.0, 1.0}, {1.5, 1.0, 1.0}};
+  clip.scales.push_back({.joint = 1, .times = {0.0, 0.5, 1.0}, .values = sizes});
+  const ClipLoop loop = looped(two_joints(), clip, hips).value();
+  EXPECT_EQ(loop.translation.joint, no_parent);
+  EXPECT_EQ(loop.scale.joint, 1u);
+  EXPECT_GE(loop.scale.largest.value, 0.25);
+}
+
+TEST(Looped, CountsTheRoundsOfARoot) {
+  const ClipLoop loop = looped(two_joints(), walk(1.0, 0.3, 11.0), hips).value();
+  EXPECT_NEAR(loop.turn, 11.0, 1e-8);
 }
 
 TEST(Looped, RefusesFewerThanThreeKeys) {

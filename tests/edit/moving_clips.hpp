@@ -79,4 +79,22 @@ inline Clip walk(double rounds, double drift, double heading, int keys_a_second 
   return {.name = "walk", .rotations = {hips, leg}, .translations = {path}};
 }
 
+/// Hips and a leg below a node.
+inline Skeleton below_node(const JointPose& node = {}) {
+  return Skeleton::make({{.name = "node", .rest = node},
+                         {.name = "hips", .parent = 0},
+                         {.name = "leg", .parent = 1, .rest = {.translation = {0.0, -0.5, 0.0}}}})
+      .value();
+}
+
+/// The walk with its way in the node above, beside which the hips only sway: they lean about x.
+inline Clip walk_of_node(double heading) {
+  Clip clip = walk(1.0, 0.2, heading);
+  clip.rotations[1].joint = 2;
+  RotationChannel hips{.joint = 1, .times = clip.rotations[0].times};
+  for (const double t : hips.times) hips.values.push_back(turned(0.1 * t, 0.0, 0.0));
+  clip.rotations.push_back(hips);
+  return clip;
+}
+
 }  // namespace orispline::testing_support

@@ -87,6 +87,27 @@ TEST(RootMotion, OfCubicsHasKeysWhereStraightLinesWouldBeOff) {
   }
 }
 
+TEST(RootMotion, HoldsBetweenLinearKeys) {
+  RotationChannel turns{.joint = 1, .times = {0.0, 1.0}};
+  turns.values = {turned(0.7, 0.0, 0.0), turned(0.0, 3.0, 0.0) * turned(-0.7, 0.0, 0.0)};
+  const std::vector<Eigen::Vector3d> places{{0.0, 1.0, 0.0}, {2.0, 1.0, 0.0}, {3.0, 1.5, 1.0}};
+  const VectorChannel path{.joint = 1, .times = {0.0, 0.4, 1.0}, .values = places};
+  const Clip clip{.name = "lean", .rotations = {turns}, .translations = {path}};
+  const Skeleton skeleton = below_node();
+  const Clip here = with_root_motion(skeleton, clip, {.joint = 1}).value(),
+             moved = with_root_motion(skeleton, clip, {.joint = 1, .node = 0}).value();
+  const ClipMotion was(skeleton, clip), in_place(skeleton, here), is(skeleton, moved);
+  const Eigen::Vector3d start = was.world_pose(1, 0.0).translation();
+  for (int k = 0; k <= 500; ++k) {
+    const double t = k / 500.0;
+    const Eigen::Affine3d before = was.world_pose(1, t), now = in_place.world_pose(1, t);
+    // The angle between up and an axis of the joint is its leaning.
+    for (const int axis : {0, 1, 2}) EXPECT_NEAR(now.linear()(1, axis), before.linear()(1, axis), 2e-4) << t;
+    EXPECT_LE((now.translation() - Eigen::Vector3d(start.x(), before.translation().y(), start.z())).norm(), 1e-3) << t;
+    EXPECT_LE((is.world_pose(2, t).translation() - was.world_pose(2, t).translation()).norm(), 2e-3) << t;
+  }
+}
+
 TEST(RootMotion, NamesANodeThatIsNotAbove) {
   const auto moved = with_root_motion(below_armature(), walk_below(), {.joint = 1, .node = 2});
   ASSERT_FALSE(moved);

@@ -48,7 +48,7 @@ TEST(ClipJob, SaysHowALoopWasClosed) {
 TEST(ClipJob, NamesTheFileAndTheOptionOfWhatIsWrong) {
   EXPECT_EQ(error_of({.file = file_with({})}), "take.glb: found no clip, wanted one");
   EXPECT_EQ(error_of({.file = file_with({walk(1.0, 0.0, 0.0)}), .edits = {.loop = true}, .root = "hip"}),
-            "take.glb: root: found 'hip', wanted the name of a joint");
+            "take.glb: root: found 'hip', wanted the name of a joint; did you mean 'hips'?");
   EXPECT_EQ(error_of({.file = file_with({walk(1.0, 0.0, 0.0)}), .edits = {.from = 3.0}}),
             "take.glb: from: clip 'walk': found 3 s, wanted a time of the clip, which is from 0 s to 1 s");
   EXPECT_EQ(error_of({.file = file_with({walk(1.0, 0.0, 0.0)}), .root = "hips"}),

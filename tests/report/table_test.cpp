@@ -38,8 +38,7 @@ TEST(Table, PrintsShortestNumbersWithTheDigitsAskedFor) {
 
 Table speeds() {
   return {.title = "Speeds of some curves on a file",
-          .columns =
-              {{"curve"}, {"RMS [°]"}, {.name = "time [s]", .rank = 2}, {.name = "∫|α|² [rad²/s³]", .rank = 1}},
+          .columns = {{"curve"}, {"RMS [°]"}, {.name = "time [s]", .rank = 2}, {.name = "∫|α|² [rad²/s³]", .rank = 1}},
           .rows = {{"slerp", 1.25, 0.5, 17.0}, {"odd", "–", "–", "–"}},
           .notes = {"A note of a few words.", "odd has no curve: found 1 key, wanted 2"}};
 }

@@ -8,9 +8,7 @@
 
 #include "options/file_places.hpp"
 #include "options/scene_input.hpp"
-#include "output/json_document.hpp"
 #include "output/scene_output.hpp"
-#include "output/standard_output.hpp"
 #include "output/summary.hpp"
 
 namespace orispline::cli {
@@ -52,13 +50,10 @@ Expected<void> sample_skeleton(const SampleArguments& options) {
   auto outcome = jobs::run_task("clip", request);
   if (!outcome) return tl::unexpected(std::move(outcome.error()));
   warn(outcome->warnings);
-  return write_edited_scene(options.output.path, *std::move(scene), writing, *outcome)
-      .and_then([&]() -> Expected<void> {
-        if (options.summary.json) return print_document(document(outcome->document));
-        if (!options.summary.quiet)
-          tell(formatted("{}written to {}\n", outcome->summary, destination(options.output.path)));
-        return {};
-      });
+  return write_edited_scene(options.output.path, *std::move(scene), writing, *outcome).and_then([&] {
+    return summarise(options.summary,
+                     Written{options.input.path, options.output.path, "", jobs::found<jobs::ClipOutcome>(*outcome)});
+  });
 }
 
 }  // namespace orispline::cli

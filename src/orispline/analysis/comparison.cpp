@@ -97,8 +97,8 @@ std::vector<std::size_t> first_of_equal(std::span<const Candidate> candidates) {
 /// Whether its curve has the least ∫|α|² through its keys, so that no other need be sought.
 bool is_least_curve(const Candidate& candidate) {
   const Keyframes& keys = candidate.keys;
-  return candidate.stretches.empty() && text_of(candidate.method) == "least" &&
-         keys.angular_velocities().empty() && keys.angular_accelerations().empty();
+  return candidate.stretches.empty() && text_of(candidate.method) == "least" && keys.angular_velocities().empty() &&
+         keys.angular_accelerations().empty();
 }
 
 /// For each candidate the one whose measures have the least ∫|α|² through its keys; none where it is to be sought.

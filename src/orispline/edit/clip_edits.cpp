@@ -85,6 +85,7 @@ Expected<void> move_root(const Skeleton& skeleton, ClipEdit& edit, const ClipEdi
                                   in_quotes(skeleton.shown_name(motion.joint))));
   }
   if (motion.joint == no_parent) return {};
+  edit.taken = travel_of(skeleton, edit.clip, motion.joint, motion.up);
   return with_root_motion(skeleton, edit.clip, motion).map([&](Clip moved) { edit.clip = std::move(moved); });
 }
 

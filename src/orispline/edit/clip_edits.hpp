@@ -9,6 +9,7 @@
 #include <orispline/clip/clip.hpp>
 #include <orispline/edit/join.hpp>
 #include <orispline/edit/loop.hpp>
+#include <orispline/edit/travel.hpp>
 #include <orispline/fields/field_info.hpp>
 #include <orispline/fields/words.hpp>
 
@@ -54,6 +55,7 @@ struct ClipEdit {
   std::optional<Domain> blend{};            ///< when it goes over into the appended one [s]; absent where there is none
   double appended_turn = 0.0;               ///< of that one about up [rad]
   std::optional<ClipLoop> loop{};           ///< without its clip; absent where none was asked for
+  std::optional<Travel> taken{};            ///< out of a joint; absent where that was not asked for
 };
 
 /// Error (bad_argument): options that contradict each other, whatever the clip is.

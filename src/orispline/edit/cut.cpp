@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include <Eigen/LU>
+
 #include <orispline/clip/clip_clock.hpp>
 #include <orispline/clip/clip_difference.hpp>
 #include <orispline/clip/clip_motion.hpp>
@@ -15,7 +17,7 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-constexpr double cut_tolerance = 1e-9;  // of the rotation in the piece of a cubic that is cut [rad]
+constexpr double cut_tolerance = 1e-7;  // of the rotation in a piece of a cubic that is cut [rad]: what floats resolve
 constexpr int most_halvings = 10;
 constexpr std::size_t places = 16;  // between which a piece is compared
 
@@ -58,6 +60,33 @@ Cubic<Eigen::Quaterniond> with_unit_ends(const Cubic<Eigen::Quaterniond>& piece)
     return Cubic<Eigen::Quaterniond>::End{key.time, factor * key.value, factor * key.rate + growth * key.value};
   };
   return {scaled(piece.start, start), scaled(piece.end, end)};
+}
+
+/// With other rates along the values at its ends, which change no direction there: those by which it follows the
+/// directions of another one best, by least squares.
+Cubic<Eigen::Quaterniond> following(const Cubic<Eigen::Quaterniond>& unit, const Cubic<Eigen::Quaterniond>& whole) {
+  const auto &start = unit.start, &end = unit.end;
+  const Eigen::Vector4d none = Eigen::Vector4d::Zero();
+  const Cubic<Eigen::Quaterniond> by_start{{start.time, none, start.value}, {end.time, none, none}},
+      by_end{{start.time, none, none}, {end.time, none, end.value}};
+  Eigen::Matrix2d products = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d sums = Eigen::Vector2d::Zero();
+  for (std::size_t k = 1; k < places; ++k) {
+    const double t = start.time + static_cast<double>(k) / double{places} * (end.time - start.time);
+    const Eigen::Vector4d direction = whole.at(t).value.normalized();
+    const auto across = [&](const Cubic<Eigen::Quaterniond>& cubic) -> Eigen::Vector4d {
+      const Eigen::Vector4d value = cubic.at(t).value;
+      return value - direction * direction.dot(value);
+    };
+    Eigen::Matrix<double, 4, 2> each;
+    each << across(by_start), across(by_end);
+    products += each.transpose() * each;
+    sums -= each.transpose() * across(unit);
+  }
+  const Eigen::Vector2d rates = products.inverse() * sums;
+  if (!rates.allFinite()) return unit;
+  return {{start.time, start.value, start.rate + rates[0] * start.value},
+          {end.time, end.value, end.rate + rates[1] * end.value}};
 }
 
 /// The largest angle between two cubics that are normalised, within the first one [rad].
@@ -129,8 +158,10 @@ class Part {
     const Cubic<P> part{end_at(start), end_at(end)};
     if constexpr (std::same_as<P, Eigen::Quaterniond>) {
       const bool is_whole = start == whole.start.time && end == whole.end.time;
-      const Cubic<P> unit = is_whole ? part : with_unit_ends(part);
-      if (!is_whole && halved < most_halvings && angle_between(unit, whole) > cut_tolerance) {
+      Cubic<P> unit = is_whole ? part : with_unit_ends(part);
+      const auto is_off = [&] { return !is_whole && angle_between(unit, whole) > cut_tolerance; };
+      if (is_off()) unit = following(unit, whole);
+      if (halved < most_halvings && is_off()) {
         const double middle = std::midpoint(start, end);
         piece(whole, start, middle, halved + 1);
         return piece(whole, middle, end, halved + 1);

@@ -12,8 +12,8 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 /// last one it stands still. A channel of one key keeps one, at `from`.
 ///
 /// Steps, linear channels and cubics of vectors stay what they are. A cubic of the components of a quaternion has keys
-/// that are no unit quaternions where it is cut: its piece is scaled by a linear function, and halved until the
-/// rotation is within 1e-9 rad of what it was. Preconditions: check_clip() finds the channel sound; `from` < `to`.
+/// that are no unit quaternions where it is cut: its piece is scaled by a function of time, and halved until the
+/// rotation is within 1e-7 rad of what it was. Preconditions: check_clip() finds the channel sound; `from` < `to`.
 template <CurvePoint P>
 [[nodiscard]] Channel<P> part_of(const Channel<P>& channel, double from, double to);
 extern template RotationChannel part_of(const RotationChannel&, double, double);

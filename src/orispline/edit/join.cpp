@@ -13,8 +13,10 @@
 #include <orispline/clip/cubic_channel.hpp>
 #include <orispline/edit/blended_curve.hpp>
 #include <orispline/edit/cut.hpp>
-#include <orispline/edit/up_axis.hpp>
+#include <orispline/edit/linear_keys.hpp>
+#include <orispline/edit/travel.hpp>
 #include <orispline/math/degrees.hpp>
+#include <orispline/math/rotation_matrix.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -124,11 +126,10 @@ class ChannelJoin {
         const auto curve = orispline::blended(from, to, blend_);
         Channel<P> all = spread(first_, whole_.start, blend_.start);
         all.interpolation = ChannelInterpolation::linear;
-        for (const double t : inner_times()) {
-          all.times.push_back(t);
-          all.values.push_back(with_sign_near(point_of(motion_at(curve, t)), all.values.back()));
-        }
-        append(all, spread(second_, blend_.end, whole_.end), 0);
+        LinearKeys<P> keys(all, curve);
+        for (const double t : inner_times()) keys.go_to(t);
+        keys.go_to(blend_.end);
+        append(all, spread(second_, blend_.end, whole_.end), 1);
         return all;
       });
     });
@@ -174,7 +175,7 @@ class ChannelJoin {
       if (all.values.back().dot(more.values.front()) < 0.0)
         for (SharedList<P>* const list : {&more.values, &more.in_tangents, &more.out_tangents})
           for (P& q : *list) q.coeffs() *= -1.0;
-    if (left_out > 0) all.out_tangents.back() = more.out_tangents.front();
+    if (left_out > 0 && !more.out_tangents.empty()) all.out_tangents.back() = more.out_tangents.front();
     for (std::size_t i = left_out; i < more.size(); ++i) {
       all.times.push_back(more.times[i]);
       all.values.push_back(more.values[i]);
@@ -289,17 +290,56 @@ class ClipJoin {
     return first;
   }
 
+  /// The highest joint that either clip moves, of a joint and those above it.
+  [[nodiscard]] std::size_t topmost_moved(std::size_t joint) const {
+    return std::min(carriers_of(skeleton_, first_, joint).back(), carriers_of(skeleton_, second_, joint).back());
+  }
+
+  /// Those that take all with them that goes somewhere: that of the root, and what others there are beside it.
+  [[nodiscard]] std::vector<std::size_t> moved_as_a_whole(std::size_t root) const {
+    std::vector<std::size_t> joints{topmost_moved(root)};
+    for (const Clip* const clip : {&first_, static_cast<const Clip*>(&second_)})
+      for (const VectorChannel& channel : clip->translations)
+        if (!rests(channel)) joints.push_back(topmost_moved(channel.joint));
+    std::ranges::sort(joints);
+    joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
+    return joints;
+  }
+
   void place() {
     const std::size_t joint = root();
     if (joint == no_parent) return;
-    const Eigen::Vector3d up = up_in_parent(skeleton_, first_, joint, options_.up);
     const double middle = 0.5 * (joined_.blend.start + joined_.blend.end);
-    const JointPose to = ClipMotion(skeleton_, first_).local_pose(joint, middle),
-                    from = ClipMotion(skeleton_, second_).local_pose(joint, middle);
-    joined_.turn = heading_of(up, to.rotation * from.rotation.conjugate());
-    const Eigen::Quaterniond turn = exp<double>(Eigen::Vector3d(joined_.turn * up));
-    const Eigen::Vector3d across = to.translation - turn * from.translation;
-    const Eigen::Vector3d shift = across - up * up.dot(across);
+    const ClipMotion second(skeleton_, second_);
+    const Eigen::Affine3d to = placed(ClipMotion(skeleton_, first_), joint, middle),
+                          from = placed(second, joint, middle);
+    const Eigen::Vector3d& up = options_.up;
+    joined_.turn = heading_between(up, from, to);
+    Eigen::Affine3d by(exp<double>(Eigen::Vector3d(joined_.turn * up)));
+    const Eigen::Vector3d across = to.translation() - by * from.translation();
+    by.pretranslate(across - up * up.dot(across));
+    for (const std::size_t moved : moved_as_a_whole(joint)) {
+      const std::size_t parent = skeleton_[moved].parent;
+      const Eigen::Affine3d frame =
+          parent == no_parent ? Eigen::Affine3d::Identity() : second.world_pose(parent, middle);
+      const Eigen::Affine3d inside = frame.inverse() * by * frame;
+      if (inside.matrix().allFinite()) move(moved, inside);  // there is no place below a scale of 0
+    }
+  }
+
+  /// A joint of the second clip, in the frame of its parent.
+  void move(std::size_t joint, const Eigen::Affine3d& by) {
+    const Eigen::Quaterniond turn = quaternion_from_matrix(Eigen::Matrix3d(by.linear())).normalized();
+    const JointPose& rest = skeleton_[joint].rest;
+    const double start = second_.domain().start;
+    if (!channel_of(second_.rotations, joint) && angular_distance(turn, Eigen::Quaterniond::Identity()) > 0.0)
+      second_.rotations.push_back({.joint = joint,
+                                   .times = std::vector<double>(1, start),
+                                   .values = std::vector<Eigen::Quaterniond>(1, rest.rotation)});
+    if (!channel_of(second_.translations, joint) && !is_near(by * rest.translation, rest.translation))
+      second_.translations.push_back({.joint = joint,
+                                      .times = std::vector<double>(1, start),
+                                      .values = std::vector<Eigen::Vector3d>(1, rest.translation)});
     for (RotationChannel& channel : second_.rotations)
       if (channel.joint == joint)
         for (SharedList<Eigen::Quaterniond>* const list :
@@ -307,9 +347,9 @@ class ClipJoin {
           for (Eigen::Quaterniond& q : *list) q = turn * q;
     for (VectorChannel& channel : second_.translations)
       if (channel.joint == joint) {
-        for (SharedList<Eigen::Vector3d>* const list : {&channel.values, &channel.in_tangents, &channel.out_tangents})
-          for (Eigen::Vector3d& v : *list) v = turn * v;
-        for (Eigen::Vector3d& v : channel.values) v += shift;
+        for (Eigen::Vector3d& v : channel.values) v = by * v;
+        for (SharedList<Eigen::Vector3d>* const list : {&channel.in_tangents, &channel.out_tangents})
+          for (Eigen::Vector3d& v : *list) v = by.linear() * v;
       }
   }
 

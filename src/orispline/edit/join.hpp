@@ -32,7 +32,7 @@ struct JoinedClip {
 
 /// The first clip, then the second, over the last `blend` seconds of the one and the first of the other. The second is
 /// turned about up and moved across it so that the root is where that of the first one is, in the middle of the
-/// blend.
+/// blend: all that goes somewhere, by the highest joints that move. What has no moving translation stays in its place.
 ///
 /// There each channel is the geodesic from one motion to the other, with a share that is a quintic in time: at both
 /// ends value, rate and acceleration are those of the clip that goes on. A joint that moves in one clip alone rests in

@@ -13,7 +13,10 @@
 #include <orispline/clip/cubic_channel.hpp>
 #include <orispline/edit/correction.hpp>
 #include <orispline/edit/cut.hpp>
+#include <orispline/edit/linear_keys.hpp>
+#include <orispline/edit/travel.hpp>
 #include <orispline/edit/up_axis.hpp>
+#include <orispline/math/highest.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -25,6 +28,8 @@ constexpr double stored_within = 1e-6;    // the same, and per second, where a f
 constexpr double usual_jump = 1.5;        // times a large jump of the rate between two steps inside of the clip
 constexpr double cubic_tolerance = 1e-5;  // [rad]
 constexpr double window_steps = 4.0, least_window = 0.25;  // of corrections: steps between keys, and [s]
+constexpr double fewest_steps = 16.0;                      // of a linear channel that shall follow a correction
+constexpr double same_interval = 1e-3;                     // share by which two are one but for rounding
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
@@ -77,8 +82,9 @@ double usual_jump_of(const Channel<P>& channel, double share) {
 /// Whether it goes round as it is: the rates at its ends differ by no more than those of neighbours inside.
 template <CurvePoint P>
 bool goes_round(const Channel<P>& channel, const LoopStep& step) {
-  if (channel.interpolation == ChannelInterpolation::step || rests(channel)) return true;
+  if (rests(channel)) return true;
   const double unit = unit_of(channel), open = gap(channel.values.back(), channel.values.front(), step).norm();
+  if (channel.interpolation == ChannelInterpolation::step) return open <= closed_within * unit;
   if (channel.interpolation == ChannelInterpolation::cubicspline) {
     const ChannelCurve<P> curve(channel);
     const MotionOf<P> start = curve.motion(channel.times.front()), end = curve.motion(channel.times.back());
@@ -112,11 +118,16 @@ Vector3d again(const VectorChannel& channel, const Vector3d& end, const LoopStep
   return end + gap(end, channel.values.front(), step);
 }
 
+/// From its last key but one to its last one [s].
+template <CurvePoint P>
+double last_interval(const Channel<P>& channel) {
+  return channel.times.back() - channel.times[channel.size() - 2];
+}
+
 /// With its first value once more, one step behind its end.
 template <CurvePoint P>
 Channel<P> with_frame(Channel<P> channel, const LoopStep& step) {
-  const std::size_t last = channel.size() - 2;
-  const double time = channel.times[last + 1] + (channel.times[last + 1] - channel.times[last]);
+  const double time = channel.times.back() + last_interval(channel);
   P value = channel.interpolation == ChannelInterpolation::step ? channel.values.front()
                                                                 : again(channel, foretold(channel, step), step);
   channel.values.push_back(with_sign_near(value, channel.values.back()));
@@ -168,75 +179,122 @@ Correction correction_of(const LinearMotion& start, const LinearMotion& end, con
           bend_to(end, half, step.turn * rate, step.turn * acceleration), times};
 }
 
+/// The motion that a channel means, and what closes that.
 template <CurvePoint P>
-Expected<AnyCurveThrough<P>> bent(const Channel<P>& channel, Domain domain, const LoopStep& step) {
+struct Bending {
+  AnyCurveThrough<P> curve;
+  Correction correction;
+};
+
+template <CurvePoint P>
+Expected<Bending<P>> bending_of(const Channel<P>& channel, Domain domain, const LoopStep& step) {
   const bool spans = channel.times.front() <= domain.start && channel.times.back() >= domain.end;
   return meant_curve(spans ? channel : part_of(channel, domain.start, domain.end)).map([&](const auto& curve) {
-    const auto correction = correction_of(motion_at(curve, domain.start), motion_at(curve, domain.end, Side::left),
-                                          step, domain, bend_times(channel, domain));
-    return AnyCurveThrough<P>(CorrectedCurve<P>(curve, correction, domain));
+    return Bending<P>{curve, correction_of(motion_at(curve, domain.start), motion_at(curve, domain.end, Side::left),
+                                           step, domain, bend_times(channel, domain))};
   });
+}
+
+template <CurvePoint P>
+Expected<AnyCurveThrough<P>> bent(const Channel<P>& channel, Domain domain, const LoopStep& step) {
+  return bending_of(channel, domain, step).map([&](const Bending<P>& bending) {
+    return AnyCurveThrough<P>(CorrectedCurve<P>(bending.curve, bending.correction, domain));
+  });
+}
+
+template <CurvePoint P>
+AnyCurveThrough<P> stored_curve(const Channel<P>& channel) {
+  return StoredCurve<P>{ChannelCurve<P>(channel).curve()};
+}
+
+/// A linear channel with a correction: its keys, and those that it takes to follow it.
+template <CurvePoint P>
+Channel<P> bent_keys(const Channel<P>& channel, const Correction& correction, Domain domain) {
+  const AnyCurveThrough<P> curve = CorrectedCurve<P>(stored_curve(channel), correction, domain);
+  Channel<P> made{.joint = channel.joint, .interpolation = ChannelInterpolation::linear};
+  made.times.push_back(domain.start);
+  made.values.push_back(point_of(motion_at(curve, domain.start)));
+  LinearKeys<P> keys(made, curve);
+  for (const double t : channel.times)
+    if (t > domain.start) keys.go_to(t, (domain.end - domain.start) / fewest_steps);
+  return made;
 }
 
 /// Where a joint's travel leads, from its ends.
 struct RootSteps {
   LoopStep rotation{}, translation{};
-  double turn = 0.0;  ///< [rad]
 };
 
 RootSteps root_steps(const Vector3d& up, const Quaterniond& start, const Quaterniond& end) {
-  const double turn = heading_of(up, end * start.conjugate());
-  const Quaterniond about_up = exp<double>(Vector3d(turn * up));
-  return {{about_up, {}}, {about_up, up}, turn};
+  const Quaterniond about_up = exp<double>(Vector3d(heading_of(up, end * start.conjugate()) * up));
+  return {{about_up, {}}, {about_up, up}};
+}
+
+/// A joint whose travel is kept, where the loop ends with the clip and where it ends one step later.
+struct Carrier {
+  std::size_t joint;
+  RootSteps ends, frame_ends;
+};
+
+Carrier carrier_of(const Skeleton& skeleton, const Clip& clip, std::size_t joint, const Vector3d& up_in_world) {
+  const Vector3d up = up_in_parent(skeleton, clip, joint, up_in_world);
+  const RootSteps none = root_steps(up, Quaterniond::Identity(), Quaterniond::Identity());
+  const RotationChannel* const channel = channel_of(clip.rotations, joint);
+  if (!channel || channel->size() < 2) return {joint, none, none};
+  const ChannelCurve<Quaterniond> curve(*channel);
+  const Domain domain = clip.domain();
+  return {joint, root_steps(up, curve.at(domain.start), curve.at(domain.end)),
+          root_steps(up, channel->values.front(), foretold(*channel, {}))};
 }
 
 /// Makes one clip a loop.
 class Looper {
  public:
   Looper(const Skeleton& skeleton, const Clip& clip, const LoopRoot& root, ClosingKey key)
-      : clip_(clip), domain_(clip.domain()), root_(root.joint), key_(key) {
+      : skeleton_(skeleton), clip_(clip), moving_(skeleton, clip), domain_(clip.domain()), root_(root), key_(key) {
     loop_.clip = {.name = clip.name, .passed_on = clip.passed_on};
-    if (root_ == no_parent) return;
-    up_ = up_in_parent(skeleton, clip, root_, root.up);
-    const RotationChannel* const channel = channel_of(clip.rotations, root_);
-    ends_ = frame_ends_ = root_steps(up_, Quaterniond::Identity(), Quaterniond::Identity());
-    if (!channel || channel->size() < 2) return;
-    const ChannelCurve<Quaterniond> curve(*channel);
-    ends_ = root_steps(up_, curve.at(domain_.start), curve.at(domain_.end));
-    frame_ends_ = root_steps(up_, channel->values.front(), foretold(*channel, {}));
+    if (root.joint == no_parent) return;
+    for (const std::size_t joint : carriers_of(skeleton, clip, root.joint))
+      carriers_.push_back(carrier_of(skeleton, clip, joint, root.up));
   }
 
   Expected<ClipLoop> made() && {
-    if (all([&](const auto& channel) { return goes_round(channel, step_for(channel, ends_)); })) {
+    const auto ends = &Carrier::ends, frame_ends = &Carrier::frame_ends;
+    auto chosen = ends;
+    if (all([&](const auto& channel) { return goes_round(channel, step_for(channel, ends)); })) {
       add([&](const auto& channel) { return Expected<std::remove_cvref_t<decltype(channel)>>(channel); });
     } else if (key_ == ClosingKey::may_lack && end_together() &&
-               all([&](const auto& c) { return lacks_frame(c, step_for(c, frame_ends_)); })) {
+               all([&](const auto& c) { return lacks_frame(c, step_for(c, frame_ends)); })) {
       loop_.closing = LoopClosing::frame;
-      std::swap(ends_, frame_ends_);
+      chosen = frame_ends;
       add([&](const auto& channel) {
         return Expected<std::remove_cvref_t<decltype(channel)>>(
-            channel.size() == 1 ? channel : with_frame(channel, step_for(channel, ends_)));
+            channel.size() == 1 ? channel : with_frame(channel, step_for(channel, frame_ends)));
       });
     } else {
-      loop_.closing = LoopClosing::bent;
-      add([&](const auto& channel) { return bent_channel(channel, step_for(channel, ends_)); });
+      loop_.closing = LoopClosing::frame;
+      add([&](const auto& channel) { return closed(channel, step_for(channel, ends), step_for(channel, frame_ends)); });
     }
-    loop_.turn = ends_.turn;
-    loop_.root_turn = ends_.rotation.turn;
-    if (const VectorChannel* const path = channel_of(loop_.clip.translations, root_)) {
-      const Vector3d way = path->values.back() - path->values.front();
-      loop_.travel = (way - up_ * up_.dot(way)).norm();
-    }
-    return std::move(checked_).or_else(std::move(loop_));
+    auto sound = std::move(checked_).or_else(true);
+    if (!sound) return tl::unexpected(std::move(sound.error()));
+    for (const Carrier& carrier : carriers_) loop_.turns.push_back({carrier.joint, (carrier.*chosen).rotation.turn});
+    if (root_.joint == no_parent) return std::move(loop_);
+    const Travel travel = travel_of(skeleton_, loop_.clip, root_.joint, root_.up);
+    loop_.travel = travel.way;
+    loop_.turn = travel.turn;
+    return std::move(loop_);
   }
 
  private:
-  [[nodiscard]] LoopStep step_for(const RotationChannel& channel, const RootSteps& ends) const {
-    return channel.joint == root_ ? ends.rotation : LoopStep{};
+  using Ends = RootSteps Carrier::*;
+
+  [[nodiscard]] LoopStep step_for(const RotationChannel& channel, Ends ends) const {
+    const auto carrier = std::ranges::find(carriers_, channel.joint, &Carrier::joint);
+    return carrier == carriers_.end() ? LoopStep{} : ((*carrier).*ends).rotation;
   }
-  [[nodiscard]] LoopStep step_for(const VectorChannel& channel, const RootSteps& ends) const {
-    const bool is_path = channel.joint == root_ && channel_of(clip_.translations, root_) == &channel;
-    return is_path ? ends.translation : LoopStep{};
+  [[nodiscard]] LoopStep step_for(const VectorChannel& channel, Ends ends) const {
+    const auto carrier = std::ranges::find(carriers_, channel.joint, &Carrier::joint);
+    return carrier != carriers_.end() && is_path(channel) ? ((*carrier).*ends).translation : LoopStep{};
   }
 
   [[nodiscard]] static bool is_weight(const RotationChannel&) { return false; }
@@ -260,9 +318,9 @@ class Looper {
     double interval = 0.0;
     return all([&](const auto& channel) {
       if (channel.size() == 1) return true;
-      const double own = channel.times.back() - channel.times[channel.size() - 2];
+      const double own = last_interval(channel);
       if (interval == 0.0) interval = own;
-      return channel.times.back() == domain_.end && std::abs(own - interval) <= 1e-3 * interval;
+      return channel.times.back() == domain_.end && std::abs(own - interval) <= same_interval * interval;
     });
   }
 
@@ -278,43 +336,88 @@ class Looper {
       each(weights.triples, loop_.clip.weights.emplace_back(WeightChannels{weights.joint, weights.count}).triples);
   }
 
+  /// Whether it ends one step before the clip.
   template <CurvePoint P>
-  Expected<Channel<P>> bent_channel(const Channel<P>& channel, const LoopStep& step) {
-    Channel<P> part = part_of(channel, domain_.start, domain_.end);
+  [[nodiscard]] bool ends_early(const Channel<P>& channel) const {
+    if (channel.size() == 1 || channel.times.front() > domain_.start) return false;
+    const double interval = last_interval(channel), left = domain_.end - channel.times.back();
+    return std::abs(left - interval) <= same_interval * interval;
+  }
+
+  /// As it is where it goes round, else with its first value at the end of the clip, else bent.
+  template <CurvePoint P>
+  Expected<Channel<P>> closed(const Channel<P>& channel, const LoopStep& step, const LoopStep& frame_step) {
+    const Channel<P> part = part_of(channel, domain_.start, domain_.end);
     if (goes_round(part, step)) return part;
-    if (channel.interpolation == ChannelInterpolation::step) {
-      part.values.back() = part.values.front();
-      return part;
+    if (key_ == ClosingKey::may_lack && ends_early(channel) && lacks_frame(channel, frame_step)) {
+      Channel<P> whole = with_frame(channel, frame_step);
+      whole.times.back() = domain_.end;
+      return whole;
     }
-    return bent(channel, domain_, step).map([&](const AnyCurveThrough<P>& curve) {
-      Channel<P> made = part;
-      if (channel.interpolation == ChannelInterpolation::cubicspline) {
-        made = cubic_channel(curve, cubic_tolerance * unit_of(channel)).channel;
-        made.joint = channel.joint;
-      } else {
-        for (std::size_t i = 0; i < made.size(); ++i) made.values[i] = point_of(motion_at(curve, made.times[i]));
-      }
-      if (!is_weight(channel)) note_change(part, curve);
-      made.values.back() = with_sign_near(again(made, made.values.back(), step), made.values.back());
-      return made;
-    });
+    Channel<P> made = part;
+    if (channel.interpolation != ChannelInterpolation::step) {
+      const auto bending = bending_of(channel, domain_, step);
+      if (!bending) return tl::unexpected(bending.error());
+      made = bent_channel(part, *bending);
+      if (!is_weight(channel)) note_change(channel, part, made);
+      loop_.closing = LoopClosing::bent;
+    }
+    made.values.back() = with_sign_near(again(made, made.values.back(), step), made.values.back());
+    return made;
   }
 
   template <CurvePoint P>
-  void note_change(const Channel<P>& before, const AnyCurveThrough<P>& after) {
-    LoopChange& change = std::same_as<P, Quaterniond> ? loop_.rotation : loop_.translation;
-    for (std::size_t i = 0; i < before.size(); ++i) {
-      const double moved = distance_between(before.values[i], point_of(motion_at(after, before.times[i])));
-      if (moved > change.largest.value) change = {{moved, before.times[i]}, before.joint};
-    }
+  Channel<P> bent_channel(const Channel<P>& part, const Bending<P>& bending) const {
+    if (part.interpolation == ChannelInterpolation::linear) return bent_keys(part, bending.correction, domain_);
+    const AnyCurveThrough<P> curve = CorrectedCurve<P>(bending.curve, bending.correction, domain_);
+    Channel<P> made = cubic_channel(curve, cubic_tolerance * unit_of(part)).channel;
+    made.joint = part.joint;
+    return made;
   }
 
+  [[nodiscard]] bool is_path(const RotationChannel&) const { return false; }
+  [[nodiscard]] bool is_path(const VectorChannel& channel) const {
+    return channel_of(clip_.translations, channel.joint) == &channel;
+  }
+
+  /// How far two values at a time are from each other; of positions in the world.
+  [[nodiscard]] double change_of(const RotationChannel&, const Quaterniond& before, const Quaterniond& after,
+                                 double) const {
+    return angular_distance(before, after);
+  }
+  [[nodiscard]] double change_of(const VectorChannel& channel, const Vector3d& before, const Vector3d& after,
+                                 double t) const {
+    const std::size_t parent = skeleton_[channel.joint].parent;
+    if (!is_path(channel) || parent == no_parent) return (after - before).norm();
+    return (moving_.world_pose(parent, t).linear() * (after - before)).norm();
+  }
+
+  template <CurvePoint P>
+  void note_change(const Channel<P>& channel, const Channel<P>& before, const Channel<P>& after) {
+    constexpr int looks = 4;  // from key to key
+    const ChannelCurve<P> was(before), is(after);
+    const auto change_at = [&](double t) { return change_of(channel, was.at(t), is.at(t), t); };
+    SummitsInPassing changes;
+    for (std::size_t i = 0; i + 1 < after.size(); ++i)
+      for (int k = 0; k < looks; ++k) {
+        const double t = after.times[i] + (after.times[i + 1] - after.times[i]) * k / looks;
+        changes.pass({t, change_at(t)});
+      }
+    changes.pass({domain_.end, change_at(domain_.end)});
+    LoopChange& change = std::same_as<P, Quaterniond> ? loop_.rotation
+                         : is_path(channel)           ? loop_.translation
+                                                      : loop_.scale;
+    const Height top = changes.highest(change_at, change.largest.value);
+    if (top.value > change.largest.value) change = {{top.value, top.place}, channel.joint};
+  }
+
+  const Skeleton& skeleton_;
   const Clip& clip_;
+  ClipMotion moving_;
   Domain domain_;
-  std::size_t root_;
+  LoopRoot root_;
   ClosingKey key_;
-  Vector3d up_ = Vector3d::UnitY();
-  RootSteps ends_{}, frame_ends_{};
+  std::vector<Carrier> carriers_{};
   ClipLoop loop_{};
   FirstError checked_{};
 };

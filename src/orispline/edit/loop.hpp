@@ -8,13 +8,14 @@
 #include <orispline/clip/clip.hpp>
 #include <orispline/clip/clip_difference.hpp>
 #include <orispline/curve/path.hpp>
+#include <orispline/edit/seam.hpp>
 #include <orispline/fields/words.hpp>
 
 // A clip that goes on from its end at its start.
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
-/// The joint whose travel a loop keeps.
+/// The joint whose travel a loop keeps, whichever of it and of the joints above it goes and turns.
 struct LoopRoot {
   std::size_t joint = no_parent;                  ///< `no_parent`: all that moves comes back to where it was
   Eigen::Vector3d up = Eigen::Vector3d::UnitY();  ///< of the world
@@ -29,17 +30,17 @@ struct LoopStep {
 /// How a loop was closed.
 enum class LoopClosing {
   none,   ///< it went round already
-  frame,  ///< it lacked the key that is the first one again, and got it
-  bent,   ///< the difference of its ends was spread over it
+  frame,  ///< it lacked keys that are the first ones again, and got them
+  bent,   ///< the difference of the ends of some channels was spread over them
 };
 
 template <>
 inline constexpr std::array words<LoopClosing>{word("none", LoopClosing::none), word("frame", LoopClosing::frame),
                                                word("bent", LoopClosing::bent)};
 
-/// The largest change of a joint.
+/// The largest change of a joint, between keys too.
 struct LoopChange {
-  LargestInTime largest{};  ///< [rad], or in the unit of lengths
+  LargestInTime largest{};  ///< [rad]; in the unit of lengths, in the world; or of factors
   std::size_t joint = no_parent;
 };
 
@@ -50,10 +51,10 @@ enum class ClosingKey { may_lack, is_there };
 struct ClipLoop {
   Clip clip{};
   LoopClosing closing = LoopClosing::none;
-  LoopChange rotation{}, translation{};
-  double travel = 0.0;                                            ///< of the root in one round, in the unit of lengths
-  double turn = 0.0;                                              ///< of the root in one round, about up [rad]
-  Eigen::Quaterniond root_turn = Eigen::Quaterniond::Identity();  ///< the same, in the frame of its parent
+  LoopChange rotation{}, translation{}, scale{};
+  double travel = 0.0;             ///< of the root in one round, in the world, in the unit of lengths
+  double turn = 0.0;               ///< of the root in one round, about up in the world [rad]; whole rounds count
+  std::vector<JointTurn> turns{};  ///< of the root and the joints that carry it
 };
 
 /// The stretch of a clip that is most alike at its two ends, by the rotations of its joints and their rates; what a
@@ -64,8 +65,10 @@ struct ClipLoop {
                                                             const LoopRoot& root = {});
 
 /// The clip as a loop, from its first key to its last. Where the steps at the seam fit those beside it nothing is
-/// bent. Else each channel becomes q exp(c(t)), with c C2 in time, so that it has the same value, rate and acceleration
-/// at both ends. Linear channels keep the times of their keys; cubics may get more of them, to be within 1e-5 rad.
+/// bent, and a channel that ends one step before the others gets its first key there. Steps end on their first value.
+/// Else each channel becomes q exp(c(t)), with c C2 in time, so that it has the same value, rate and acceleration
+/// at both ends. Linear channels keep the times of their keys, and get more of them where a step takes more than a
+/// sixteenth of the loop, or would turn by more than 179°; cubics may get more of them, to be within 1e-5 rad.
 ///
 /// Errors (bad_data), which name the clip: fewer than three times of keys.
 [[nodiscard]] ORISPLINE_EXPORT Expected<ClipLoop> looped(const Skeleton& skeleton, const Clip& clip,

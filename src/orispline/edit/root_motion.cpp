@@ -2,9 +2,11 @@
 #include <orispline/edit/root_motion.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <orispline/base/formatted.hpp>
@@ -64,10 +66,16 @@ class RootMotionChange {
       const auto is_even = [](const Eigen::Vector3d& v) {
         return v.minCoeff() > 0.0 && v.maxCoeff() - v.minCoeff() <= even_scale * v.maxCoeff();
       };
-      if (scales ? !std::ranges::all_of(scales->values, is_even) : !is_even(skeleton_[joint].rest.scale))
-        return fault(
-            joint,
-            "found a scale that is zero, negative or not the same along all axes, wanted another one above a root");
+      const Eigen::Vector3d* uneven = is_even(skeleton_[joint].rest.scale) ? nullptr : &skeleton_[joint].rest.scale;
+      if (scales) {
+        const auto found = std::ranges::find_if_not(scales->values, is_even);
+        uneven = found == scales->values.end() ? nullptr : &*found;
+      }
+      if (uneven)
+        return fault(joint,
+                     formatted("found scale {:.4g}, {:.4g}, {:.4g}, wanted one above 0 that is the same along "
+                               "all axes, above joint {}; apply the scale where the file was made",
+                               uneven->x(), uneven->y(), uneven->z(), in_quotes(skeleton_.shown_name(options_.joint))));
     }
     if (is_above) return {};
     return fault(options_.node, formatted("found it not above joint {}, wanted one above it, which can carry it",
@@ -128,45 +136,48 @@ class RootMotionChange {
     return times;
   }
 
-  /// Whether all those are samples, between which nothing is stated.
-  [[nodiscard]] bool are_samples() const {
-    for (std::size_t joint = options_.joint; joint != no_parent; joint = skeleton_[joint].parent) {
-      const auto* const rotation = channel_of(clip_.rotations, joint);
-      const auto* const translation = channel_of(clip_.translations, joint);
-      if ((rotation && rotation->interpolation != ChannelInterpolation::linear) ||
-          (translation && translation->interpolation != ChannelInterpolation::linear))
-        return false;
-    }
-    return true;
+  /// How far the joint goes, in the unit of another one's parent.
+  [[nodiscard]] double extent_for(std::size_t joint, const std::vector<double>& all) const {
+    constexpr double none = 1e-9;
+    Eigen::AlignedBox3d box;
+    for (const double t : all) box.extend(moving_.world_pose(options_.joint, t).translation());
+    const double unit = std::cbrt(std::abs(frame_above(joint, all.front()).linear().determinant()));
+    return std::max(box.diagonal().norm(), none) / unit;
   }
 
   template <class At>
-  [[nodiscard]] Poses keys_of(std::size_t, const At& at) const {
+  [[nodiscard]] Poses keys_of(std::size_t joint, const At& at) const {
     const std::vector<double> all = times();
     Poses poses;
     append(poses, all.front(), at(all.front()));
-    const bool halves = !are_samples();
-    const double extent = (moving_.world_pose(options_.joint, all.back()).translation() - start_).norm();
+    const double extent = extent_for(joint, all);
     for (std::size_t i = 0; i + 1 < all.size(); ++i)
-      follow(poses, at, all[i], all[i + 1], std::max(extent, 1e-9), halves ? most_halvings_of_steps : 0);
+      follow(poses, at, all[i], all[i + 1], extent, most_halvings_of_steps);
     return poses;
+  }
+
+  /// Whether the way from the last key to a pose is straight there, at some shares of the time between.
+  template <class At>
+  [[nodiscard]] static bool is_straight(const Poses& poses, const At& at, double end, const JointPose& to,
+                                        double extent) {
+    const double start = poses.times.back();
+    const Eigen::Quaterniond& from = poses.rotations.back();
+    return std::ranges::all_of(std::array{0.25, 0.5, 0.75}, [&](double share) {
+      const JointPose between = at(start + share * (end - start));
+      const Eigen::Vector3d straight = poses.translations.back() + share * (to.translation - poses.translations.back());
+      const Eigen::Quaterniond turned = slerp<double>(from, with_sign_near(to.rotation, from), share);
+      return angular_distance(between.rotation, turned) <= straight_within &&
+             (between.translation - straight).norm() <= straight_within * extent;
+    });
   }
 
   template <class At>
   void follow(Poses& poses, const At& at, double start, double end, double extent, int halvings) const {
     const JointPose to = at(end);
-    if (halvings > 0) {
-      const double middle = 0.5 * (start + end);
-      const JointPose half = at(middle);
-      const Eigen::Quaterniond& from = poses.rotations.back();
-      const double angle = angular_distance(half.rotation, slerp<double>(from, with_sign_near(to.rotation, from), 0.5));
-      const double way = (half.translation - 0.5 * (poses.translations.back() + to.translation)).norm();
-      if (angle > straight_within || way > straight_within * extent) {
-        follow(poses, at, start, middle, extent, halvings - 1);
-        return follow(poses, at, middle, end, extent, halvings - 1);
-      }
-    }
-    append(poses, end, to);
+    if (halvings == 0 || is_straight(poses, at, end, to, extent)) return append(poses, end, to);
+    const double middle = 0.5 * (start + end);
+    follow(poses, at, start, middle, extent, halvings - 1);
+    follow(poses, at, middle, end, extent, halvings - 1);
   }
 
   static void append(Poses& poses, double time, const JointPose& pose) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
 #include <orispline/clip/clip.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -15,9 +17,13 @@ struct ClipSeam {
   Step rate{};  ///< of the angular velocity, in the body frame, from that at the end to that at the start [rad/s]
 };
 
+/// How a joint may be turned at the end of a loop, beside how it is at the start, in the frame of its parent.
+struct JointTurn {
+  std::size_t joint = no_parent;
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+};
+
 /// By the interpolation of each channel, from the first key of the clip to its last one.
-/// `root` may be turned by `turn`, in the frame of its parent, where it is at the end.
-[[nodiscard]] ORISPLINE_EXPORT ClipSeam seam_of(const Clip& clip, std::size_t root = no_parent,
-                                                const Eigen::Quaterniond& turn = Eigen::Quaterniond::Identity());
+[[nodiscard]] ORISPLINE_EXPORT ClipSeam seam_of(const Clip& clip, std::span<const JointTurn> turns = {});
 
 }}  // namespace orispline

@@ -2,6 +2,9 @@
 #include <orispline/jobs/clip.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 #include <orispline/base/counted.hpp>
@@ -9,6 +12,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/clip/clip_motion.hpp>
+#include <orispline/clip/joint_named.hpp>
 #include <orispline/edit/root_motion.hpp>
 #include <orispline/math/degrees.hpp>
 
@@ -18,14 +23,12 @@ namespace {
 
 std::string_view length_unit(const ClipOutcome& outcome) { return outcome.request.file.format.has_no_unit ? "" : " m"; }
 
-/// The only joint of that name; `no_parent` where none is stated.
-Expected<std::size_t> joint_named(const MotionFile& file, const std::string& name, std::string_view option) {
+/// The joint that a name means; `no_parent` where none is stated.
+Expected<std::size_t> joint_of(const MotionFile& file, const std::string& name, std::string_view option) {
   if (name.empty()) return no_parent;
-  const auto same = std::ranges::count(file.skeleton.joints(), name, &Joint::name);
-  if (same == 1) return *file.skeleton.find(name);
-  if (same > 1)
-    return bad_option(option, formatted("found {} joints named {}, wanted a name of its own", same, in_quotes(name)));
-  return bad_option(option, formatted("found {}, wanted the name of a joint", in_quotes(name)));
+  return joint_named(file.skeleton, name).map_error([&](Error error) {
+    return bad_option(option, std::move(error.message)).value();
+  });
 }
 
 /// Only what the format of the file passes on knows of them.
@@ -44,6 +47,12 @@ std::string name_of_joint(const ClipOutcome& outcome, std::size_t joint) {
   return in_quotes(outcome.request.file.skeleton.shown_name(joint));
 }
 
+/// A time [s], whatever the clock of the file is.
+std::string seconds(double t) {
+  constexpr double long_ago = 1e4;
+  return std::abs(t) < long_ago ? formatted("{:.6g} s", t) : formatted("{:.3f} s", t);
+}
+
 std::string seam_text(const ClipOutcome& outcome, const ClipSeam& seam) {
   if (seam.pose.joint == no_parent && seam.rate.joint == no_parent) return "nothing jumps";
   std::string text;
@@ -58,25 +67,36 @@ std::string seam_text(const ClipOutcome& outcome, const ClipSeam& seam) {
 std::string change_text(const ClipOutcome& outcome, const ClipLoop& loop) {
   if (loop.closing == LoopClosing::none) return "it went round already, nothing is bent";
   if (loop.closing == LoopClosing::frame) return "it got its closing key, nothing is bent";
-  std::string text;
-  if (loop.rotation.joint != no_parent)
-    text = formatted("{:.4g}° of joint {} at {:.6g} s", loop.rotation.largest.value * degrees,
-                     name_of_joint(outcome, loop.rotation.joint), loop.rotation.largest.time);
-  if (loop.translation.joint != no_parent)
-    text +=
-        formatted("{}{:.4g}{} of joint {} at {:.6g} s", text.empty() ? "" : ", ", loop.translation.largest.value,
-                  length_unit(outcome), name_of_joint(outcome, loop.translation.joint), loop.translation.largest.time);
-  return text.empty() ? "none" : text;
+  std::vector<std::string> texts;
+  const auto add = [&](const LoopChange& change, double unit, std::string_view name) {
+    if (change.joint != no_parent)
+      texts.push_back(formatted("{:.4g}{} of joint {} at {}", change.largest.value * unit, name,
+                                name_of_joint(outcome, change.joint), seconds(change.largest.time)));
+  };
+  add(loop.rotation, degrees, "°");
+  add(loop.translation, 1.0, length_unit(outcome));
+  add(loop.scale, 1.0, " of the scale");
+  return texts.empty() ? "none" : joined(texts, ", ");
+}
+
+/// Of the way of a joint that went into a node or nowhere.
+std::string taken_text(const ClipOutcome& outcome, const Travel& taken) {
+  const ClipRequest& request = outcome.request;
+  return formatted("the way of joint {}, which comes {:.4g}{} far and turns {:.4g}°",
+                   in_quotes(request.in_place.empty() ? request.extract_root : request.in_place), taken.way,
+                   length_unit(outcome), taken.turn * degrees);
 }
 
 std::string lines_of(const ClipOutcome& outcome, std::size_t i) {
   const ClipEdit& edit = outcome.clips[i];
   const Domain after = edit.clip.domain();
-  std::string text = formatted("{}: {:.6g} s to {:.6g} s, from {:.6g} s to {:.6g} s of the input\n",
-                               in_quotes(edit.clip.name), after.start, after.end, edit.part.start, edit.part.end);
+  std::string text =
+      formatted("{}: {} to {}, from {} to {} of the input\n", in_quotes(edit.clip.name), seconds(after.start),
+                seconds(after.end), seconds(edit.part.start), seconds(edit.part.end));
   if (edit.blend)
-    text += formatted("  blend           {:.6g} s to {:.6g} s; the appended clip is turned by {:.4g}°\n",
-                      edit.blend->start, edit.blend->end, edit.appended_turn * degrees);
+    text += formatted("  blend           {} to {}; the appended clip is turned by {:.4g}°\n",
+                      seconds(edit.blend->start), seconds(edit.blend->end), edit.appended_turn * degrees);
+  if (edit.taken) text += formatted("  taken out       {}\n", taken_text(outcome, *edit.taken));
   if (!edit.loop) return text;
   text += formatted("  largest change  {}\n", change_text(outcome, *edit.loop));
   if (edit.loop->travel > 0.0 || edit.loop->turn != 0.0)
@@ -102,10 +122,12 @@ Json json_of(const ClipOutcome& outcome, const ClipEdit& edit) {
   if (edit.blend)
     json["blend"] =
         Json{{"start_s", edit.blend->start}, {"end_s", edit.blend->end}, {"turn_deg", edit.appended_turn * degrees}};
+  if (edit.taken) json["taken"] = Json{{"travel", edit.taken->way}, {"turn_deg", edit.taken->turn * degrees}};
   if (!edit.loop) return json;
   json["loop"] = Json{{"closing", word_of(edit.loop->closing)},
                       {"rotation_change_deg", largest_json(outcome, edit.loop->rotation, degrees)},
                       {"translation_change", largest_json(outcome, edit.loop->translation, 1.0)},
+                      {"scale_change", largest_json(outcome, edit.loop->scale, 1.0)},
                       {"travel", edit.loop->travel},
                       {"turn_deg", edit.loop->turn * degrees}};
   return json;
@@ -157,7 +179,7 @@ Expected<const Clip*> appended_clip(const ClipRequest& request) {
 Expected<EditedJoints> joints_in(const ClipRequest& request) {
   FirstError checked;
   const auto joint = [&](const std::string& name, std::string_view option) {
-    return checked(joint_named(request.file, name, option));
+    return checked(joint_of(request.file, name, option));
   };
   return std::move(checked).or_else(EditedJoints{.root = joint(request.root, "root"),
                                                  .extracted = joint(request.extract_root, "extract_root"),
@@ -169,7 +191,7 @@ Expected<EditedJoints> joints_in(const ClipRequest& request) {
 Expected<std::string> made_root(ClipRequest& request) {
   if (!request.root_node.empty()) return std::string();
   const auto with_root = [&](MotionFile& file) {
-    return joint_named(file, request.extract_root, "extract_root")
+    return joint_of(file, request.extract_root, "extract_root")
         .and_then([&](std::size_t joint) -> Expected<std::string> {
           if (joint == no_parent || file.skeleton[joint].parent != no_parent) return std::string();
           return with_root_above(std::move(file), joint).map([&](MotionFile made) {
@@ -194,6 +216,29 @@ Warning warning_of_left(const MotionFile& file, const std::vector<Clip>& left, c
                            left.size(), file.clips.size(), names_of(left), option, first.message),
       .where = {.file = file.name},
       .numbers = {{"clips", static_cast<double>(left.size())}}};
+}
+
+/// Where a joint that the loop brings back goes most of its way in one direction, as that of a walk does.
+std::optional<Warning> warning_of_way(const ClipOutcome& outcome, const Clip& before, const ClipEdit& edit) {
+  constexpr double most = 0.5;  // of the extent of its places
+  const std::size_t joint = edit.loop ? edit.loop->translation.joint : no_parent;
+  if (joint == no_parent || !outcome.request.root.empty()) return std::nullopt;
+  const MotionFile& file = outcome.request.file;
+  const ClipMotion moving(file.skeleton, before);
+  Eigen::AlignedBox3d box;
+  for (const double t : key_times(before))
+    if (edit.part.contains(t)) box.extend(moving.world_pose(joint, t).translation());
+  const double way =
+      (moving.world_pose(joint, edit.part.end).translation() - moving.world_pose(joint, edit.part.start).translation())
+          .norm();
+  if (box.isEmpty() || way < most * box.diagonal().norm()) return std::nullopt;
+  return Warning{
+      .code = "way_bent",
+      .message = formatted("clip {}: joint {} comes {:.4g}{} far, which the loop takes back; `root` names the "
+                           "joint whose way a loop keeps",
+                           in_quotes(before.name), name_of_joint(outcome, joint), way, length_unit(outcome)),
+      .where = {.file = file.name},
+      .numbers = {{"way", way}}};
 }
 
 Expected<ClipOutcome> edited_clips(ClipRequest request) {
@@ -228,9 +273,10 @@ Expected<ClipOutcome> edited_clips(ClipRequest request) {
     }
     const ClipEdit& done = outcome.clips.emplace_back(*std::move(edits[i]));
     const bool keeps_way = done.loop && joints.in_place == no_parent && joints.extracted == no_parent;
-    outcome.seams.push_back(keeps_way ? seam_of(done.clip, joints.root, done.loop->root_turn) : seam_of(done.clip));
+    if (auto bent = warning_of_way(outcome, before, done)) outcome.warnings.push_back(*std::move(bent));
+    outcome.seams.push_back(keeps_way ? seam_of(done.clip, done.loop->turns) : seam_of(done.clip));
   }
-  outcome.warnings = warnings_of_values_beside(outcome.request.file);
+  std::ranges::move(warnings_of_values_beside(outcome.request.file), std::back_inserter(outcome.warnings));
   if (why) outcome.warnings.push_back(warning_of_left(outcome.request.file, left, *why));
   return outcome;
 }

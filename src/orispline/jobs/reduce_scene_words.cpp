@@ -29,10 +29,9 @@ std::string open_text(const ReduceSceneOutcome& outcome, const ClipReduction& re
                       const ClipReduction::OpenTrack& track) {
   return formatted("{} of {} ({})", track.is_rotation ? "rotation" : "translation",
                    orispline::place_of(outcome.request.skeleton, reduction.clip, track.joint),
-                   track.is_cut_at_ends
-                       ? "a cut at an end"
-                       : formatted("{:.4g}{}", track.apart * (track.is_rotation ? degrees : 1.0),
-                                   track.is_rotation ? "°" : length_unit(outcome)));
+                   track.is_cut_at_ends ? "a cut at an end"
+                                        : formatted("{:.4g}{}", track.apart * (track.is_rotation ? degrees : 1.0),
+                                                    track.is_rotation ? "°" : length_unit(outcome)));
 }
 
 /// With the tracks that stay open, of many the first few.

@@ -9,6 +9,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/clip/clip_motion.hpp>
+#include <orispline/clip/joint_named.hpp>
 #include <orispline/io/line_reader.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
@@ -175,11 +176,9 @@ Expected<std::size_t> joint_in(const Scene& scene, const Clip& clip, const std::
         "joint",
         formatted("clip {}: found {} joints, wanted one of {}", in_quotes(clip.name), names.size(), some_of(names)),
         {.file = scene.name});
-  if (const auto same = std::ranges::count(scene.skeleton.joints(), *name, &Joint::name); same > 1)
-    return failure(ErrorCode::bad_data,
-                   formatted("found {} joints named {}, wanted a name of its own for each", same, in_quotes(*name)),
-                   {.file = scene.name});
-  if (const auto joint = scene.skeleton.find(*name)) return *joint;
+  const auto joint = joint_named(scene.skeleton, *name);
+  if (joint) return *joint;
+  if (scene.skeleton.find(*name)) return failure(ErrorCode::bad_data, joint.error().message, {.file = scene.name});
   return failure(ErrorCode::bad_data,
                  formatted("found no joint {}, wanted one of {}", in_quotes(*name), some_of(names)),
                  {.file = scene.name});

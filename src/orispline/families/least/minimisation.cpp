@@ -24,7 +24,7 @@ constexpr double step_floor = 1e-14;       // [rad]; a next step as short, at th
 constexpr double first_damping = 1e-4, least_damping = 1e-7, most_damping = 1e10;
 constexpr double longest_step = 4.0;        // [rad]
 constexpr double longest_flat_step = 1e-3;  // [rad]; such a step that gains no more than rounding is the last one
-constexpr double flat_gain = 1e-9;  // of the energy, whose rounding is as large where many turns take short times
+constexpr double flat_gain = 1e-9;   // of the energy, whose rounding is as large where many turns take short times
 constexpr int most_flat_steps = 10;  // that gain no more than that, one after the other, and have not converged
 constexpr double poor_gain = 0.25, good_gain = 0.75;  // of what a step should gain: more or less damping
 

@@ -383,7 +383,8 @@ class Writer {
   [[nodiscard]] std::size_t sampler_of(const WrittenWeights& weights, SamplerList& samplers) {
     const std::size_t input = result_.store.times(weights.times);
     const bool is_spline = weights.interpolation == ChannelInterpolation::cubicspline;
-    return samplers.made(input, result_.store.outputs(weights.outputs, {"SCALAR", 1}, is_spline), weights.interpolation);
+    return samplers.made(input, result_.store.outputs(weights.outputs, {"SCALAR", 1}, is_spline),
+                         weights.interpolation);
   }
 
   /// Channels that were there stay at their place in the list, with what else they say.

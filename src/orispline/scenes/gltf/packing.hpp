@@ -32,7 +32,9 @@ class KeyStore {
       : free_slots_(std::move(free_slots)), next_slot_(next_slot) {}
 
   /// The number of the accessor of rising times.
-  [[nodiscard]] std::size_t times(const std::vector<float>& numbers) { return add({"SCALAR", 1}, numbers, Kind::times); }
+  [[nodiscard]] std::size_t times(const std::vector<float>& numbers) {
+    return add({"SCALAR", 1}, numbers, Kind::times);
+  }
   [[nodiscard]] std::size_t outputs(const std::vector<float>& numbers, const ValueType& type, bool is_spline) {
     return add(type, numbers, is_spline ? Kind::spline : Kind::values);
   }
