@@ -68,7 +68,7 @@ std::string between_line(const ReduceSceneOutcome& outcome, const ClipTotals& to
   std::string text = formatted("between keys    {}; {}, where the motion is {}", counted(totals.cuts, "cut"),
                                holds ? "holds between keys" : "single precision breaks a tolerance",
                                is_smooth ? "the curve auto through them" : "what the input says");
-  if (totals.from_smooth)
+  if (totals.from_smooth && totals.from_stored)
     text +=
         is_smooth
             ? formatted("; {:.6g}° from what the input says", totals.from_stored->from_stored.largest.value * degrees)
@@ -177,7 +177,7 @@ Json document_of(const ReduceSceneOutcome& outcome) {
     json["translation_m"] = worst_json(outcome, *totals.translation, totals.translation->translation, metres);
   if (totals.distance)
     json["shell_distance_m"] = worst_json(outcome, *totals.distance, totals.distance->distance, metres);
-  if (totals.from_smooth) {
+  if (totals.from_smooth && totals.from_stored) {
     json["from_smooth_deg"] = worst_json(outcome, *totals.from_smooth, totals.from_smooth->from_smooth, degrees);
     json["from_stored_deg"] = worst_json(outcome, *totals.from_stored, totals.from_stored->from_stored, degrees);
   }
