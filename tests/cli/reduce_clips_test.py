@@ -246,5 +246,19 @@ class Avatars(SceneTest):
         self.assertEqual(self.run_command("convert arm.bvh -o arm.glb").returncode, SUCCESS)
 
 
+class Steps(SceneTest):
+    def test_a_file_of_steps_alone_is_told_of(self):
+        self.output_of("convert arm.bvh -o arm.glb")
+        document, data = parts_of_glb(self.folder / "arm.glb")
+        for animation in document["animations"]:
+            for sampler in animation["samplers"]:
+                sampler["interpolation"] = "STEP"
+        document["buffers"][0]["uri"] = "data:;base64," + base64.b64encode(data).decode()
+        self.write("steps.gltf", json.dumps(document))
+        report = self.json_of("reduce steps.gltf --tolerance 1deg -o small.glb")
+        self.assertEqual(report["rotation_keys"], report["rotation_keys_before"])
+        self.assertNotIn("from_stored_deg", report)
+
+
 if __name__ == "__main__":
     main()

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -141,7 +142,7 @@ class RootMotionChange {
     constexpr double none = 1e-9;
     Eigen::AlignedBox3d box;
     for (const double t : all) box.extend(moving_.world_pose(options_.joint, t).translation());
-    const double unit = std::cbrt(std::abs(frame_above(joint, all.front()).linear().determinant()));
+    const double unit = frame_above(joint, all.front()).linear().norm() / std::numbers::sqrt3;  // of an even scale
     return std::max(box.diagonal().norm(), none) / unit;
   }
 

@@ -9,7 +9,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -27,6 +26,7 @@
 #include <orispline/scenes/gltf/integers.hpp>
 #include <orispline/scenes/gltf/packing.hpp>
 #include <orispline/scenes/gltf/weights.hpp>
+#include <orispline/scenes/gltf/written_lists.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
@@ -474,51 +474,6 @@ Expected<WrittenAnimations> written_animations(const Scene& scene, const Source&
   return Writer(scene, source, std::move(store)).all(plan);
 }
 
-void set_list(Json& json, const char* key, Json list) {
-  if (list.empty()) json.erase(key);
-  else json[key] = std::move(list);
-}
-
-/// What the first buffer said beside where it was, for the only one there is now that has data; behind it that which
-/// compressed views stand for.
-Json buffers_of(const Document& document, const Packed& lists) {
-  if (lists.bytes.empty()) return Json::array();
-  const Json& buffers = *document.root().list("buffers").value();
-  Json buffer = buffers.empty() ? Json::object() : buffers[0];
-  buffer.erase("uri");
-  buffer["byteLength"] = lists.bytes.size();
-  if (const auto extensions = buffer.find("extensions"); extensions != buffer.end() && extensions->is_object()) {
-    for (const std::string_view name : meshopt_extensions) extensions->erase(std::string(name));
-    if (extensions->empty()) buffer.erase("extensions");
-  }
-  Json all = Json::array({std::move(buffer)});
-  if (lists.decoded_bytes == 0) return all;
-  Json decoded{{"byteLength", lists.decoded_bytes}};
-  for (const std::string& name : lists.extensions) decoded["extensions"][name] = {{"fallback", true}};
-  all.push_back(std::move(decoded));
-  return all;
-}
-
-/// The names of those extensions by which views are compressed, and no others of their kind; needed where there are no
-/// other data.
-void name_compression(Json& json, const Packed& lists) {
-  const auto set = [&](const char* key, bool adds) {
-    Json names = Json::array();
-    std::set<std::string> left = adds ? lists.extensions : std::set<std::string>();
-    if (const auto before = json.find(key); before != json.end() && before->is_array())
-      for (const Json& name : *before) {
-        const auto* const text = name.get_ptr<const Json::string_t*>();
-        if (text != nullptr && is_meshopt(*text) && !lists.extensions.contains(*text)) continue;
-        if (text != nullptr) left.erase(*text);
-        names.push_back(name);
-      }
-    for (const std::string& name : left) names.push_back(name);
-    set_list(json, key, std::move(names));
-  };
-  set("extensionsUsed", true);
-  set("extensionsRequired", lists.decoded_bytes > 0);
-}
-
 /// A node that is animated must not have a matrix, for then nothing says what of it moves.
 void take_matrices_apart(Json& json, const Nodes& nodes) {
   const auto animations = json.find("animations");
@@ -589,11 +544,8 @@ Expected<SceneWritten> written_from(const Source& source, const Scene& scene, co
   if (!lists) return tl::unexpected(std::move(lists.error()));
   Json json = document.json;
   set_list(json, "animations", std::move(animations->list));
-  set_list(json, "accessors", std::move(lists->accessors));
-  set_list(json, "bufferViews", std::move(lists->views));
   take_matrices_apart(json, source.nodes());
-  set_list(json, "buffers", buffers_of(document, *lists));
-  name_compression(json, *lists);
+  set_lists(json, document, *lists);
   std::ranges::move(warnings_of_images(json, scene.name, path), std::back_inserter(animations->warnings));
   return file_of(std::move(json), lists->bytes, path).map([&](std::string bytes) {
     return SceneWritten{std::move(bytes), animations->keys, std::move(animations->warnings)};
