@@ -188,6 +188,9 @@ enum class Property { rotation, translation, scale };
 /// Of that word; absent for what is not ours, such as weights.
 [[nodiscard]] std::optional<Property> property_of(std::string_view word) noexcept;
 
+/// A node that is animated must not have a matrix, for then nothing says what of it moves.
+void take_matrices_apart(Json& json, const Nodes& nodes);
+
 /// A channel of an animation. One that moves something else, such as weights, has no target here and is passed on.
 struct ChannelTarget {
   std::size_t node = 0;

@@ -474,20 +474,6 @@ Expected<WrittenAnimations> written_animations(const Scene& scene, const Source&
   return Writer(scene, source, std::move(store)).all(plan);
 }
 
-/// A node that is animated must not have a matrix, for then nothing says what of it moves.
-void take_matrices_apart(Json& json, const Nodes& nodes) {
-  const auto animations = json.find("animations");
-  if (animations == json.end()) return;
-  for (const Json& animation : *animations)
-    for (const Json& channel : animation.value("channels", Json::array())) {
-      const Json& target = channel["target"];
-      if (!target.contains("node") || !property_of(target["path"].get<std::string>())) continue;
-      const std::size_t index = target["node"];
-      Json& node = json["nodes"][index];
-      if (node.erase("matrix") > 0) node = with_pose(std::move(node), nodes.skeleton[nodes.joint_of_node[index]].rest);
-    }
-}
-
 constexpr std::string_view binary_extension = ".glb", text_extension = ".gltf";
 /// Of files that hold an avatar and a motion for one, by the extensions that say so.
 constexpr std::string_view avatar_extension = ".vrm", avatar_motion_extension = ".vrma";

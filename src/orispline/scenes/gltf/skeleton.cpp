@@ -277,6 +277,19 @@ Json document_of_nodes(const Skeleton& skeleton) {
 
 }  // namespace
 
+void take_matrices_apart(Json& json, const Nodes& nodes) {
+  const auto animations = json.find("animations");
+  if (animations == json.end()) return;
+  for (const Json& animation : *animations)
+    for (const Json& channel : animation.value("channels", Json::array())) {
+      const Json& target = channel["target"];
+      if (!target.contains("node") || !property_of(target["path"].get<std::string>())) continue;
+      const std::size_t index = target["node"];
+      Json& node = json["nodes"][index];
+      if (node.erase("matrix") > 0) node = with_pose(std::move(node), nodes.skeleton[nodes.joint_of_node[index]].rest);
+    }
+}
+
 Json with_pose(Json node, const JointPose& pose) {
   const auto list = [](const auto& numbers) { return Json(std::vector<double>(numbers.begin(), numbers.end())); };
   if (!pose.translation.isZero(0.0)) node["translation"] = list(pose.translation);

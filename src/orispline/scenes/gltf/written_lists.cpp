@@ -59,7 +59,7 @@ void name_compression(Json& json, const Packed& lists) {
 
 }  // namespace
 
-void set_lists(Json& json, const Document& document, Packed lists) {
+void set_lists(Json& json, const Document& document, Packed& lists) {
   set_list(json, "buffers", buffers_of(document, lists));
   name_compression(json, lists);
   set_list(json, "accessors", std::move(lists.accessors));

@@ -10,7 +10,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 void set_list(Json& json, const char* key, Json list);
 
 /// Sets the accessors, the bufferViews and the buffers of a document, and names the extensions by which they are
-/// compressed.
-void set_lists(Json& json, const Document& document, Packed lists);
+/// compressed. Takes the accessors and the bufferViews out of the lists.
+void set_lists(Json& json, const Document& document, Packed& lists);
 
 }}}  // namespace orispline::scenes::gltf
