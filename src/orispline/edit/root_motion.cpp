@@ -141,7 +141,7 @@ class RootMotionChange {
     constexpr double none = 1e-9;
     Eigen::AlignedBox3d box;
     for (const double t : all) box.extend(moving_.world_pose(options_.joint, t).translation());
-    const double unit = std::cbrt(std::abs(frame_above(joint, all.front()).linear().determinant()));
+    const double unit = frame_above(joint, all.front()).linear().col(0).norm();
     return std::max(box.diagonal().norm(), none) / unit;
   }
 
