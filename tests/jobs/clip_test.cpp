@@ -64,8 +64,10 @@ Clip pose() {
 
 TEST(ClipJob, LeavesClipsThatAnEditDoesNotFitAndSaysWhich) {
   for (const ClipEdits& edits : {ClipEdits{.loop = true}, ClipEdits{.to = 0.5}}) {
-    const auto outcome =
-        clip({.file = file_with({named("pose", pose()), named("a", walk(1.0, 0.2, 0.0))}), .edits = edits}).value();
+    const auto outcome = clip({.file = file_with({named("pose", pose()), named("a", walk(1.0, 0.2, 0.0))}),
+                               .edits = edits,
+                               .root = edits.loop ? "hips" : ""})
+                             .value();
     ASSERT_EQ(outcome.clips.size(), 2u);
     EXPECT_EQ(outcome.clips[0].clip.rotations[0].size(), 1u);
     EXPECT_EQ(outcome.clips[1].loop.has_value(), edits.loop);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -142,7 +141,7 @@ class RootMotionChange {
     constexpr double none = 1e-9;
     Eigen::AlignedBox3d box;
     for (const double t : all) box.extend(moving_.world_pose(options_.joint, t).translation());
-    const double unit = frame_above(joint, all.front()).linear().norm() / std::numbers::sqrt3;  // of an even scale
+    const double unit = frame_above(joint, all.front()).linear().col(0).norm();
     return std::max(box.diagonal().norm(), none) / unit;
   }
 
@@ -212,31 +211,6 @@ class RootMotionChange {
 
 Expected<Clip> with_root_motion(const Skeleton& skeleton, const Clip& clip, const RootMotion& motion) {
   return RootMotionChange(skeleton, clip, motion).made();
-}
-
-Expected<MotionFile> with_root_above(MotionFile file, std::size_t joint) {
-  std::string name = "root";
-  while (file.skeleton.find(name)) name += '_';
-  std::vector<Joint> joints{{.name = std::move(name)}};
-  for (std::size_t j = 0; j < file.skeleton.size(); ++j) {
-    Joint& below = joints.emplace_back(file.skeleton[j]);
-    if (below.parent != no_parent) ++below.parent;
-    else if (j == joint) below.parent = 0;
-  }
-  for (Clip& clip : file.clips) {
-    const auto move = [](auto& channels) {
-      for (auto& channel : channels) ++channel.joint;
-    };
-    move(clip.rotations);
-    move(clip.translations);
-    move(clip.scales);
-    move(clip.weights);
-    for (WeightChannels& weights : clip.weights) move(weights.triples);
-  }
-  return Skeleton::make(std::move(joints)).map([&](Skeleton skeleton) {
-    file.skeleton = std::move(skeleton);
-    return std::move(file);
-  });
 }
 
 std::size_t topmost_above(const Skeleton& skeleton, std::size_t joint) noexcept {

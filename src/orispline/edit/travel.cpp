@@ -36,8 +36,7 @@ Eigen::Affine3d placed(const ClipMotion& moving, std::size_t joint, double t) {
 }
 
 double heading_between(const Eigen::Vector3d& up, const Eigen::Affine3d& before, const Eigen::Affine3d& after) {
-  const Eigen::Matrix3d step = after.linear() * before.linear().inverse();
-  const Eigen::Matrix3d unit = step * (std::numbers::sqrt3 / step.norm());  // without an even scale
+  const Eigen::Matrix3d step = after.linear() * before.linear().inverse(), unit = step / step.col(0).norm();
   return unit.allFinite() ? heading_of(up, quaternion_from_matrix(unit).normalized()) : 0.0;
 }
 
