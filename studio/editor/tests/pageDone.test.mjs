@@ -22,7 +22,8 @@ test('a key is dragged, its tension pulled, undone, saved: only its line is anot
   await studio.button('Undo').click();
   const { name, text: saved } = await save(studio);
   assert.equal(name, 'flight_keys.csv');
-  const [before, after] = [text, saved].map((one) => one.split('\n'));
+  const [before, [stated, ...after]] = [text, saved].map((one) => one.split('\n'));
+  assert.equal(stated, '# orispline: method=timed-c2'); // the file is opened with it again
   const changed = before.flatMap((line, i) => (line === after[i] ? [] : [i]));
   assert.equal(before.length, after.length);
   assert.equal(changed.length, 1);
@@ -66,7 +67,8 @@ test('where there is a column of tensions, a key that is dragged and pulled chan
   await studio.dragBy(studio.dot(3), 25, 0);
   await studio.dragBy(studio.bar(3), 0, -10);
   const [, , { t, own }] = await studio.keys();
-  const after = (await save(studio)).text.split('\n');
+  const [stated, ...after] = (await save(studio)).text.split('\n');
+  assert.equal(stated, '# orispline: method=quintic');
   const changed = text.split('\n').flatMap((line, i) => (line === after[i] ? [] : [after[i]]));
   assert.equal(changed.length, 1);
   assert.deepEqual([Number(changed[0].split(',')[0]), Number(changed[0].split(',').at(-1))], [t, own.tension]);

@@ -58,14 +58,21 @@ export class Opening {
     this.methods = methods;
   }
 
-  open({ method, beside, ...source }: Given<'open'>): Opened | TooMany {
-    return used(trackOf(this.library, source), (track) => {
-      const { info } = track, original = originalOf(source, info);
+  open(given: Given<'open'>): Opened | TooMany {
+    return used(trackOf(this.library, given), (track) => {
+      const { info } = track, original = originalOf(given, info);
       if (info.count > mostKeys) return { original, count: info.count, hasPositions: info.columns.some(({ name }) => name === 'positions') };
-      const keys = this.keysIn(track, true), warnings = this.warningsOf(info, keys), first = method ? this.choice(method) : this.choiceIn(info, warnings);
-      const second = beside ? this.choice(beside) : besideOf(first);
-      return { original, document: documentOf(keys, first, second, this.methods), warnings };
+      const warnings: Warning[] = [], document = this.documentIn(track, given, warnings);
+      return { original, document, warnings };
     });
+  }
+
+  /** What the page has to say of it goes with the warnings. */
+  private documentIn(track: KeyTrack, { method, beside }: Pick<Given<'open'>, 'method' | 'beside'>, warnings: Warning[]): StudioDocument {
+    const { info } = track, keys = this.keysIn(track, true);
+    warnings.push(...this.warningsOf(info, keys));
+    const first = method ? this.choice(method) : this.choiceIn(info, warnings), second = beside ? this.choice(beside) : besideOf(first);
+    return documentOf(keys, first, second, this.methods);
   }
 
   /** Keys that were made of a recording are those of a new file. */
@@ -75,9 +82,7 @@ export class Opening {
   }
 
   reopens({ text, name, reading, choice, own }: Given<'reopens'>): boolean {
-    const opened = this.open({ bytes: new TextEncoder().encode(text), name, reading });
-    if (!('document' in opened)) return false;
-    const { first, keys } = opened.document;
+    const { first, keys } = used(trackOf(this.library, { bytes: new TextEncoder().encode(text), name, reading }), (track) => this.documentIn(track, {}, []));
     return sameChoice(first, this.settled(choice)) && keys.length === own.length && keys.every((key, k) => sameMembers(key.own, own[k]));
   }
 

@@ -24,7 +24,7 @@ interface Layout {
   readonly reading: Reading;
   readonly rows: readonly number[]; // lines of keys
   readonly cells: readonly (readonly Cell[])[]; // of these
-  readonly epoch: Decimal;
+  readonly first: Decimal; // time of the first key that there was [s]
   readonly times: TimeForm;
   readonly kept: readonly (readonly [name: string, index: number])[]; // columns of keys' own values
   readonly added: readonly string[]; // names of further ones
@@ -50,15 +50,15 @@ function layoutOf({ text, epoch: from, reading = plainReading }: Original, befor
   const columns = there(columnsOf(read, reading));
   const rows = columns.headerRow === null ? table.rows : table.rows.slice(1);
   const cells = rows.map((row) => there(cellsOf(read.lines[row].text, read.delimiter)));
-  const epoch = there(decimalOf(from));
+  const epoch = there(decimalOf(from)), timesOf = (row: readonly Cell[]): string => row[columns.time].content;
   demand(rows.length === before.length && rows.length > 0 && cells.every((row) => row.length >= columns.width));
-  const times = there(timeFormOf(cells.map((row) => row[columns.time].content), before, epoch, reading));
+  const times = there(timeFormOf(cells.map(timesOf), before, epoch, reading)), first = there(times.read(timesOf(cells[0])));
   const [old, own] = [namesOf(before), namesOf(keys)];
   const placeOf = (name: string): number => (columns.header ? columnNamed(columns.header, name) : -1);
   const added = own.filter((name) => !old.includes(name)), removed = old.filter((name) => !own.includes(name)).map(placeOf);
   demand(old.every((name) => placeOf(name) >= 0) && (columns.headerRow !== null || added.length + removed.length === 0));
   const kept = own.filter((name) => old.includes(name)).map((name) => [name, placeOf(name)] as const);
-  return { table: { ...table, delimiter: read.delimiter }, columns, reading, rows, cells, epoch, times, kept, added, removed };
+  return { table: { ...table, delimiter: read.delimiter }, columns, reading, rows, cells, first, times, kept, added, removed };
 }
 
 const isSame = (some: Quaternion, other: Quaternion): boolean => some.every((number, i) => number === other[i]);
@@ -87,10 +87,10 @@ async function statedOf({ columns: { form, orientation }, cells }: Layout, befor
 }
 
 /** Texts by their columns, of what is not as it was before; of a new key of all that is known. */
-function textsOf({ columns, epoch, times, kept, reading }: Layout, stated: Stated, key: Key, before: Key | null, like: string, otherSign = false): Map<number, string> {
+function textsOf({ columns, first, times, kept, reading }: Layout, stated: Stated, key: Key, before: Key | null, like: string, otherSign = false): Map<number, string> {
   const texts = new Map<number, string>();
   const put = (index: number, text: string) => texts.set(index, reading.comma ? text.replace('.', ',') : text);
-  if (!Object.is(key.t, before?.t)) put(columns.time, there(textOfTime(key.t, epoch, times, like)));
+  if (!Object.is(key.t, before?.t)) put(columns.time, there(textOfTime(key.t, first, times, like)));
   if (!before || otherSign || !sameOrientation(key.q, before.q)) columns.orientation.forEach((index, i) => put(index, there(stated.get(key.id))[i]));
   key.p?.forEach((value, i) => {
     if (!Object.is(value, before?.p?.[i])) put(there(columns.p)[i].index, there(textInUnit(value, columns.p![i])));

@@ -14,14 +14,14 @@ export interface Saved {
 }
 
 const most = 8 * Number.EPSILON; // of a component, between a key and what is read of numbers of another form
-const mostOfTime = 2 * Number.EPSILON; // share of the whole, of times such as a third of a second
+const mostOfTime = (span: number): number => 2 * Number.EPSILON * span + 1e-18; // [s] of times such as a third of a second, which are read with 18 decimals
 
 /** Whether a file holds these keys: bit by bit, but for what it states in other forms, which is as near as rounding allows. Its times count from its first key on. */
 export function holdsKeys(read: readonly Key[], keys: readonly Key[], exact: Exact): boolean {
   const counted = countedFromFirst(keys), span = counted.at(-1)?.t ?? 0;
   const sign = !exact.orientations && read[0] && counted[0] && alignment(read[0].q, counted[0].q) < 0 ? -1 : 1; // one for all
   const isNear = ({ t, q }: Key, wanted: Key): boolean =>
-    (exact.times || Math.abs(t - wanted.t) <= mostOfTime * span) && (exact.orientations || q.every((number, i) => Math.abs(sign * number - wanted.q[i]) <= most));
+    (exact.times || Math.abs(t - wanted.t) <= mostOfTime(span)) && (exact.orientations || q.every((number, i) => Math.abs(sign * number - wanted.q[i]) <= most));
   const like = (key: Key, wanted: Key): Key => ({ ...key, ...(exact.times ? {} : { t: wanted.t }), ...(exact.orientations ? {} : { q: wanted.q }) });
   return read.length === keys.length && read.every((key, i) => isNear(key, counted[i]) && sameContent(like(key, counted[i]), counted[i]));
 }

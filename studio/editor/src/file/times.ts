@@ -15,7 +15,8 @@ export interface TimeForm {
 
 const mostDigits = 37; // that times are read with
 const longestTime = 60; // [characters]
-const decimals = 18; // of times that no decimal expresses
+const decimals = 18; // of the epoch and of cells that no decimal expresses
+const exactly = 40; // decimals of times that no decimal expresses, so that differences are those that the library reads
 
 function numeral(time: Decimal): string | null {
   const text = decimalText(time);
@@ -38,7 +39,7 @@ const ofFraction = (numerator: Decimal, denominator: Decimal): TimeForm => ({
   isExact: false,
   read: (cell) => {
     const number = decimalOf(cell);
-    return number && quotient(times(number, numerator), denominator, decimals);
+    return number && quotient(times(number, numerator), denominator, exactly);
   },
   write: (time) => numeral(quotient(times(time, denominator), numerator, decimals)),
 });
@@ -70,13 +71,16 @@ function statedForm({ options }: Reading): TimeForm | null {
 /** With it the cells say when the keys are that were read out of them; null where there is none. */
 export function timeFormOf(cells: readonly string[], keys: readonly Key[], epoch: Decimal, reading: Reading): TimeForm | null {
   const stated = statedForm(reading);
-  const fits = ({ read }: TimeForm): boolean =>
-    cells.every((cell, i) => {
+  const fits = ({ read }: TimeForm): boolean => {
+    const first = read(cells[0]);
+    if (!first || !equal(quotient(first, one, decimals), quotient(epoch, one, decimals))) return false;
+    return cells.every((cell, i) => {
       const time = read(cell);
-      return time !== null && numberOf(difference(time, epoch)) === keys[i].t && (i > 0 || equal(time, epoch));
+      return time !== null && numberOf(difference(time, first)) === keys[i].t;
     });
+  };
   return (stated ? [dates, stated] : forms).find(fits) ?? null;
 }
 
-/** Of a key, whose time counts from the epoch on. */
-export const textOfTime = (t: number, epoch: Decimal, form: TimeForm, like: string): string | null => form.write(sum(epoch, shortest(t)), like);
+/** Of a key, whose time counts from the first one that there was. */
+export const textOfTime = (t: number, first: Decimal, form: TimeForm, like: string): string | null => form.write(sum(first, shortest(t)), like);
