@@ -213,6 +213,31 @@ Expected<Clip> with_root_motion(const Skeleton& skeleton, const Clip& clip, cons
   return RootMotionChange(skeleton, clip, motion).made();
 }
 
+Expected<MotionFile> with_root_above(MotionFile file, std::size_t joint) {
+  std::string name = "root";
+  while (file.skeleton.find(name)) name += '_';
+  std::vector<Joint> joints{{.name = std::move(name)}};
+  for (std::size_t j = 0; j < file.skeleton.size(); ++j) {
+    Joint& below = joints.emplace_back(file.skeleton[j]);
+    if (below.parent != no_parent) ++below.parent;
+    else if (j == joint) below.parent = 0;
+  }
+  for (Clip& clip : file.clips) {
+    const auto move = [](auto& channels) {
+      for (auto& channel : channels) ++channel.joint;
+    };
+    move(clip.rotations);
+    move(clip.translations);
+    move(clip.scales);
+    move(clip.weights);
+    for (WeightChannels& weights : clip.weights) move(weights.triples);
+  }
+  return Skeleton::make(std::move(joints)).map([&](Skeleton skeleton) {
+    file.skeleton = std::move(skeleton);
+    return std::move(file);
+  });
+}
+
 std::size_t topmost_above(const Skeleton& skeleton, std::size_t joint) noexcept {
   std::size_t top = no_parent;
   for (std::size_t above = skeleton[joint].parent; above != no_parent; above = skeleton[above].parent) top = above;
