@@ -46,23 +46,31 @@ const withMethod = (text, method) => (method === 'auto' ? text : `# orispline: m
 /** To run before a page: scenes that a computer draws without graphics take longer than all else, so that two files have them. */
 const withoutScenes = `(${withDisk})(); (${withoutGraphics})();`;
 
+/** A file of the disk that is open, and how it is saved. */
+async function openedOnDisk(name, text, method, first) {
+  const studio = await studioWith({}, { first, viewport: { width: 800, height: 600 } });
+  await studio.page.evaluate(([name, text, method]) => {
+    Object.assign(window, { disk: { [name]: text }, picked: name });
+    return showOpenFilePicker().then(([handle]) => window.studio.open({ bytes: new TextEncoder().encode(text), name, method, handle }));
+  }, [name, text, method]);
+  await studio.isOpen(name);
+  const saved = async () => {
+    await studio.button('Save').click();
+    await studio.page.waitForFunction(() => window.studio.current.studio.store.current().isSaved);
+    return studio.page.evaluate((name) => disk[name], name);
+  };
+  return { studio, saved };
+}
+
+const walked = (studio, seed) => studio.page.evaluate(`(${walk})(${JSON.stringify({ seed, edits })})`);
+
 for (const [number, [name, [text, method]]] of Object.entries(files).entries())
   test(`${walks} walks of ${edits} edits from ${name}`, async (context) => {
-    const studio = await studioWith({}, { first: number < 2 ? withDisk : withoutScenes, viewport: { width: 800, height: 600 } });
-    await studio.page.evaluate(([name, text, method]) => {
-      Object.assign(window, { disk: { [name]: text }, picked: name });
-      return showOpenFilePicker().then(([handle]) => window.studio.open({ bytes: new TextEncoder().encode(text), name, method, handle }));
-    }, [name, text, method]);
-    await studio.isOpen(name);
-    const saved = async () => {
-      await studio.button('Save').click();
-      await studio.page.waitForFunction(() => window.studio.current.studio.store.current().isSaved);
-      return studio.page.evaluate((name) => disk[name], name);
-    };
+    const { studio, saved } = await openedOnDisk(name, text, method, number < 2 ? withDisk : withoutScenes);
     const began = await studio.ask(state);
     checkSaved(name, text, began);
     for (let i = 1; i <= walks; ++i) {
-      const tried = await studio.page.evaluate(`(${walk})(${JSON.stringify({ seed: 1000 * number + i, edits })})`);
+      const tried = await walked(studio, 1000 * number + i);
       await studio.drawn();
       const now = await studio.ask(state);
       checkSaved(name, await saved(), now);
@@ -73,6 +81,26 @@ for (const [number, [name, [text, method]]] of Object.entries(files).entries())
       assert.deepEqual(back.document, began.document);
       assert.ok(same(back.lists.q, began.lists.q));
       assert.equal(await saved(), withMethod(text, method));
+    }
+    await studio.finish();
+  });
+
+const turns = [[0, 0, 0], [30.5, 10, 0], [95, -20, 12.25], [190, 5, -170], [370, 0, 1]];
+const others = {
+  'angles.csv': `# degrees\r\nstamp;label;yaw_deg;pitch_deg;roll_deg;speed\r\n${turns.map((row, i) => `2026-03-01T12:00:0${2 * i}+01:00;row ${i};${row.join(';')};${i}.50`).join('\r\n')}\r\n`,
+  'vectors.csv': `# of a tracker\nt,rx,ry,rz,px_mm,py_mm,pz_mm\n${turns.map((row, i) => [1.25 * i, ...row.map((angle) => (angle / 120).toFixed(4)), i, 2 * i, 0.5].join()).join('\n')}\n`,
+};
+for (const [number, [name, text]] of Object.entries(others).entries())
+  test(`${walks} walks of ${edits} edits from ${name}, which has no quaternions, keep its form and end in its text`, async () => {
+    const { studio, saved } = await openedOnDisk(name, text, 'auto', withoutScenes);
+    for (let i = 1; i <= walks; ++i) {
+      await walked(studio, 7000 + 100 * number + i);
+      await studio.drawn();
+      const header = text.split(/\r?\n/)[1], after = (await saved()).split(/\r?\n/);
+      assert.ok(after.some((line) => line.startsWith(header)) && after.includes(text.split(/\r?\n/)[0]), after.join('\n'));
+      await studio.stepsBack();
+      await studio.drawn();
+      assert.equal(await saved(), text);
     }
     await studio.finish();
   });
