@@ -16,7 +16,8 @@ export class App {
   private readonly start = new Start();
   private methods: readonly MethodInfo[] = [];
   private session: Session | null = null;
-  private asked = 0; // times that something was to be opened
+  private opening = 0; // what is being opened
+  private isReady = false;
   private awaited: { document: StudioDocument; told: (curves: Curves) => void } | null = null;
 
   constructor(
@@ -43,8 +44,9 @@ export class App {
     this.place.append(this.start.element);
     try {
       this.methods = await this.engine.ask('methods', null);
+      this.isReady = true;
       if (given) await this.open(given);
-      else if (this.asked === 0) await this.open(givenOf(motion), true);
+      else await this.move();
     } catch (trouble) {
       this.tell(sentence((trouble as Trouble).message));
     }
@@ -52,14 +54,22 @@ export class App {
 
   /** What was open stays where the new one cannot be opened. */
   async open(given: Given, isOpening = false): Promise<void> {
-    const asked = ++this.asked;
+    ++this.opening;
     try {
       const opened = await openedOf(this.engine, this.front, given);
-      if (opened && !(isOpening && asked !== this.asked)) await this.show(opened, given, isOpening);
+      if (opened && !(isOpening && (this.session || this.opening > 1))) await this.show(opened, given, isOpening);
     } catch (reason) {
       const { message, line } = reason as Trouble;
       this.tell(`${given.name}${line === undefined ? '' : `:${line}`}: ${sentence(message)}`);
+    } finally {
+      --this.opening;
     }
+    if (!isOpening) await this.move();
+  }
+
+  /** Opens the motion where nothing else is open or comes. */
+  private async move(): Promise<void> {
+    if (this.isReady && !this.session && this.opening === 0) await this.open(givenOf(motion), true);
   }
 
   private get front(): HTMLElement {
@@ -95,6 +105,8 @@ export class App {
     this.place.append(this.session.screen.element);
     window.document.title = isOpening ? product : `${original.name} – ${product}`;
     this.session.begin();
+    if (this.start.told) this.tell(this.start.told); // before there was anything else
+    this.start.tell('');
   }
 
   private curvesOf(document: StudioDocument): Promise<Curves> {

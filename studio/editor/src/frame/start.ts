@@ -23,6 +23,10 @@ export class Start {
     show();
   }
 
+  get told(): string {
+    return this.trouble.textContent ?? '';
+  }
+
   tell(sentence: string): void {
     this.trouble.textContent = sentence;
   }
