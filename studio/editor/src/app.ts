@@ -22,7 +22,8 @@ export class App {
   private page = ''; // which page this is, for a reload of it
   private methods: readonly MethodInfo[] = [];
   private session: Session | null = null;
-  private asked = 0; // times that something was to be opened
+  private opening = 0; // what is being opened
+  private isReady = false;
   private awaited: { document: StudioDocument; told: (curves: Curves) => void } | null = null;
 
   constructor(
@@ -53,10 +54,11 @@ export class App {
     this.page = [location.pathname, ...(given ? [sha256(given.bytes), given.method, given.beside] : [])].join(' ');
     try {
       this.methods = await this.engine.ask('methods', null);
+      this.isReady = true;
       const kept = keptOpen(() => sessionStorage, this.page);
       if (kept) await this.show({ ...kept, warnings: [] }, kept.looks);
       else if (given) await this.open(given);
-      else if (this.asked === 0) await this.open(givenOf(motion), true);
+      else await this.move();
     } catch (trouble) {
       this.tell(sentence((trouble as Trouble).message));
     }
@@ -64,16 +66,24 @@ export class App {
 
   /** What was open stays where the new one cannot be opened. */
   async open(given: Given, isOpening = false): Promise<void> {
-    const asked = ++this.asked;
-    this.told.forget();
+    ++this.opening;
+    if (!isOpening) this.told.forget();
     try {
       const opened = await openedOf(this.engine, this.front, given);
       const looks = this.session?.looks ?? keptLooks(() => localStorage);
-      if (opened && !(isOpening && asked !== this.asked)) await this.show(opened, { ...looks, ...given.looks }, given, isOpening);
+      if (opened && !(isOpening && (this.session || this.opening > 1))) await this.show(opened, { ...looks, ...given.looks }, given, isOpening);
     } catch (reason) {
       const { message, line } = reason as Trouble;
       this.tell(`${given.name}${line === undefined ? '' : `:${line}`}: ${sentence(message)}`, curesOf(reason as Trouble, given, () => this.front, (changed) => void this.open(changed)));
+    } finally {
+      --this.opening;
     }
+    if (!isOpening) await this.move();
+  }
+
+  /** Opens the motion where nothing else is open or comes. */
+  private async move(): Promise<void> {
+    if (this.isReady && !this.session && this.opening === 0) await this.open(givenOf(motion), true);
   }
 
   private get front(): HTMLElement {
@@ -119,6 +129,7 @@ export class App {
     });
     window.document.title = isOpening ? product : `${original.name} – ${product}`;
     this.session.begin();
+    this.session.screen.notices.take(this.notices); // before there was anything else
   }
 
   private curvesOf(document: StudioDocument): Promise<Curves> {

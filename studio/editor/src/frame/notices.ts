@@ -17,6 +17,11 @@ export class Notices {
     for (const old of this.element.querySelectorAll('.refused')) old.remove();
   }
 
+  /** Those of another place are told here from now on. */
+  take(others: Notices): void {
+    this.element.append(...others.element.children);
+  }
+
   /** Trouble, and what can be answered, stays until it is closed. A refusal takes the place of the one before. */
   tell(sentence: string, { actions = [], isTrouble = false, isRefusal = false }: { actions?: Action[]; isTrouble?: boolean; isRefusal?: boolean } = {}): void {
     if (isRefusal) this.forget();

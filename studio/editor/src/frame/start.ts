@@ -8,11 +8,10 @@ export const product = 'orispline studio';
 
 export class Start {
   readonly element = element('div', { className: 'orispline-viewer orispline-studio start', tabIndex: -1 });
-  private readonly trouble = element('p', { className: 'trouble', attributes: { role: 'alert' } });
 
   constructor() {
     const what = 'Orientations at times, and smooth curves through them: turn a key, move it in time, and see velocity, acceleration and path follow. Nothing leaves this page.';
-    this.element.append(element('div', { className: 'begin' }, element('h1', {}, product), element('p', { className: 'facts' }, what), this.trouble));
+    this.element.append(element('div', { className: 'begin' }, element('h1', {}, product), element('p', { className: 'facts' }, what)));
     const dark = matchMedia('(prefers-color-scheme: dark)');
     const show = () => {
       const theme = dark.matches ? 'dark' : 'light';
@@ -21,9 +20,5 @@ export class Start {
     };
     dark.addEventListener('change', show);
     show();
-  }
-
-  tell(sentence: string): void {
-    this.trouble.textContent = sentence;
   }
 }
