@@ -2,11 +2,15 @@
 // clip: from a file of skeletons to another one.
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/clip/clip_difference.hpp>
+#include <orispline/jobs/task_list.hpp>
 #include <orispline/scenes/scene_file.hpp>
 #include <orispline/scenes/scene_tracks.hpp>
 
@@ -61,43 +65,62 @@ Expected<void> read_clips(const TaskArguments& arguments, TaskJob& job) {
   });
 }
 
-constexpr double same_step = 0.01;  // share by which the steps between frames may differ
+constexpr double even_step = 1e-6;   // share by which even steps between frames may differ
+constexpr double same_frame = 0.01;  // shares of a step by which two times are one frame
 
-/// What BVH is written at after a cut between two frames of BVH: their usual step, from the cut on [s]; absent where
-/// all steps are even.
-std::optional<double> frame_step_of(const Clip& clip) {
-  const std::vector<double> times = key_times(clip);
+/// From key to key, of most keys of a channel [s].
+double usual_step_of(std::span<const double> times) {
   std::vector<double> steps;
   for (std::size_t i = 0; i + 1 < times.size(); ++i) steps.push_back(times[i + 1] - times[i]);
-  if (steps.empty()) return std::nullopt;
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::ranges::nth_element(steps, middle);
-  const double usual = *middle;
-  const bool are_even =
-      std::ranges::all_of(steps, [&](double step) { return std::abs(step - usual) <= same_step * usual; });
-  return are_even ? std::nullopt : std::optional(usual);
+  return *middle;
+}
+
+/// What BVH is written at where keys of BVH are not at even frames, as after a cut between two of them, or where a
+/// joint got more keys: the usual step of the others [s], or nearly that where the last frame is at the end then;
+/// absent where all steps are even.
+std::optional<double> frame_step_of(const Clip& clip) {
+  double usual = 0.0;
+  const auto look = [&](const auto& channels) {
+    for (const auto& channel : channels)
+      if (channel.size() > 2) usual = std::max(usual, usual_step_of({channel.times.data(), channel.size()}));
+  };
+  look(clip.rotations);
+  look(clip.translations);
+  const std::vector<double> times = key_times(clip);
+  bool are_even = true;
+  for (std::size_t i = 0; i + 1 < times.size(); ++i)
+    are_even = are_even && std::abs(times[i + 1] - times[i] - usual) <= even_step * usual;
+  if (usual == 0.0 || are_even) return std::nullopt;
+  const double span = times.back() - times.front(), frames = std::round(span / usual);
+  return std::abs(span / usual - frames) <= same_frame ? span / frames : usual;
 }
 
 /// The rate nearest to a usual one at which a loop ends on a frame [Hz].
-double rate_of_loop(Domain loop, double usual) {
-  const double length = loop.end - loop.start;
-  return std::max(1.0, std::round(length * usual)) / length;
+double rate_of_loop(Domain loop, double usual, const std::string& path) {
+  const double length = loop.end - loop.start, rate = std::max(1.0, std::round(length * usual)) / length;
+  if (std::abs(rate - usual) > even_step * usual)
+    warn({{.code = "rate_of_loop",
+           .message =
+               formatted("the loop has frames at {:.6g} Hz instead of {:.6g} Hz, so that it ends on one", rate, usual),
+           .where = {.file = path},
+           .numbers = {{"rate_hz", rate}}}});
+  return rate;
 }
 
 Expected<WrittenResult> write_clip(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
   const std::string& path = arguments.output.path;
   job.scene.clips = std::move(outcome.scenes.front().clips);
-  if (is_bvh(path) && (job.scene.format == &scenes::bvh_format || is_given(arguments.fields, "rate")))
-    if (const auto step = frame_step_of(job.scene.clips.front())) {
-      job.writing.rate = 1.0 / *step;
-      if (is_given(arguments.fields, "loop")) {
-        job.writing.rate = rate_of_loop(job.scene.clips.front().domain(), 1.0 / *step);
-        warn({{.code = "rate_of_loop",
-               .message = formatted("the loop has frames at {:.6g} Hz instead of {:.6g} Hz, so that it ends on one",
-                                    *job.writing.rate, 1.0 / *step),
-               .where = {.file = path}}});
-      }
-    }
+  if (is_bvh(path)) {
+    const Clip& first = job.scene.clips.front();
+    const ClipEdits& edits = jobs::found<jobs::ClipOutcome>(outcome).request.edits;
+    std::optional<double> rate = edits.rate;
+    if (!rate && job.scene.format == &scenes::bvh_format)
+      if (const auto step = frame_step_of(first)) rate = 1.0 / *step;
+    if (rate && edits.loop) rate = rate_of_loop(first.domain(), *rate, path);
+    if (rate) job.writing.rate = *rate;
+  }
   return write_scene(path, job.scene, job.writing).map([&] {
     return WrittenResult{.text = written_text(arguments, "")};
   });
