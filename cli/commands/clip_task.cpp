@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // clip: from a file of skeletons to another one.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/clip/clip_difference.hpp>
+#include <orispline/jobs/task_list.hpp>
 #include <orispline/scenes/scene_file.hpp>
 #include <orispline/scenes/scene_tracks.hpp>
 
@@ -17,6 +24,8 @@
 namespace orispline::cli {
 
 namespace {
+
+bool is_bvh(const std::string& path) { return scenes::scene_format_of(path) == &scenes::bvh_format; }
 
 Expected<TaskJob> clip_job(const TaskArguments& arguments) {
   const std::string& output = arguments.output.path;
@@ -56,45 +65,62 @@ Expected<void> read_clips(const TaskArguments& arguments, TaskJob& job) {
   });
 }
 
-constexpr double same_step = 0.01;  // share by which the steps between frames may differ
+constexpr double even_step = 1e-6;   // share by which even steps between frames may differ
+constexpr double same_frame = 0.01;  // shares of a step by which two times are one frame
 
-/// The usual step between the frames of a clip that was cut between two of them [s]; absent where all steps are even.
-std::optional<double> frame_step_of(const Clip& clip) {
-  const std::vector<double> times = key_times(clip);
+/// From key to key, of most keys of a channel [s].
+double usual_step_of(std::span<const double> times) {
   std::vector<double> steps;
   for (std::size_t i = 0; i + 1 < times.size(); ++i) steps.push_back(times[i + 1] - times[i]);
-  if (steps.empty()) return std::nullopt;
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::ranges::nth_element(steps, middle);
-  const double usual = *middle;
-  const bool are_even =
-      std::ranges::all_of(steps, [&](double step) { return std::abs(step - usual) <= same_step * usual; });
-  return are_even ? std::nullopt : std::optional(usual);
+  return *middle;
+}
+
+/// The usual step between keys that are not at even frames, as after a cut between two of them, or where a joint got
+/// more keys [s], or nearly that where the last frame is at the end then; absent where all steps are even.
+std::optional<double> frame_step_of(const Clip& clip) {
+  double usual = 0.0;
+  const auto look = [&](const auto& channels) {
+    for (const auto& channel : channels)
+      if (channel.size() > 2) usual = std::max(usual, usual_step_of({channel.times.data(), channel.size()}));
+  };
+  look(clip.rotations);
+  look(clip.translations);
+  const std::vector<double> times = key_times(clip);
+  bool are_even = true;
+  for (std::size_t i = 0; i + 1 < times.size(); ++i)
+    are_even = are_even && std::abs(times[i + 1] - times[i] - usual) <= even_step * usual;
+  if (usual == 0.0 || are_even) return std::nullopt;
+  const double span = times.back() - times.front(), frames = std::round(span / usual);
+  return std::abs(span / usual - frames) <= same_frame ? span / frames : usual;
 }
 
 /// The rate nearest to a usual one at which a loop ends on a frame [Hz].
-double rate_of_loop(Domain loop, double usual) {
-  const double length = loop.end - loop.start;
-  return std::max(1.0, std::round(length * usual)) / length;
+double rate_of_loop(Domain loop, double usual, const std::string& path) {
+  const double length = loop.end - loop.start, rate = std::max(1.0, std::round(length * usual)) / length;
+  if (std::abs(rate - usual) > even_step * usual)
+    warn({{.code = "rate_of_loop",
+           .message =
+               formatted("the loop has frames at {:.6g} Hz instead of {:.6g} Hz, so that it ends on one", rate, usual),
+           .where = {.file = path},
+           .numbers = {{"rate_hz", rate}}}});
+  return rate;
 }
 
-/// What a loop is written at as BVH, where it does not end on a frame [Hz].
-std::optional<double> rate_of_loop(const std::string& path, const Clip& loop) {
-  const auto step = frame_step_of(loop);
-  if (!step) return std::nullopt;
-  const double rate = rate_of_loop(loop.domain(), 1.0 / *step);
-  warn({{.code = "rate_of_loop",
-         .message = formatted("the loop has frames at {:.6g} Hz instead of {:.6g} Hz, so that it ends on one", rate,
-                              1.0 / *step),
-         .where = {.file = path}}});
-  return rate;
+/// What a loop is written at as BVH, where it does not end on a frame as it is [Hz].
+std::optional<double> rate_of_loop(const std::string& path, const Clip& loop, const TaskJob& job,
+                                   std::optional<double> rate) {
+  if (!rate && job.scene.format == &scenes::bvh_format)
+    if (const auto step = frame_step_of(loop)) rate = 1.0 / *step;
+  return rate ? std::optional(rate_of_loop(loop.domain(), *rate, path)) : std::nullopt;
 }
 
 Expected<WrittenResult> write_clip(const TaskArguments& arguments, TaskJob& job, jobs::TaskOutcome& outcome) {
   const std::string& path = arguments.output.path;
-  const bool has_frames = job.scene.format == &scenes::bvh_format || is_given(arguments.fields, "rate");
-  if (is_bvh(path) && has_frames && is_given(arguments.fields, "loop"))
-    job.writing.rate = rate_of_loop(path, outcome.scenes.front().clips.front());
+  const ClipEdits& edits = jobs::found<jobs::ClipOutcome>(outcome).request.edits;
+  if (is_bvh(path) && edits.loop)
+    job.writing.rate = rate_of_loop(path, outcome.scenes.front().clips.front(), job, edits.rate);
   return write_edited_scene(path, std::move(job.scene), job.writing, outcome).map([&] {
     return WrittenResult{.text = written_text(arguments, "")};
   });

@@ -426,7 +426,7 @@ void add_retime_options(Command& app, TaskArguments& o) {
     else add_field(app, o.fields, field, group);
   o.output.scenes = scenes_written();
   add_output_options(app, o.output);
-  add_position_scale(app, o.output);
+  add_gltf_options(app, o.output);
   add_report_option(app, o.report);
   add_summary_options(app, o.summary);
   app.usual = {"--max-rate", "--max-acceleration", "--max-jerk",     "--max-speed",

@@ -145,6 +145,16 @@ class ClipCommand(CommandTest):
             self.assertAlmostEqual(clip["end_s"], 0.83, delta=1e-6)
             self.assertLess(clip["seam_deg"], 1e-3)
 
+    def test_frames_of_bvh_are_even_whatever_keys_an_edit_leaves(self):
+        self.write("lean.bvh", HEAD.format(leg="leg", offset=-0.5, frames=21) +
+                   "".join(f"{i} 0.9 0 0 {40 - 4 * i} {9 * i} 0 0 0\n" for i in range(21)))
+        for arguments, frames in (("lean.bvh --in-place hips", 21), ("walk.bvh --to 1.0001 --append walk.bvh --blend 0.5", 51),
+                                  ("walk.bvh --reverse --rate 40", 81)):
+            done = self.run_command(f"clip {arguments} --quiet -o even.bvh")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertNotIn("between two frames", done.stderr)
+            self.assertEqual(self.read("even.bvh").split("Frames: ")[1].split()[0], str(frames), arguments)
+
     def test_keys_at_an_even_rate_keep_the_end(self):
         for command in ("clip", "sample"):
             self.output_of(f"{command} walk.bvh --rate 7 --quiet -o even.glb")
