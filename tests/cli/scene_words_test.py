@@ -22,7 +22,7 @@ class Formats(SceneTest):
         self.assert_fails("reduce arm.bvh swing.gltf --tolerance 1deg --output-folder out --output-format glb", BAD_USAGE,
                           f"--output-format: found 'glb', {rows}; a file of skeletons goes by its name, which ends in .glb, .gltf, .vrm or .vrma")
         self.assert_fails("retime keys.csv --max-rate 1deg/s --output-format glb -o out", BAD_USAGE,
-                          f"--output-format: found 'glb', {rows}")
+                          f"--output-format: found 'glb', {rows}; a file of skeletons goes by its name, which ends in .bvh, .glb, .gltf, .vrm or .vrma")
 
     def test_a_format_that_the_name_says_too_is_welcome_and_another_one_is_not(self):
         for word in ("gltf", "glb"):

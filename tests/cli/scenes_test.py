@@ -53,7 +53,7 @@ class SmallScenes(SceneTest):
                 self.assertLess(math.dist([0.01 * x for x in place], scaled), 1e-7)
 
     def test_a_height_that_no_person_has_is_warned_of_with_the_scale_that_gives_one(self):
-        self.write("tall.bvh", self.read("arm.bvh").replace("OFFSET 0.3 0 0", "OFFSET 60 0 0"))
+        self.write("tall.bvh", self.read("arm.bvh").replace("OFFSET 0.30 0 0", "OFFSET 60 0 0"))
         for command in ("convert", "smooth", "clip", "reduce --tolerance 0.1deg"):
             self.assertIn("x.glb: the skeleton is 60", self.run_command(f"{command} tall.bvh -o x.glb").stderr)
         done = self.run_command("convert tall.bvh -o x.glb")

@@ -226,13 +226,15 @@ class ClipSearch {
     RotationChannel& channel = clip.rotations[i];
     const double tolerance = angle_tolerance(channel.joint, factor_);
     return reduce<Eigen::Quaterniond>(
-        clip, channel, {channel, before_.rotations[i], before_.of_rotations[i], before_.rotation_looks[i]},
+        clip, channel, skeleton_[channel.joint].rest.rotation,
+        {channel, before_.rotations[i], before_.of_rotations[i], before_.rotation_looks[i]},
         tolerance < infinity ? std::min(tolerance, std::numbers::pi / 2) : tolerance);
   }
   std::optional<Error> reduce_translation(Clip& clip, std::size_t i) const {
     VectorChannel& channel = clip.translations[i];
     return reduce<Eigen::Vector3d>(
-        clip, channel, {channel, before_.translations[i], before_.of_translations[i], before_.translation_looks[i]},
+        clip, channel, skeleton_[channel.joint].rest.translation,
+        {channel, before_.translations[i], before_.of_translations[i], before_.translation_looks[i]},
         length_tolerance(channel.joint, factor_));
   }
 
@@ -245,9 +247,9 @@ class ClipSearch {
   }
 
   template <CurvePoint P>
-  std::optional<Error> reduce(const Clip& clip, Channel<P>& channel, const TakenChannel<P>& taken,
+  std::optional<Error> reduce(const Clip& clip, Channel<P>& channel, const P& rest, const TakenChannel<P>& taken,
                               double tolerance) const {
-    if (!(tolerance < infinity)) return std::nullopt;
+    if (!(tolerance < infinity) || is_rest(channel, rest)) return std::nullopt;
     auto reduced = reduced_channel<P>(taken, tolerance, options_);
     if (!reduced) {
       reduced.error().message = formatted("{}: {}", place_of(skeleton_, clip, channel.joint), reduced.error().message);

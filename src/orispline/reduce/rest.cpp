@@ -35,9 +35,8 @@ using PartOfPose = P JointPose::*;
 /// Takes out what rests in one list of a clip; returns how many went.
 template <CurvePoint P>
 std::size_t take_out(const Skeleton& skeleton, std::vector<Channel<P>>& channels, PartOfPose<P> part) {
-  return std::erase_if(channels, [&](const Channel<P>& channel) {
-    return channel.size() == 1 && are_same(channel.values.front(), skeleton[channel.joint].rest.*part);
-  });
+  return std::erase_if(channels,
+                       [&](const Channel<P>& channel) { return is_rest(channel, skeleton[channel.joint].rest.*part); });
 }
 
 /// The first of the channels before that has a key at that time goes back to its place; returns how many did.
@@ -54,6 +53,11 @@ std::size_t put_back(const std::vector<Channel<P>>& before, std::vector<Channel<
 }
 
 }  // namespace
+
+template <CurvePoint P>
+bool is_rest(const Channel<P>& channel, const P& rest) {
+  return channel.size() == 1 && are_same(channel.values.front(), rest);
+}
 
 template <CurvePoint P>
 Channel<P> resting_channel(const Channel<P>& channel, const P& rest, double farthest, KeyPrecision precision) {
@@ -91,6 +95,8 @@ RidOfRest take_out_resting(const Skeleton& skeleton, Clip& clip) {
   return gone;
 }
 
+template bool is_rest(const RotationChannel&, const Eigen::Quaterniond&);
+template bool is_rest(const VectorChannel&, const Eigen::Vector3d&);
 template RotationChannel resting_channel(const RotationChannel&, const Eigen::Quaterniond&, double, KeyPrecision);
 template VectorChannel resting_channel(const VectorChannel&, const Eigen::Vector3d&, double, KeyPrecision);
 

@@ -199,9 +199,12 @@ Expected<Frames> frames_of(const Clip& clip, const SceneWriting& writing, const 
   const TimeRounding first = are_floats ? TimeRounding::to_float : TimeRounding::to_double,
                      second = are_floats ? TimeRounding::to_double : TimeRounding::to_float;
   for (const int most : source ? std::vector{1, most_parts} : std::vector{most_parts}) {
+    const bool may_be_cut = most == 1;  // between two frames, whose own step then counts more than a finer one
     for (const TimeRounding rounding : {first, second})
-      if (auto frames = even_frames(keys, rounding, source, most)) return std::move(*frames);
-    if (most == 1)
+      if (auto frames = even_frames(keys, rounding, source, most);
+          frames && !(may_be_cut && frames->times.size() > 2 * keys.size()))
+        return std::move(*frames);
+    if (may_be_cut)
       if (const auto step = step_of_cut(keys, *source)) return frames_with_step(*step, keys);
   }
   return mended_by("rate", "found keys at uneven times, wanted even key times or a `rate`");
