@@ -89,7 +89,7 @@ export interface Tasks {
       smooth?: Text | Flag | undefined;
       /** Of a skeleton: channels that end as they begin have the same tangent at both ends. */
       closed?: Text | Flag | undefined;
-      /** Of a skeleton: metres in the unit of length of its file. */
+      /** Of a skeleton: metres in one unit of length of its file, whose lengths become metres. */
       position_scale?: Text | Flag | undefined;
       /** Rate whose squared integral is kept small. */
       penalty?: 'acceleration' | 'jerk' | undefined;
@@ -148,8 +148,8 @@ export interface Tasks {
   /** The least slowing that keeps a motion within limits. */
   retime: {
     inputs: {
-      /** The keys. */
-      keys: KeyInput;
+      /** The keys, or a skeleton with its clips. */
+      keys: KeyInput | SceneInput;
     };
     options: {
       /** The text of the method whose curve it is about. */
