@@ -25,7 +25,8 @@ std::size_t bits_of_group(const std::array<unsigned char, run_length>& differenc
 }
 
 unsigned char zigzag(unsigned char difference) {
-  return static_cast<unsigned char>((difference << 1U) ^ (difference >= 0x80U ? 0xFFU : 0U));
+  const unsigned int bits = difference;
+  return static_cast<unsigned char>((bits << 1U) ^ (bits >= 0x80U ? 0xFFU : 0U));
 }
 
 template <class T>

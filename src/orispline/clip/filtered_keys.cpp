@@ -157,10 +157,6 @@ std::optional<WholeNumbers> as_they_are(std::span<const float> numbers) {
   return whole;
 }
 
-Eigen::Quaterniond quaternion_at(const float* numbers) {
-  return Eigen::Quaterniond(numbers[3], numbers[0], numbers[1], numbers[2]);
-}
-
 /// Of a spline of rotations, by the largest power of two that holds its keys.
 std::optional<WholeNumbers> as_spline(std::span<const float> numbers, int exponent) {
   Rounding round{std::ldexp(1.0, exponent)};
@@ -257,6 +253,11 @@ std::optional<int> filter_bits(const RotationChannel& channel) {
 
 std::uint32_t exponential(std::int32_t number, int exponent) noexcept {
   return (static_cast<std::uint32_t>(number) & 0xFFFFFFU) | (static_cast<std::uint32_t>(exponent) << 24U);
+}
+
+Eigen::Quaterniond quaternion_at(const float* numbers) {
+  const auto number = [&](std::size_t i) { return static_cast<double>(numbers[i]); };
+  return Eigen::Quaterniond(number(3), number(0), number(1), number(2));
 }
 
 std::optional<WholeNumbers> whole_numbers(std::span<const float> numbers, bool are_rotations, bool is_spline) {

@@ -52,6 +52,9 @@ struct WholeNumbers {
 /// The bits of one of them: the whole number in the lower 24, the exponent above.
 [[nodiscard]] std::uint32_t exponential(std::int32_t number, int exponent) noexcept;
 
+/// Of x, y, z, w, as glTF has them in a row.
+[[nodiscard]] Eigen::Quaterniond quaternion_at(const float* numbers);
+
 /// The numbers of the values of a channel, and of a spline its tangents, as they are; nothing where the filter cannot
 /// hold them. Of rotations the numbers need not be those of unit quaternions: they are what a reader makes unit, with
 /// the tangents of each in the same proportion.

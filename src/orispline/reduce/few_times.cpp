@@ -111,8 +111,8 @@ std::vector<std::vector<std::size_t>> keys_at_few_times(const std::vector<KeyRea
       for (std::size_t i = 0; i < last.size(); ++i) last[i] = std::min(last[i], channel.last[i]);
       of_key += channel.bytes_of_key;
       const std::size_t keys = chain_of(last).size();
-      const double of_step =
-          bytes_of_step * static_cast<double>((b + 1 - a) * (std::bit_width(last.size() / keys) - 1));
+      const auto bits = static_cast<double>(std::bit_width(last.size() / keys) - 1);
+      const double of_step = bytes_of_step * static_cast<double>(b + 1 - a) * bits;
       const double bytes = least[a] + text_of_times + (of_key + of_step) * static_cast<double>(keys);
       if (bytes < least[b + 1]) least[b + 1] = bytes, begin_of[b + 1] = a;
     }

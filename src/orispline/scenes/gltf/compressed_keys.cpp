@@ -28,7 +28,7 @@ std::optional<std::string> as_quaternions(std::span<const float> numbers) {
   RotationChannel channel;
   for (std::size_t i = 0; i < numbers.size(); i += 4) {
     channel.times.push_back(static_cast<double>(i));
-    channel.values.push_back(Eigen::Quaterniond(numbers[i + 3], numbers[i], numbers[i + 1], numbers[i + 2]));
+    channel.values.push_back(quaternion_at(&numbers[i]));
   }
   const auto bits = filter_bits(channel);
   if (!bits) return std::nullopt;
