@@ -27,8 +27,8 @@ struct BitsOfSamples {
   std::uint64_t path_samples, path_rates;      ///< of baked curves and of positions
 };
 
-inline constexpr BitsOfSamples written_bits{.local_samples = 0xf9f6e3b9e6398be0U,
-                                            .local_jerks = 0xb065efd4b3520bfcU,
+inline constexpr BitsOfSamples written_bits{.local_samples = 0x3f811b94674bd3d7U,
+                                            .local_jerks = 0xb527e48936d3428aU,
                                             .solved_samples = 0x4a189207f105c82fU,
                                             .solved_jerks = 0xcac4c3033bee3601U,
                                             .path_samples = 0x2e65c57236076fb7U,

@@ -102,7 +102,7 @@ TEST(ClipRetiming, RefusesWhatAClipHasNoRoomFor) {
   const auto refused = [&](const RetimeOptions& options, const Clip& of) {
     return describe(retime_clip(arm(), of, Method("auto"), options).error());
   };
-  EXPECT_EQ(refused(even, clip), "constant_rate: clip 'wave': found a skeleton, wanted the keys of one track");
+  EXPECT_EQ(refused(even, clip), "constant_rate: found a skeleton, wanted the keys of one track");
   EXPECT_EQ(refused({.duration = 1.0}, {.name = "rest"}), "clip 'rest': found no channel of two keys, wanted one");
   Clip apart{.name = "wave", .rotations = {swing(0, 0.1), swing(1, 0.1)}};
   apart.rotations[1].times[3] += 0.01;
