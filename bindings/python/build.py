@@ -20,7 +20,7 @@ import venv
 import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-BUDGET = {"wheel": 12_800_000, "module": 5_250_000}  # bytes, compressed: two fifths above version 0.1.0, and the page of the studio
+BUDGET = {"wheel": 13_500_000, "module": 5_500_000}  # bytes, compressed: two fifths above version 0.1.0, and the page of the studio
 COMPLETE = "complete"  # a file in an environment, made last
 SIDE_BY_SIDE = ["-n", min(os.cpu_count() or 1, 4)]  # conftest.py says which stay together
 

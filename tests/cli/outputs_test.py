@@ -69,8 +69,8 @@ class Places(CommandTest):
 
 class Names(CommandTest):
     def test_a_name_of_another_kind_of_file_is_refused_with_those_that_are_written(self):
-        of_scenes = {"retime": "", "convert": ", or for a skeleton in .bvh, .glb, .gltf, .vrm or .vrma", "sample": ", or for a skeleton in .glb, .gltf, .vrm or .vrma"}
-        of_scenes |= {"smooth": of_scenes["convert"], "reduce": of_scenes["sample"]}
+        of_scenes = {"convert": ", or for a skeleton in .bvh, .glb, .gltf, .vrm or .vrma", "sample": ", or for a skeleton in .glb, .gltf, .vrm or .vrma"}
+        of_scenes |= {"smooth": of_scenes["convert"], "retime": of_scenes["convert"], "reduce": of_scenes["sample"]}
         for name in ("x.png", "x.c3d", "x.json", "keys.csv.old", "x.PNG"):
             for command in WRITERS:
                 done = self.run_command(f"{command.format('keys.csv')} -o {name}")

@@ -16,6 +16,7 @@ const tooSmall = (page, size) =>
       .map(({ one, box }) => `${box.width.toFixed(1)} x ${box.height.toFixed(1)}: ${one.outerHTML.slice(0, 100)}`), size);
 
 async function check(studio, what, size) {
+  await studio.page.evaluate(() => Promise.all(document.getAnimations().filter(({ effect }) => effect?.getComputedTiming().endTime !== Infinity).map(({ finished }) => finished.catch(() => {})))); // what arrives is pale until then
   const faults = (await faultsOf(studio.page)).filter((fault) => !fault.startsWith('minor'));
   assert.deepEqual(faults, [], what);
   assert.deepEqual(await tooWide(studio.page), [], what);

@@ -85,7 +85,7 @@ export interface Tasks {
             smooth?: Text | Flag | undefined;
             /** Of a skeleton: channels that end as they begin have the same tangent at both ends. */
             closed?: Text | Flag | undefined;
-            /** Of a skeleton: metres in the unit of length of its file. */
+            /** Of a skeleton: metres in one unit of length of its file, whose lengths become metres. */
             position_scale?: Text | Flag | undefined;
             /** Rate whose squared integral is kept small. */
             penalty?: 'acceleration' | 'jerk' | undefined;
@@ -131,15 +131,21 @@ export interface Tasks {
             shell?: Text | undefined;
             /** What the motion of a clip between its keys is taken to be; of BVH, whose frames are samples, smooth unless you say otherwise. */
             between?: 'smooth' | 'stored' | undefined;
+            /** How the keys are compressed in the file, where it is glTF. */
+            compress?: 'none' | 'meshopt' | undefined;
+            /** What the file goes through next, whose faults are kept clear of. */
+            for?: 'any' | 'meshopt' | undefined;
             /** Which jumps of joints are cuts, on either side of which nothing swings. */
             cuts?: 'usual' | 'steps' | 'none' | undefined;
+            /** Keep tracks of one key that says what the rest pose of the joint says, which are left out otherwise. */
+            keep_constant?: Flag | undefined;
         };
     };
     /** The least slowing that keeps a motion within limits. */
     retime: {
         inputs: {
-            /** The keys. */
-            keys: KeyInput;
+            /** The keys, or a skeleton with its clips. */
+            keys: KeyInput | SceneInput;
         };
         options: {
             /** The text of the method whose curve it is about. */

@@ -37,7 +37,8 @@ struct StepRange {
 /// More frames than this are not written.
 constexpr double most_frames = 1e8;
 
-constexpr int most_parts = 64;  // of the shortest step between keys, which need not be at every frame
+constexpr double finer_step = 0.75;  // of the step of most keys: such a grid is not theirs
+constexpr int most_parts = 64;       // of the shortest step between keys, which need not be at every frame
 
 /// The distances of times from the first one, and how far each may be off.
 class EvenTimes {
@@ -159,21 +160,39 @@ std::optional<Frames> even_frames(std::span<const double> keys, TimeRounding rou
   return Frames{frame_time, times_at(step, count, keys, rounding)};
 }
 
-/// The step [s] of frames that were cut between two of them, or joined with others: that of most keys, else that of
-/// their file; nothing where keys are farther apart.
-std::optional<Decimal> step_of_cut(std::span<const double> keys, const Source& source) {
-  constexpr double same_step = 1e-3;  // share by which steps may differ
-  std::vector<double> steps;
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i) steps.push_back(keys[i + 1] - keys[i]);
-  const double longest = std::ranges::max(steps) * (1.0 - same_step);
-  const double of_file = source.frame_time.to_double();
-  std::vector<double> sorted = steps;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::ranges::nth_element(sorted, middle);
-  const double usual = *middle;
+/// From key to key, of most keys of the channel where these are farthest apart [s]; 0 where all have one key.
+double usual_step_of(const Clip& clip) {
+  double usual = 0.0;
+  const auto look = [&](const auto& channels) {
+    for (const auto& channel : channels) {
+      std::vector<double> steps;
+      for (std::size_t i = 0; i + 1 < channel.size(); ++i) steps.push_back(channel.times[i + 1] - channel.times[i]);
+      if (steps.empty()) continue;
+      const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+      std::ranges::nth_element(steps, middle);
+      usual = std::max(usual, *middle);
+    }
+  };
+  look(clip.rotations);
+  look(clip.translations);
+  return usual;
+}
+
+/// The step [s] of frames that were cut between two of them, or joined with others, or between which a joint got more:
+/// that of most keys, else that of their file; nothing where keys are farther apart.
+std::optional<Decimal> step_of_cut(std::span<const double> keys, double usual, const Source& source) {
+  constexpr double same_step = 1e-3,
+                   nearly = 1e-2;  // shares by which steps may differ, and one where files were joined
+  double longest = 0.0;
+  std::size_t usual_steps = 0;
   const auto is_usual = [usual](double step) { return std::abs(step - usual) <= same_step * usual; };
-  const bool are_most = 2 * static_cast<std::size_t>(std::ranges::count_if(steps, is_usual)) > steps.size();
-  if (are_most && longest <= usual && !is_usual(of_file)) {
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+    const double step = keys[i + 1] - keys[i];
+    longest = std::max(longest, step * (1.0 - nearly));
+    if (is_usual(step)) ++usual_steps;
+  }
+  const double of_file = source.frame_time.to_double();
+  if (2 * usual_steps > keys.size() - 1 && longest <= usual && !is_usual(of_file)) {
     const double off = 2.0 * rounding_at(keys.back(), rounding_of(keys));
     return StepRange{usual - off, usual + off}.shortest();
   }
@@ -200,12 +219,13 @@ Expected<Frames> frames_of(const Clip& clip, const SceneWriting& writing, const 
                      second = are_floats ? TimeRounding::to_double : TimeRounding::to_float;
   for (const int most : source ? std::vector{1, most_parts} : std::vector{most_parts}) {
     const bool may_be_cut = most == 1;  // between two frames, whose own step then counts more than a finer one
+    const double usual = may_be_cut ? usual_step_of(clip) : 0.0;
     for (const TimeRounding rounding : {first, second})
       if (auto frames = even_frames(keys, rounding, source, most);
-          frames && !(may_be_cut && frames->times.size() > 2 * keys.size()))
+          frames && !(may_be_cut && frames->frame_time.to_double() < finer_step * usual))
         return std::move(*frames);
     if (may_be_cut)
-      if (const auto step = step_of_cut(keys, *source)) return frames_with_step(*step, keys);
+      if (const auto step = step_of_cut(keys, usual, *source)) return frames_with_step(*step, keys);
   }
   return mended_by("rate", "found keys at uneven times, wanted even key times or a `rate`");
 }
