@@ -32,7 +32,7 @@ TEST(ReadingOptions, HaveNamesOfTheirOwnAndSayWhatTheyAre) {
       EXPECT_EQ(reading_option_of(option.member), &option);
     }
   }
-  EXPECT_EQ(names.size(), 30u);
+  EXPECT_EQ(names.size(), 31u);
   EXPECT_EQ(reading_option_of(""), nullptr);
   EXPECT_EQ(reading_option_of("rate"), nullptr);
 }
