@@ -41,6 +41,13 @@ Eigen::MatrixXd without_line(Eigen::MatrixXd values) {
   return values;
 }
 
+/// Sums go from the first term to the last on every processor; those of Eigen's product go by the size of its caches.
+Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(a.rows(), b.cols());
+  for (Eigen::Index k = 0; k < a.cols(); ++k) sum.noalias() += a.col(k) * b.row(k);
+  return sum;
+}
+
 Spectrum spectrum_of(const Eigen::MatrixXd& values) {
   const Eigen::Index parts = (values.rows() + longest_part - 1) / longest_part;
   const Eigen::Index modes = values.rows() - straight_modes * parts;
@@ -58,8 +65,8 @@ Spectrum spectrum_of(const Eigen::MatrixXd& values) {
       for (Eigen::Index i = 0; i < count; ++i)
         cosines(k - straight_modes, i) = table[static_cast<std::size_t>(k * (2 * i + 1) % (4 * count))];
     }
-    all.amplitudes.middleRows(mode, count - straight_modes).noalias() =
-        std::sqrt(2.0 / static_cast<double>(count)) * cosines * without_line(values.middleRows(first, count));
+    all.amplitudes.middleRows(mode, count - straight_modes) =
+        std::sqrt(2.0 / static_cast<double>(count)) * product(cosines, without_line(values.middleRows(first, count)));
     first = end, mode += count - straight_modes;
   }
   return all;
@@ -104,7 +111,7 @@ StrengthGrid strength_grid(const Modes& modes) {
       grid.logarithms[k] += elementary::natural_logarithm(variance);
     }
   }
-  grid.squares = modes.amplitudes.cwiseAbs2().transpose() * precisions;
+  grid.squares = product(modes.amplitudes.cwiseAbs2().transpose(), precisions);
   return grid;
 }
 
@@ -145,7 +152,7 @@ class MotionSearch {
   /// `by_joint`: each joint has a noise of its own; else all of one kind have the same.
   void step(bool by_joint) {
     find_directions();
-    const Eigen::MatrixXd along = amplitudes_ * directions_;
+    const Eigen::MatrixXd along = product(amplitudes_, directions_);
     Eigen::MatrixXd signal = along;
     Eigen::VectorXd uncertain = Eigen::VectorXd::Zero(along.cols()), moving = uncertain;
     for (Eigen::Index k = 0; k < along.cols(); ++k)
@@ -156,12 +163,13 @@ class MotionSearch {
         moving[k] += share * modes_.stiffness[i];
       }
     const auto count = static_cast<double>(along.rows());
-    const Eigen::VectorXd left = ((along - signal) * directions_.transpose()).cwiseAbs2().colwise().sum().transpose() +
-                                 directions_.cwiseAbs2() * uncertain;
+    const Eigen::VectorXd left =
+        product(along - signal, directions_.transpose()).cwiseAbs2().colwise().sum().transpose() +
+        directions_.cwiseAbs2() * uncertain;
     const Eigen::MatrixXd root = modes_.stiffness.cwiseSqrt().asDiagonal() * signal;
-    Eigen::MatrixXd moments = root.transpose() * root;
+    Eigen::MatrixXd moments = product(root.transpose(), root);
     moments.diagonal() += moving;
-    covariance_ = directions_ * moments * directions_.transpose() / count;
+    covariance_ = product(product(directions_, moments), directions_.transpose()) / count;
     const Eigen::VectorXd noise = by_groups(left / count, by_joint ? channels_.joints : channels_.kinds, mean_of);
     for (Eigen::Index c = 0; c < noise.size(); ++c)
       if (!is_known_[static_cast<std::size_t>(c)]) rescale(c, std::sqrt(noise[c]));
@@ -170,7 +178,7 @@ class MotionSearch {
   /// -2 log of the likelihood, but for a constant.
   [[nodiscard]] double evidence() {
     find_directions();
-    const Eigen::MatrixXd along = amplitudes_ * directions_;
+    const Eigen::MatrixXd along = product(amplitudes_, directions_);
     double sum = static_cast<double>(along.cols()) * modes_.logarithms;
     for (Eigen::Index k = 0; k < along.cols(); ++k)
       for (Eigen::Index i = 0; i < along.rows(); ++i) {
@@ -295,11 +303,11 @@ SharedMotion shared_motion(const Channels& channels, const ChannelNoise& known) 
 }
 
 Eigen::MatrixXd smoothed_channels(const Channels& channels, const SharedMotion& motion) {
-  const Eigen::MatrixXd along = channels.values * motion.sigmas.cwiseInverse().asDiagonal() * motion.directions;
+  const Eigen::MatrixXd along = product(channels.values * motion.sigmas.cwiseInverse().asDiagonal(), motion.directions);
   Eigen::MatrixXd smooth(along.rows(), along.cols());
   for (Eigen::Index k = 0; k < along.cols(); ++k)
     smooth.col(k) = smoothed_channel(along.col(k), motion.strengths[k], motion.noise_time);
-  return smooth * motion.directions.transpose() * motion.sigmas.asDiagonal();
+  return product(smooth, motion.directions.transpose()) * motion.sigmas.asDiagonal();
 }
 
 double lambda_alone(const SharedMotion& motion, Eigen::Index channel) {

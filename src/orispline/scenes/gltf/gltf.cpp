@@ -21,6 +21,7 @@
 #include <orispline/base/quoted.hpp>
 #include <orispline/clip/clip.hpp>
 #include <orispline/io/file_system.hpp>
+#include <orispline/scenes/gltf/bits_of_file.hpp>
 #include <orispline/scenes/gltf/compressed_views.hpp>
 #include <orispline/scenes/gltf/document.hpp>
 #include <orispline/scenes/gltf/integers.hpp>
@@ -49,50 +50,10 @@ struct WrittenWeights {
   std::vector<float> times{}, outputs{};
 };
 
-/// A channel of rotations as a file of the scene held it, to write the same bits again where they were not changed:
-/// `read` is `raw` normalised.
-struct RotationOfFile {
-  RotationChannel raw{}, read{};
-};
-
 std::array<double, 4> numbers_of(const Eigen::Quaterniond& value) {
   return {value.x(), value.y(), value.z(), value.w()};
 }
 std::array<double, 3> numbers_of(const Eigen::Vector3d& value) { return {value.x(), value.y(), value.z()}; }
-
-/// 1 where two quaternions are the same to the rounding of single precision, -1 where the other one's opposite is.
-double same_sign(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
-  const double sign = a.dot(b) < 0.0 ? -1.0 : 1.0;
-  const double off = (a.coeffs() - sign * b.coeffs()).cwiseAbs().maxCoeff();
-  constexpr double rounding = 0x1p-23;
-  return off <= rounding ? sign : 0.0;
-}
-
-/// Each key that is as it was read, as the file had it.
-RotationChannel with_bits_of_file(RotationChannel channel, const RotationOfFile& file) {
-  const bool is_spline = channel.interpolation == ChannelInterpolation::cubicspline;
-  const auto& times = file.read.times;
-  for (std::size_t i = 0; i < channel.size(); ++i) {
-    const auto found = std::ranges::lower_bound(times, channel.times[i]);
-    if (found == times.end() || *found != channel.times[i]) continue;
-    const auto k = static_cast<std::size_t>(found - times.begin());
-    const bool is_same = channel.values[i].coeffs() == file.read.values[k].coeffs();
-    const double sign = is_same ? 1.0 : same_sign(channel.values[i], file.read.values[k]);
-    // One key at rest has the same bits in every clip, which are then stored once.
-    if (sign == 0.0 || (channel.size() == 1 && !is_same)) continue;
-    channel.values[i].coeffs() = sign * file.raw.values[k].coeffs();
-    if (!is_spline) continue;
-    // Readers divide tangents by what they divide the value by.
-    const auto restore = [&](Eigen::Quaterniond& tangent, const SharedList<Eigen::Quaterniond>& read,
-                             const SharedList<Eigen::Quaterniond>& raw) {
-      if (!read.empty() && sign > 0.0 && tangent.coeffs() == read[k].coeffs()) tangent = raw[k];
-      else tangent.coeffs() *= file.raw.values[k].norm();
-    };
-    restore(channel.in_tangents[i], file.read.in_tangents, file.raw.in_tangents);
-    restore(channel.out_tangents[i], file.read.out_tangents, file.raw.out_tangents);
-  }
-  return channel;
-}
 
 /// A spline stays the curve that it is: the signs of its keys are part of it.
 RotationChannel with_signs_aligned(RotationChannel channel) {
@@ -185,8 +146,8 @@ Expected<WrittenChannel> in_single(const Channel<P>& channel, Property property)
 
 /// Signs of neighbours agree, but those of splines stay; a channel that does not move has one key. Errors (bad_data): a
 /// time below 0, times that do not rise in single precision, a number beyond it.
-Expected<WrittenChannel> written(const RotationChannel& channel, const RotationOfFile* of_file) {
-  return in_single(with_signs_aligned(of_file == nullptr ? channel : with_bits_of_file(channel, *of_file)),
+Expected<WrittenChannel> written(const RotationChannel& channel, const RotationOfFile* of_file, SameKey same) {
+  return in_single(with_signs_aligned(of_file == nullptr ? channel : with_bits_of_file(channel, *of_file, same)),
                    Property::rotation);
 }
 
@@ -283,8 +244,8 @@ class SamplerList {
 
 class Writer {
  public:
-  Writer(const Scene& scene, const Source& source, KeyStore store)
-      : scene_(scene), source_(source), result_{.store = std::move(store)} {}
+  Writer(const Scene& scene, const Source& source, KeyStore store, SameKey same)
+      : scene_(scene), source_(source), same_(same), result_{.store = std::move(store)} {}
 
   [[nodiscard]] Expected<WrittenAnimations> all(const AnimationPlan& plan) && {
     for (std::size_t i = 0; i < scene_.clips.size(); ++i) {
@@ -329,7 +290,7 @@ class Writer {
 
   [[nodiscard]] Expected<WrittenChannel> written_rotation(const RotationChannel& channel, const OldAnimation& old) {
     const auto found = old.sampler_of.find({node_of(channel.joint), Property::rotation});
-    if (found == old.sampler_of.end()) return written(channel, nullptr);
+    if (found == old.sampler_of.end()) return written(channel, nullptr, same_);
     const Object sampler = Object::of(old.json["samplers"][found->second], "").value();
     const auto keys = sampler_places(source_.document(), sampler, quaternion_type).and_then([&](const auto& places) {
       return sampler_keys(source_.document(), places, source_.reading());
@@ -340,7 +301,7 @@ class Writer {
     if (!raw || !read) return tl::unexpected(raw ? read.error() : raw.error());
     const RotationOfFile of_file{std::move(*raw), std::move(*read)};
     const auto places = sampler_places(source_.document(), sampler, quaternion_type);
-    return written(channel, &of_file).map([&](WrittenChannel done) {
+    return written(channel, &of_file, same_).map([&](WrittenChannel done) {
       const ComponentType before = places->output.type;
       if (bytes_in(before, done.outputs)) done.component = before;
       return done;
@@ -436,6 +397,7 @@ class Writer {
 
   const Scene& scene_;
   const Source& source_;
+  SameKey same_;
   WrittenAnimations result_;
 };
 
@@ -470,8 +432,8 @@ Expected<AnimationPlan> plan_of(const Source& source, const std::vector<Clip>& c
 
 /// Errors (bad_data), which name the clip, the joint and the key: times that are one in single precision, or below 0.
 Expected<WrittenAnimations> written_animations(const Scene& scene, const Source& source, const AnimationPlan& plan,
-                                               KeyStore store) {
-  return Writer(scene, source, std::move(store)).all(plan);
+                                               KeyStore store, SameKey same) {
+  return Writer(scene, source, std::move(store), same).all(plan);
 }
 
 constexpr std::string_view binary_extension = ".glb", text_extension = ".gltf";
@@ -524,7 +486,9 @@ Expected<SceneWritten> written_from(const Source& source, const Scene& scene, co
   if (!plan) return tl::unexpected(plan.error());
   const Uses uses = uses_of(document, plan->kept);
   KeyStore store(uses.free_accessors, document.root().list("accessors").value()->size());
-  auto animations = written_animations(scene, source, *plan, std::move(store));
+  // What is rounded to be compressed is to stay so.
+  const SameKey same = compression == KeyCompression::none ? SameKey::to_rounding : SameKey::to_the_bit;
+  auto animations = written_animations(scene, source, *plan, std::move(store), same);
   if (!animations) return tl::unexpected(std::move(animations.error()));
   auto lists = packed(document, uses, animations->store, compression);
   if (!lists) return tl::unexpected(std::move(lists.error()));
