@@ -66,10 +66,9 @@ Expected<scenes::SceneWriting> writing_in(const Stated& stated) {
       continue;
     }
     if (name == "compress") {
-      const auto found = std::ranges::find(words<KeyCompression>, text, &Word::word);
-      if (found == words<KeyCompression>.end())
-        return bad_option(name, formatted("found '{}', wanted {}", text, one_of(words<KeyCompression>)));
-      writing.compression = static_cast<KeyCompression>(found->value);
+      const auto compression = key_compression_in(text);
+      if (!compression) return tl::unexpected(compression.error());
+      writing.compression = *compression;
       continue;
     }
     writing.euler = euler_order_of(text);

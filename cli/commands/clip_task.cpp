@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include <orispline/jobs/task_list.hpp>
 #include <orispline/scenes/scene_file.hpp>
 #include <orispline/scenes/scene_tracks.hpp>
+#include <orispline/scenes/usual_step.hpp>
 
 #include "commands/task_command.hpp"
 #include "options/file_places.hpp"
@@ -68,25 +68,10 @@ Expected<void> read_clips(const TaskArguments& arguments, TaskJob& job) {
 constexpr double even_step = 1e-6;   // share by which even steps between frames may differ
 constexpr double same_frame = 0.01;  // shares of a step by which two times are one frame
 
-/// From key to key, of most keys of a channel [s].
-double usual_step_of(std::span<const double> times) {
-  std::vector<double> steps;
-  for (std::size_t i = 0; i + 1 < times.size(); ++i) steps.push_back(times[i + 1] - times[i]);
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::ranges::nth_element(steps, middle);
-  return *middle;
-}
-
 /// The usual step between keys that are not at even frames, as after a cut between two of them, or where a joint got
 /// more keys [s], or nearly that where the last frame is at the end then; absent where all steps are even.
 std::optional<double> frame_step_of(const Clip& clip) {
-  double usual = 0.0;
-  const auto look = [&](const auto& channels) {
-    for (const auto& channel : channels)
-      if (channel.size() > 2) usual = std::max(usual, usual_step_of({channel.times.data(), channel.size()}));
-  };
-  look(clip.rotations);
-  look(clip.translations);
+  const double usual = scenes::usual_step_of(clip);
   const std::vector<double> times = key_times(clip);
   bool are_even = true;
   for (std::size_t i = 0; i + 1 < times.size(); ++i)

@@ -75,9 +75,9 @@ Error with_output_for_all(Error error, std::string_view output) {
 }
 
 Expected<KeyCompression> compression_in(OptionText option) {
-  const auto found = std::ranges::find(words<KeyCompression>, option.text, &Word::word);
-  if (found == words<KeyCompression>.end()) return wanted(option, one_of(words<KeyCompression>));
-  return static_cast<KeyCompression>(found->value);
+  auto compression = key_compression_in(option.text);
+  if (!compression) return wanted(option, one_of(words<KeyCompression>));
+  return compression;
 }
 
 Expected<scenes::SceneWriting> scene_writing(const OutputOptions& options) {

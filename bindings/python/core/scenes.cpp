@@ -52,13 +52,9 @@ nb::tuple written_scene(const SharedScene& shared, const std::string& path, cons
              "output_euler"});
   }
   if (compress) {
-    const auto found = std::ranges::find(words<KeyCompression>, *compress, &Word::word);
-    if (found == words<KeyCompression>.end())
-      raise({ErrorCode::bad_argument,
-             "found '" + *compress + "', wanted " + one_of(words<KeyCompression>),
-             {},
-             "compress"});
-    writing.compression = static_cast<KeyCompression>(found->value);
+    const auto compression = key_compression_in(*compress);
+    if (!compression) raise(compression.error());
+    writing.compression = *compression;
   }
   auto written = [&] {
     const nb::gil_scoped_release release;

@@ -8,6 +8,7 @@
 #include <orispline/clip/clip_motion.hpp>
 #include <orispline/curve/key_check.hpp>
 #include <orispline/math/highest.hpp>
+#include <orispline/math/shorter_way.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -32,13 +33,10 @@ Moving<Eigen::Vector3d> moving(const AnyPath& path, double t, Side side) {
   return {motion.position, motion.velocity};
 }
 
-double distance(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return angular_distance(a, b); }
-double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm(); }
-
 /// The farthest that a curve is from cubics in an interval, if it comes near the distance that is known.
 template <CurvePoint P, class C>
 Height farthest_between(const C& curve, const ChannelCurve<P>& cubics, double start, double end, double known) {
-  const auto off = [&](double t) { return distance(cubics.at(t), moving(curve, t, Side::right).value); };
+  const auto off = [&](double t) { return distance_between(cubics.at(t), moving(curve, t, Side::right).value); };
   std::array<double, parts - 1> times, distances;
   for (std::size_t k = 0; k < times.size(); ++k) {
     times[k] = start + (end - start) * static_cast<double>(k + 1) / double{parts};

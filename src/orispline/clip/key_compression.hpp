@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 #include <orispline/base/expected.hpp>
 #include <orispline/fields/words.hpp>
@@ -19,6 +20,9 @@ enum class KeyCompression {
 [[nodiscard]] ORISPLINE_EXPORT bool has_meshopt() noexcept;
 /// What a build without it says, with what helps.
 [[nodiscard]] ORISPLINE_EXPORT std::string without_meshopt();
+
+/// Of its word. Errors (bad_argument): another one.
+[[nodiscard]] ORISPLINE_EXPORT Expected<KeyCompression> key_compression_in(std::string_view text);
 
 /// Errors (bad_argument): a compression that this build does not have.
 [[nodiscard]] ORISPLINE_EXPORT Expected<void> check(KeyCompression compression);

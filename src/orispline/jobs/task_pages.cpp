@@ -146,22 +146,27 @@ report::SkeletonPage page_of(const DifferenceOutcome& outcome, const pages::Page
       {.are_known = !first.format.has_no_unit && !second.format.has_no_unit, .shell = shell}, with_notes, threads);
 }
 
-report::SkeletonPage page_of(const ClipOutcome& outcome, std::string after, pages::PageHead head) {
+namespace {
+
+/// Of clips that a task made of those of a file.
+template <class Outcome>
+report::SkeletonPage page_of_made(const Outcome& outcome, std::string after, pages::PageHead head) {
   const MotionFile& file = outcome.request.file;
   add_warnings(head.notes, outcome.warnings);
   std::vector<Clip> clips;
-  for (const ClipEdit& edit : outcome.clips) clips.push_back(edit.clip);
+  for (const auto& made : outcome.clips) clips.push_back(made.clip);
   return pages::scene_page({after.empty() ? file.name : std::move(after), file.skeleton, clips},
                            {.are_known = !file.format.has_no_unit}, head, outcome.request.threads);
 }
 
+}  // namespace
+
+report::SkeletonPage page_of(const ClipOutcome& outcome, std::string after, pages::PageHead head) {
+  return page_of_made(outcome, std::move(after), std::move(head));
+}
+
 report::SkeletonPage page_of(const RetimeClipsOutcome& outcome, std::string after, pages::PageHead head) {
-  const MotionFile& file = outcome.request.file;
-  add_warnings(head.notes, outcome.warnings);
-  std::vector<Clip> clips;
-  for (const ClipRetiming& retiming : outcome.clips) clips.push_back(retiming.clip);
-  return pages::scene_page({after.empty() ? file.name : std::move(after), file.skeleton, clips},
-                           {.are_known = !file.format.has_no_unit}, head, outcome.request.threads);
+  return page_of_made(outcome, std::move(after), std::move(head));
 }
 
 namespace {

@@ -78,7 +78,7 @@ class ErrorLines {
     for (std::size_t i = neighbours.first; i < neighbours.end; ++i) {
       const Differences found =
           differences(before, after, comparison_.counterparts, comparison_.times.subspan(i, 1), comparison_.shell);
-      take_all(found, comparison_.times[i]);
+      take_all(found, neighbours.is_key_first ? shown : comparison_.times[i]);
       if (const double distance = shell_distance_of(found); distance > farthest && !neighbours.is_key_first)
         farthest = distance, shown = comparison_.times[i];
     }

@@ -169,8 +169,9 @@ std::vector<ClipPair> pairs_at_keys(std::span<const Clip> clips) {
 
 constexpr std::string_view compared_at_keys = "Both motions are compared at every key of the input.";
 
-/// Times of a reduction, with those at which it is farthest off.
-std::vector<double> with_worst(std::vector<double> times, const ClipReduction& reduction) {
+/// The times at which a reduction was looked at, and those at which it is farthest off.
+std::vector<double> times_of(const TakenClip& taken, const ClipReduction& reduction) {
+  std::vector<double> times = taken.times;
   if (times.empty()) times.push_back(0.0);
   for (const ClipReduction::Worst* worst : {&reduction.angle, &reduction.translation, &reduction.distance})
     if (worst->is_known()) times.push_back(worst->largest.time);
@@ -324,14 +325,12 @@ report::SkeletonPage smoothed_clips_page(const NamedClips& before, std::string a
 report::SkeletonPage reduced_clips_page(const NamedClips& before, std::string after,
                                         std::span<const ClipReduction> reductions, const ClipReduceOptions& options,
                                         const PageLengths& lengths, const PageHead& head, unsigned threads) {
-  std::vector<ClipPair> at_keys = pairs_at_keys(before.clips);
-  for (std::size_t i = 0; i < reductions.size(); ++i)
-    at_keys[i].times = with_worst(std::move(at_keys[i].times), reductions[i]);
+  const std::vector<ClipPair> at_keys = pairs_at_keys(before.clips);
   std::vector<TakenClip> taken;
   std::vector<ClipPair> pairs;
   for (std::size_t i = 0; i < reductions.size(); ++i) {
     taken.emplace_back(before.skeleton, before.clips[i], options);
-    pairs.push_back({i, i, with_worst(taken.back().times, reductions[i])});
+    pairs.push_back({i, i, times_of(taken.back(), reductions[i])});
   }
   report::SkeletonPage page = begun_skeleton_page("", before.name, after, lengths, head);
   add_clips(page, before.skeleton, own_joints(before.skeleton), pairs, threads,

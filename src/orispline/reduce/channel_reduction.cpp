@@ -15,7 +15,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/math/highest.hpp>
 #include <orispline/math/number.hpp>
-#include <orispline/reduce/apart.hpp>
+#include <orispline/math/shorter_way.hpp>
 #include <orispline/reduce/clip_bytes.hpp>
 #include <orispline/reduce/cubic_keys.hpp>
 #include <orispline/reduce/hermite_keys.hpp>
@@ -316,12 +316,12 @@ LargestInTime farthest_from(const ChannelCurve<P>& motion, const Channel<P>& aft
       summits
           .highest([&](double place) { return chord(motion.at(place), curve.at(place)); }, chord_of_distance<P>(known))
           .place;
-  return {.value = apart(motion.at(t), curve.at(t)), .time = t};
+  return {.value = distance_between(motion.at(t), curve.at(t)), .time = t};
 }
 
 template <CurvePoint P>
 double apart_at_ends(const Channel<P>& channel) {
-  return apart(channel.values.front(), channel.values.back());
+  return distance_between(channel.values.front(), channel.values.back());
 }
 
 template <CurvePoint P>

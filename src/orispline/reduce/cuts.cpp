@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include <orispline/reduce/apart.hpp>
+#include <orispline/math/shorter_way.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -52,7 +52,7 @@ void find(const Channel<P>& channel, CutSearch search, double chain, std::vector
   const std::size_t steps = channel.size() - 1;
   std::vector<double> lengths, intervals;
   for (std::size_t i = 0; i < steps; ++i) {
-    lengths.push_back(apart(channel.values[i], channel.values[i + 1]));
+    lengths.push_back(distance_between(channel.values[i], channel.values[i + 1]));
     intervals.push_back(times[i + 1] - times[i]);
   }
   const double least = has_single_steps ? least_jump(channel, chain) : 0.0;

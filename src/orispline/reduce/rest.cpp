@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <orispline/reduce/apart.hpp>
+#include <orispline/math/shorter_way.hpp>
 #include <orispline/reduce/stored_channel.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -64,7 +64,8 @@ Channel<P> resting_channel(const Channel<P>& channel, const P& rest, double fart
   if (swings(channel, farthest)) return channel;
   const bool is_step = channel.interpolation == ChannelInterpolation::step;
   const auto is_near = [&](const P& held) {
-    return std::ranges::all_of(channel.values, [&](const P& value) { return apart(held, value) <= farthest; });
+    return std::ranges::all_of(channel.values,
+                               [&](const P& value) { return distance_between(held, value) <= farthest; });
   };
   for (const P& held : {rest, channel.values.front()}) {
     Channel<P> resting{.joint = channel.joint,

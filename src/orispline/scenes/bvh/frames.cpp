@@ -9,6 +9,7 @@
 
 #include <orispline/base/decimal.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/scenes/usual_step.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 
@@ -158,24 +159,6 @@ std::optional<Frames> even_frames(std::span<const double> keys, TimeRounding rou
   const double step = frame_time.to_double();
   const auto count = static_cast<std::size_t>(std::round((keys.back() - keys.front()) / step)) + 1;
   return Frames{frame_time, times_at(step, count, keys, rounding)};
-}
-
-/// From key to key, of most keys of the channel where these are farthest apart [s]; 0 where all have one key.
-double usual_step_of(const Clip& clip) {
-  double usual = 0.0;
-  const auto look = [&](const auto& channels) {
-    for (const auto& channel : channels) {
-      std::vector<double> steps;
-      for (std::size_t i = 0; i + 1 < channel.size(); ++i) steps.push_back(channel.times[i + 1] - channel.times[i]);
-      if (steps.empty()) continue;
-      const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-      std::ranges::nth_element(steps, middle);
-      usual = std::max(usual, *middle);
-    }
-  };
-  look(clip.rotations);
-  look(clip.translations);
-  return usual;
 }
 
 /// The step [s] of frames that were cut between two of them, or joined with others, or between which a joint got more:
